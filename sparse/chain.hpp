@@ -1,0 +1,84 @@
+/// \file
+/// Finite formal sums of generators: terms, term vectors, and chains that know their degree.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sparse/contract.hpp"
+#include "sparse/degree.hpp"
+#include "sparse/ring.hpp"
+
+namespace sesame::sparse {
+
+/// The index of a generator within its degree, or of a row or column of a matrix.
+using Index = std::uint32_t;
+
+/// One term of a chain, one entry of a matrix column: `coefficient * generator(index)`.
+template <Ring R>
+struct Term {
+  Index index;
+  typename R::Element coefficient;
+  friend bool operator==(const Term&, const Term&) = default;
+};
+
+/// Terms sorted by index, without repeats and without zero coefficients: the *normal form* of a sparse vector.
+template <Ring R>
+using Terms = std::vector<Term<R>>;
+
+/// Brings any list of terms to normal form: sorts, adds equal indices, drops zeros. Cost O(n log n).
+template <Ring R>
+void normalize(const R& ring, Terms<R>& terms);
+
+/// into += factor * terms, both in normal form. Cost O(|into| + |terms|).
+template <Ring R>
+void add_multiple(const R& ring, Terms<R>& into, const typename R::Element& factor, std::span<const Term<R>> terms);
+
+/// A chain: a finite formal sum of generators, all of one degree.
+template <Ring R>
+class Chain {
+ public:
+  using Element = typename R::Element;
+
+  Chain(R ring, Degree degree) : ring_{ring}, degree_{degree} {}
+  /// From terms in any order, with repeats allowed.
+  Chain(R ring, Degree degree, Terms<R> terms) : ring_{ring}, degree_{degree}, terms_{std::move(terms)} {
+    normalize(ring_, terms_);
+  }
+
+  [[nodiscard]] const R& ring() const { return ring_; }
+  [[nodiscard]] Degree degree() const { return degree_; }
+  [[nodiscard]] const Terms<R>& terms() const { return terms_; }
+  [[nodiscard]] bool is_zero() const { return terms_.empty(); }
+  /// The coefficient of a generator, zero when absent. Cost O(log terms).
+  [[nodiscard]] Element coefficient(Index generator) const;
+
+  /// this += a * generator. Cost O(terms).
+  void add(const Element& a, Index generator);
+  /// this += a * other. Requires: same degree, same ring.
+  void add(const Element& a, const Chain& other);
+
+  friend Chain operator+(Chain a, const Chain& b) {
+    a.add(a.ring_.one(), b);
+    return a;
+  }
+  friend Chain operator-(Chain a, const Chain& b) {
+    a.add(a.ring_.negate(a.ring_.one()), b);
+    return a;
+  }
+  friend bool operator==(const Chain&, const Chain&) = default;
+
+  /// For people: `e0 - 2 e3`, `0`; `letter` names the generators.
+  [[nodiscard]] std::string to_string(std::string_view letter = "e") const;
+
+ private:
+  R ring_;
+  Degree degree_;
+  Terms<R> terms_;
+};
+
+}  // namespace sesame::sparse
