@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,10 @@ void normalize(const R& ring, Terms<R>& terms);
 /// into += factor * terms, both in normal form. Cost O(|into| + |terms|).
 template <Ring R>
 void add_multiple(const R& ring, Terms<R>& into, const typename R::Element& factor, std::span<const Term<R>> terms);
+
+/// For people: `e0 - 2 e3`, `0`; `letter` names the generators.
+template <Ring R>
+[[nodiscard]] std::string to_string(const R& ring, std::span<const Term<R>> terms, std::string_view letter = "e");
 
 /// A chain: a finite formal sum of generators, all of one degree.
 template <Ring R>
@@ -72,7 +77,7 @@ class Chain {
   }
   friend bool operator==(const Chain&, const Chain&) = default;
 
-  /// For people: `e0 - 2 e3`, `0`; `letter` names the generators.
+  /// As the free `to_string` of its terms.
   [[nodiscard]] std::string to_string(std::string_view letter = "e") const;
 
  private:

@@ -23,24 +23,24 @@ namespace sesame::sparse {
 template <class R>
 concept Ring = std::copyable<R> && std::equality_comparable<R> && std::regular<typename R::Element> &&
     requires(const R k, const typename R::Element a, typename R::Element& acc, std::int64_t n, const Integer& z) {
-      { R::is_field } -> std::convertible_to<bool>;
-      { k.zero() } -> std::same_as<typename R::Element>;
-      { k.one() } -> std::same_as<typename R::Element>;
-      { k.from(n) } -> std::same_as<typename R::Element>;
-      { k.from(z) } -> std::same_as<typename R::Element>;
-      { k.to_integer(a) } -> std::same_as<Integer>;
-      { k.add(a, a) } -> std::same_as<typename R::Element>;
-      { k.subtract(a, a) } -> std::same_as<typename R::Element>;
-      { k.negate(a) } -> std::same_as<typename R::Element>;
-      { k.multiply(a, a) } -> std::same_as<typename R::Element>;
-      { k.add_product(acc, a, a) } -> std::same_as<void>;
-      { k.is_zero(a) } -> std::same_as<bool>;
-      { k.is_unit(a) } -> std::same_as<bool>;
-      { k.inverse(a) } -> std::same_as<typename R::Element>;  // requires is_unit(a)
-      { k.quotient(a, a) } -> std::same_as<typename R::Element>;  // requires a nonzero divisor
-      { k.characteristic() } -> std::same_as<std::uint32_t>;
-      { k.name() } -> std::same_as<std::string>;
-    };
+  { R::is_field } -> std::convertible_to<bool>;
+  { k.zero() } -> std::same_as<typename R::Element>;
+  { k.one() } -> std::same_as<typename R::Element>;
+  { k.from(n) } -> std::same_as<typename R::Element>;
+  { k.from(z) } -> std::same_as<typename R::Element>;
+  { k.to_integer(a) } -> std::same_as<Integer>;
+  { k.add(a, a) } -> std::same_as<typename R::Element>;
+  { k.subtract(a, a) } -> std::same_as<typename R::Element>;
+  { k.negate(a) } -> std::same_as<typename R::Element>;
+  { k.multiply(a, a) } -> std::same_as<typename R::Element>;
+  { k.add_product(acc, a, a) } -> std::same_as<void>;
+  { k.is_zero(a) } -> std::same_as<bool>;
+  { k.is_unit(a) } -> std::same_as<bool>;
+  { k.inverse(a) } -> std::same_as<typename R::Element>;      // requires is_unit(a)
+  { k.quotient(a, a) } -> std::same_as<typename R::Element>;  // requires a nonzero divisor
+  { k.characteristic() } -> std::same_as<std::uint32_t>;
+  { k.name() } -> std::same_as<std::string>;
+};
 
 /// The integers.
 class Integers {
@@ -125,9 +125,7 @@ class Zp {
   }
   [[nodiscard]] Element subtract(Element a, Element b) const { return a >= b ? a - b : a + p_ - b; }
   [[nodiscard]] Element negate(Element a) const { return a == 0 ? 0 : p_ - a; }
-  [[nodiscard]] Element multiply(Element a, Element b) const {
-    return static_cast<Element>(std::uint64_t{a} * b % p_);
-  }
+  [[nodiscard]] Element multiply(Element a, Element b) const { return static_cast<Element>(std::uint64_t{a} * b % p_); }
   void add_product(Element& acc, Element a, Element b) const {
     acc = static_cast<Element>((std::uint64_t{a} * b + acc) % p_);
   }

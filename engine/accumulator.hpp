@@ -1,0 +1,60 @@
+/// \file
+/// A dense workspace for sums of sparse vectors, cleared at the cost of what was added.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "sparse/chain.hpp"
+
+namespace sesame::engine {
+
+/// Sums terms by index. One slot per index, kept between sums; a sum touches only the indices that occur in it.
+/// Source: the sparse accumulator of J. Gilbert, C. Moler and R. Schreiber, "Sparse matrices in MATLAB" (1992).
+template <sparse::Ring R>
+class Accumulator {
+ public:
+  using Element = typename R::Element;
+
+  explicit Accumulator(R ring) : ring_{ring} {}
+
+  /// Adds factor * coefficient at an index. True when the index is new to this sum. Cost O(1), amortised.
+  bool add_product(sparse::Index index, const Element& factor, const Element& coefficient) {
+    if (index >= values_.size()) [[unlikely]] {
+      values_.resize(std::max<std::size_t>(index + std::size_t{1}, values_.size() * 2), ring_.zero());
+      present_.resize(values_.size(), 0);
+    }
+    const bool is_new = present_[index] == 0;
+    if (is_new) {
+      present_[index] = 1;
+      touched_.push_back(index);
+    }
+    ring_.add_product(values_[index], factor, coefficient);
+    return is_new;
+  }
+
+  /// The sum so far at an index that is part of this sum, which is set to zero.
+  Element take(sparse::Index index) { return std::exchange(values_[index], ring_.zero()); }
+
+  /// The sum in normal form, and a fresh start. Cost O(n log n) for n indices.
+  void finish(sparse::Terms<R>& out) {
+    out.clear();
+    std::sort(touched_.begin(), touched_.end());
+    for (const sparse::Index index : touched_) {
+      Element value = take(index);
+      present_[index] = 0;
+      if (!ring_.is_zero(value)) {
+        out.push_back({index, std::move(value)});
+      }
+    }
+    touched_.clear();
+  }
+
+ private:
+  R ring_;
+  std::vector<Element> values_;
+  std::vector<unsigned char> present_;
+  std::vector<sparse::Index> touched_;
+};
+
+}  // namespace sesame::engine

@@ -1,0 +1,249 @@
+#include "engine/engine.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include "engine/live_equivalence.hpp"
+#include "sparse/contract.hpp"
+
+namespace sesame::engine {
+namespace {
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+
+std::string to_text(const std::vector<Integer>& numbers) {
+  std::string text = "[";
+  for (const Integer& n : numbers) {
+    text += (text.size() > 1 ? "," : "") + n.to_string();
+  }
+  return text + "]";
+}
+
+std::string to_text(const std::vector<std::vector<Integer>>& lists) {
+  std::string text = "[";
+  for (const auto& list : lists) {
+    text += (text.size() > 1 ? "," : "") + to_text(list);
+  }
+  return text + "]";
+}
+
+std::string to_text(const Integer& n) { return n.to_string(); }
+
+bool is_void(const Integer& n) { return n.is_zero(); }
+bool is_void(const std::vector<Integer>& list) { return list.empty(); }
+
+/// Without trailing zeros or empty lists: they may be left out of an expectation.
+template <class T>
+std::vector<T> trimmed(std::vector<T> list) {
+  while (!list.empty() && is_void(list.back())) {
+    list.pop_back();
+  }
+  return list;
+}
+Integer trimmed(const Integer& n) { return n; }
+
+/// Adds "betti should be [1,2,1] but is [1,1]" to `differences` when the two differ.
+template <class T>
+void compare(const char* what, const std::optional<T>& expected, const T& found, std::string& differences) {
+  if (expected && trimmed(*expected) != trimmed(found)) {
+    differences += std::string{differences.empty() ? "" : "; "} + what + " should be " + to_text(*expected) +
+                   " but is " + to_text(found);
+  }
+}
+
+template <class From>
+std::vector<Integer> integers(const From& numbers) {
+  std::vector<Integer> out;
+  for (const auto n : numbers) {
+    out.emplace_back(std::int64_t{n});
+  }
+  return out;
+}
+
+}  // namespace
+
+Engine::Engine(sparse::AnyRing ring, ops::Limits limits)
+    : ring_{ring}, planner_{structure_, limits}, tracker_{make_tracker(ring, structure_)} {}
+
+Engine::~Engine() = default;
+
+Result<StepReport> Engine::apply(const ops::Operation& operation) {
+  Result<StepReport> result = std::visit(
+      Overloaded{[&](const ops::Undo& undo) { return take_back(undo); },
+                 [&](const ops::Expect& expected) -> Result<StepReport> {
+                   if (Status status = check(expected); !status) {
+                     return status.error();
+                   }
+                   push_history();
+                   return begin_report(operation);
+                 },
+                 [&](const ops::AskClass& question) -> Result<StepReport> {
+                   const Result<CellChain> asked = chain(question.chain);
+                   if (!asked) {
+                     return asked.error();
+                   }
+                   StepReport report = begin_report(operation);
+                   report.answer = classify(*asked);
+                   push_history();
+                   return report;
+                 },
+                 [&](const ops::Note&) -> Result<StepReport> {
+                   push_history();
+                   return begin_report(operation);
+                 },
+                 [&](const auto&) { return construct(operation); }},
+      operation);
+  if (result) {
+    finish(operation, *result);
+  }
+  return result;
+}
+
+Result<ops::Plan> Engine::plan(const ops::Operation& operation) {
+  ops::Plan plan;
+  const Status status = std::visit(
+      [&]<class Op>(const Op& op) -> Status {
+        if constexpr (requires { planner_.plan(op, plan); }) {
+          return planner_.plan(op, plan);
+        } else {
+          return Done{};
+        }
+      },
+      operation);
+  if (!status) {
+    return status.error();
+  }
+  return plan;
+}
+
+Result<StepReport> Engine::construct(const ops::Operation& operation) {
+  const Status status = std::visit(
+      [&]<class Op>(const Op& op) -> Status {
+        if constexpr (requires { planner_.plan(op, plan_); }) {
+          return planner_.plan(op, plan_);
+        } else {
+          throw sparse::ContractViolation("only construction operations are planned");
+        }
+      },
+      operation);
+  if (!status) {
+    return status.error();
+  }
+  StepReport report = begin_report(operation);
+  push_history();
+  try {
+    structure_.apply(plan_);
+    tracker_->extend();
+  } catch (...) {  // out of memory half-way: as if nothing had happened
+    structure_.truncate(history_.back());
+    history_.pop_back();
+    tracker_->undo_to_mark();
+    throw;
+  }
+  report.after = ops::now(structure_);
+  if (!plan_.changes_nothing()) {
+    const std::uint64_t before = report.before.created - report.before.links;
+    const std::uint64_t after = report.after.created - report.after.links;
+    report.sequence = plan_.merges.empty()
+                          ? SequenceSizes{ops::Direction::backward, before, after, after - before}
+                          : SequenceSizes{ops::Direction::forward, before - after, before, after};
+  }
+  return report;
+}
+
+Status Engine::check(const ops::Expect& expected) {
+  std::string differences;
+  compare("cells", expected.cells, integers(cells()), differences);
+  compare("euler", expected.euler, Integer{euler_characteristic()}, differences);
+  if (expected.betti || expected.torsion) {
+    const Homology found = homology();
+    compare("betti", expected.betti, integers(found.betti), differences);
+    compare("torsion", expected.torsion, found.torsion, differences);
+  }
+  if (!differences.empty()) {
+    return Error{Errc::expectation, differences};
+  }
+  return Done{};
+}
+
+Result<StepReport> Engine::take_back(const ops::Undo& operation) {
+  if (operation.steps > history_.size()) {
+    return Error{Errc::refused, "cannot undo " + std::to_string(operation.steps) + " steps: only " +
+                                    std::to_string(history_.size()) + " can be undone"};
+  }
+  StepReport report = begin_report(operation);
+  report.steps_undone = operation.steps;
+  for (std::uint64_t k = 0; k < operation.steps; ++k) {
+    structure_.truncate(history_.back());
+    history_.pop_back();
+    tracker_->undo_to_mark();
+  }
+  report.after = ops::now(structure_);
+  return report;
+}
+
+StepReport Engine::begin_report(const ops::Operation& operation) const {
+  StepReport report;
+  report.step = log_.size() + 1;
+  report.op = ops::keyword(operation);
+  report.before = report.after = ops::now(structure_);
+  return report;
+}
+
+void Engine::push_history() {
+  history_.push_back(structure_.mark());
+  tracker_->push_mark();
+}
+
+void Engine::finish(const ops::Operation& operation, StepReport& report) {
+  log_.push_back(operation);
+  SPDLOG_DEBUG("step {} ({}): {} cells created, {} removed", report.step, report.op, report.after.created,
+               report.after.links);
+  for (const Observer& observer : observers_) {
+    observer(log_.back(), report);
+  }
+}
+
+std::int64_t Engine::euler_characteristic() const {
+  std::int64_t sum = 0;
+  std::int64_t sign = 1;
+  for (const std::uint32_t count : cells()) {
+    sum += sign * count;
+    sign = -sign;
+  }
+  return sum;
+}
+
+Result<CellChain> Engine::chain(const std::vector<std::pair<Integer, std::string>>& terms) const {
+  CellChain chain;
+  for (const auto& [coefficient, name] : terms) {
+    const Result<ops::CellId> cell = planner_.resolve(name);
+    if (!cell) {
+      return cell.error();
+    }
+    const int dimension = structure_.dimension(*cell);
+    if (chain.terms.empty()) {
+      chain.degree = dimension;
+    } else if (chain.degree != dimension) {
+      return Error{Errc::bad_input, "a chain is made of cells of one dimension, but \"" + terms.front().second +
+                                        "\" has dimension " + std::to_string(chain.degree) + " and \"" + name +
+                                        "\" has dimension " + std::to_string(dimension)};
+    }
+    chain.terms.push_back({coefficient, *cell});
+  }
+  return chain;
+}
+
+ops::Moment Engine::before_step(std::uint64_t n) const {
+  sparse::expects(n >= 1 && n <= history_.size(), "a step is one of those that are not undone");
+  const ops::StructureMark& mark = history_[n - 1];
+  return {mark.cells, mark.links};
+}
+
+std::optional<std::string> Engine::first_defect() {
+  return tracker_->first_defect(history_.empty() ? ops::now(structure_) : before_step(history_.size()));
+}
+
+}  // namespace sesame::engine

@@ -1,0 +1,133 @@
+/// \file
+/// The engine: applies construction steps, keeps the homology of the workspace current, answers queries, undoes.
+/// This is the header that most users of the library need.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/homology_tracker.hpp"
+#include "ops/operation.hpp"
+#include "ops/planner.hpp"
+#include "ops/step_sequence.hpp"
+#include "ops/structure.hpp"
+#include "sparse/result.hpp"
+#include "sparse/ring.hpp"
+
+namespace sesame::engine {
+
+template <sparse::Ring R>
+class LiveEquivalence;
+
+/// The sizes of a step's exact sequence 0 -> C0 -> C1 -> C2 -> 0, in generators of all degrees.
+struct SequenceSizes {
+  ops::Direction direction;
+  std::uint64_t c0, c1, c2;
+};
+
+/// What a step did.
+struct StepReport {
+  std::uint64_t step = 0;                 ///< counted from 1, over all steps that were applied
+  std::string_view op;                    ///< the keyword of its operation
+  ops::Moment before, after;              ///< cells created and removed until then
+  std::uint64_t steps_undone = 0;         ///< by an undo
+  std::optional<SequenceSizes> sequence;  ///< of a step that added or removed cells
+  std::optional<ClassAnswer> answer;      ///< to a `class`
+};
+
+/// Called after each step that was applied, with the operation as it stands in the log.
+using Observer = std::function<void(const ops::Operation&, const StepReport&)>;
+
+/// A workspace: several bodies of cells, their log, and their homology over one ring.
+///
+/// State is the fold of the log: two engines given the same operations over the same ring answer every query alike, to
+/// the byte. An operation happens wholly or, on an error, not at all.
+///
+/// Not thread-safe: queries bring memoised results up to date.
+class Engine {
+ public:
+  explicit Engine(sparse::AnyRing ring = sparse::Integers{}, ops::Limits limits = {});
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+  ~Engine();
+
+  // ---- steps
+  /// Carries out one operation.
+  /// Errors    what the planner refuses (nothing has happened then); `expectation` when an Expect differs from the state;
+  ///           `refused` when an Undo asks for more steps than there are.
+  /// Cost      the cells that the step touches, times their dimension, plus the vectors that are rewritten: independent of
+  ///           the size of the object and of the length of the history. An Undo costs what the steps taken back did.
+  Result<StepReport> apply(const ops::Operation& operation);
+  /// What a construction operation would do, without doing it.
+  Result<ops::Plan> plan(const ops::Operation& operation);
+  /// Takes back the last n steps (an Undo operation without the operation's text).
+  Result<StepReport> undo(std::uint64_t steps = 1) { return apply(ops::Undo{steps}); }
+  /// The number of steps that can be undone: those applied, undos and the undone not counted.
+  [[nodiscard]] std::uint64_t undoable() const { return history_.size(); }
+  /// Every operation that was applied, undos included, in order.
+  [[nodiscard]] const std::vector<ops::Operation>& log() const { return log_; }
+  void observe(Observer observer) { observers_.push_back(std::move(observer)); }
+
+  // ---- state
+  [[nodiscard]] const sparse::AnyRing& ring() const { return ring_; }
+  [[nodiscard]] const ops::Structure& structure() const { return structure_; }
+  /// The number of cells of each dimension, up to the largest that has one.
+  [[nodiscard]] std::span<const std::uint32_t> cells() const { return structure_.counts(); }
+  [[nodiscard]] std::int64_t euler_characteristic() const;
+  /// Betti numbers, torsion, sizes of the small and the big complex; an entry per dimension that has cells, at least.
+  [[nodiscard]] Homology homology() { return tracker_->homology(cells().size()); }
+
+  // ---- chains
+  /// A chain from names. Errors: unknown_name; bad_input when the cells differ in dimension.
+  [[nodiscard]] Result<CellChain> chain(const std::vector<std::pair<Integer, std::string>>& terms) const;
+  /// The generators of H_p: torsion by increasing order, then the free ones. Cost: their expansion.
+  [[nodiscard]] std::vector<Generator> generators(int degree) { return tracker_->generators(degree); }
+  [[nodiscard]] ClassAnswer classify(const CellChain& chain) { return tracker_->classify(chain); }
+  /// F, G, K and the boundaries, applied to chains: see HomologyTracker.
+  [[nodiscard]] HomologyTracker& maps() { return *tracker_; }
+  /// The equivalence C <= B => S itself, for its matrices; null when the engine computes over another ring.
+  template <sparse::Ring R>
+  [[nodiscard]] LiveEquivalence<R>* live() {
+    return dynamic_cast<LiveEquivalence<R>*>(tracker_.get());
+  }
+
+  // ---- the last step as an exact sequence, and the laws
+  /// The moment before the step with this number among those not undone (1: the first). Requires: 1 <= n <= undoable().
+  [[nodiscard]] ops::Moment before_step(std::uint64_t n) const;
+  /// The exact sequence of a step that is not undone; nothing when the step changed no cells. Cost: the size of the object.
+  template <sparse::Ring R>
+  [[nodiscard]] std::optional<ops::StepSequence<R>> sequence(std::uint64_t n, const R& ring) const {
+    const ops::Moment before = before_step(n);
+    const ops::Moment after = n == undoable() ? ops::now(structure_) : before_step(n + 1);
+    if (before == after) {
+      return std::nullopt;
+    }
+    return ops::step_sequence(structure_, before, after, ring);
+  }
+  /// Checks every law of the present state. Slow. Returns the first that fails and where.
+  [[nodiscard]] std::optional<std::string> first_defect();
+
+ private:
+  Result<StepReport> construct(const ops::Operation& operation);
+  Status check(const ops::Expect& expected);
+  Result<StepReport> take_back(const ops::Undo& operation);
+  StepReport begin_report(const ops::Operation& operation) const;
+  void finish(const ops::Operation& operation, StepReport& report);
+  void push_history();
+
+  sparse::AnyRing ring_;
+  ops::Structure structure_;
+  ops::Planner planner_;
+  ops::Plan plan_;
+  std::unique_ptr<HomologyTracker> tracker_;
+  std::vector<ops::Operation> log_;
+  std::vector<ops::StructureMark> history_;  ///< before each step that can be undone
+  std::vector<Observer> observers_;
+};
+
+}  // namespace sesame::engine

@@ -1,0 +1,103 @@
+/// \file
+/// What the engine asks of a live equivalence, whatever the ring: the type-erased face of LiveEquivalence.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ops/step_sequence.hpp"
+#include "ops/structure.hpp"
+#include "sparse/ring.hpp"
+
+namespace sesame::engine {
+
+using sparse::Integer;
+
+/// A chain of current cells with integer coefficients (in [0, p) over Z/p), by the age of the cells' canonical names.
+struct CellChain {
+  struct Term {
+    Integer coefficient;
+    ops::CellId cell;  ///< a current cell
+    friend bool operator==(const Term&, const Term&) = default;
+  };
+  int degree = 0;
+  std::vector<Term> terms;
+  friend bool operator==(const CellChain&, const CellChain&) = default;
+};
+
+/// A chain of the small complex: coefficients of the small generators of one degree, numbered from 0, oldest first.
+struct SmallChain {
+  struct Term {
+    Integer coefficient;
+    std::uint32_t generator;
+    friend bool operator==(const Term&, const Term&) = default;
+  };
+  int degree = 0;
+  std::vector<Term> terms;
+  friend bool operator==(const SmallChain&, const SmallChain&) = default;
+};
+
+/// A generator of a homology group.
+struct Generator {
+  int degree = 0;
+  Integer order;        ///< 0: free
+  CellChain cycle;
+  CellChain bounding;   ///< for order t > 0: its boundary is t * cycle; empty for a free generator
+};
+
+/// The answer to "what class is this chain in?".
+struct ClassAnswer {
+  bool is_cycle = false;
+  bool is_zero = false;               ///< a boundary
+  std::vector<Integer> coefficients;  ///< of the generators of this degree, in the order in which they are listed
+  std::optional<CellChain> bounds;    ///< when it is zero: a chain whose boundary it is
+};
+
+/// The homology of the whole workspace, by degree.
+struct Homology {
+  std::vector<std::int64_t> betti;
+  std::vector<std::vector<Integer>> torsion;  ///< invariant factors > 1, each dividing the next
+  std::vector<std::uint32_t> small;           ///< generators of the small complex
+  std::vector<std::uint32_t> big;             ///< generators of the big complex
+};
+
+/// Keeps the homological equivalence C <= B => S of a structure current over one ring.
+class HomologyTracker {
+ public:
+  HomologyTracker() = default;
+  HomologyTracker(const HomologyTracker&) = delete;
+  HomologyTracker& operator=(const HomologyTracker&) = delete;
+  virtual ~HomologyTracker() = default;
+
+  /// Takes in the cells and removals that the structure has gained since. Cost: that of the step.
+  virtual void extend() = 0;
+  /// Remembers this moment; `undo_to_mark` goes back to the last one remembered and forgets it. The structure must have
+  /// been truncated to the same moment first.
+  virtual void push_mark() = 0;
+  virtual void undo_to_mark() = 0;
+  /// Forgets the last moment remembered, without going back.
+  virtual void drop_mark() = 0;
+
+  /// Betti numbers, torsion and sizes; `dimensions` entries at least. Cost O(dimensions), plus a Smith form of the core
+  /// when that changed.
+  [[nodiscard]] virtual Homology homology(std::size_t dimensions) = 0;
+  /// The generators of H_p: those of finite order by increasing order, then the free ones.
+  [[nodiscard]] virtual std::vector<Generator> generators(int degree) = 0;
+  [[nodiscard]] virtual ClassAnswer classify(const CellChain& chain) = 0;
+
+  /// F: C -> S, G: S -> C, K: C -> C of degree 1, with d K + K d = 1 - G F; and the boundaries of C and S.
+  [[nodiscard]] virtual SmallChain apply_F(const CellChain& chain) = 0;
+  [[nodiscard]] virtual CellChain apply_G(const SmallChain& chain) = 0;
+  [[nodiscard]] virtual CellChain apply_K(const CellChain& chain) = 0;
+  [[nodiscard]] virtual CellChain boundary(const CellChain& chain) const = 0;
+  [[nodiscard]] virtual SmallChain boundary(const SmallChain& chain) = 0;
+
+  /// Checks every law of the equivalence and of the last step's exact sequence, and the homology against a Smith form
+  /// computed from scratch. Returns the first that fails and where. Slow: for tests and audits.
+  [[nodiscard]] virtual std::optional<std::string> first_defect(ops::Moment before_last_step) = 0;
+};
+
+}  // namespace sesame::engine

@@ -1,0 +1,498 @@
+#include "engine/live_equivalence.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "reductions/defect.hpp"
+#include "reductions/homology.hpp"
+#include "sparse/contract.hpp"
+
+namespace sesame::engine {
+
+using reductions::ChainComplex;
+using reductions::GradedMap;
+using sparse::expects;
+using sparse::Matrix;
+using sparse::Term;
+
+namespace {
+
+/// Where each symbol or generator stands within its degree.
+struct Numbering {
+  std::vector<std::vector<Index>> members;    ///< by degree
+  std::unordered_map<Index, Index> position;  ///< within the degree
+
+  void add(int degree, Index id) {
+    const auto p = static_cast<std::size_t>(degree);
+    if (p >= members.size()) {
+      members.resize(p + 1);
+    }
+    position.emplace(id, static_cast<Index>(members[p].size()));
+    members[p].push_back(id);
+  }
+  [[nodiscard]] std::vector<Index> sizes() const {
+    std::vector<Index> sizes;
+    for (const auto& degree : members) {
+      sizes.push_back(static_cast<Index>(degree.size()));
+    }
+    return sizes;
+  }
+};
+
+/// The graded map whose column at each member of `source` is column(member), a chain in members of `target`.
+template <Ring R, class Column>
+GradedMap<R> graded_map(const R& ring, int degree, const Numbering& source, const Numbering& target, Column column) {
+  const std::vector<Index> from = source.sizes();
+  const std::vector<Index> to = target.sizes();
+  std::vector<Matrix<R>> parts;
+  for (std::size_t p = 0; p < from.size(); ++p) {
+    Matrix<R> part(ring, reductions::size_at(to, static_cast<int>(p) + degree), 0);
+    for (const Index member : source.members[p]) {
+      Terms<R> terms = column(member);
+      for (Term<R>& term : terms) {
+        term.index = target.position.at(term.index);
+      }
+      sparse::normalize(ring, terms);
+      part.append_column(terms);
+    }
+    parts.push_back(std::move(part));
+  }
+  return GradedMap<R>(ring, degree, from, to, std::move(parts));
+}
+
+template <Ring R>
+Terms<R> unit(const R& ring, Index index) {
+  return {{index, ring.one()}};
+}
+
+}  // namespace
+
+template <Ring R>
+LiveEquivalence<R>::LiveEquivalence(R ring, const Structure& structure)
+    : ring_{ring}, structure_{structure}, big_{ring, structure}, rewriter_{ring, big_.boundary()} {
+  extend();
+}
+
+// ------------------------------------------------------------------------------------------------------- maintenance
+
+template <Ring R>
+void LiveEquivalence<R>::extend() {
+  for (; cells_ < structure_.created(); ++cells_) {
+    rewriter_.append(big_.degree(big_.append_cell(cells_)));
+  }
+  for (; links_ < structure_.links(); ++links_) {
+    rewriter_.append(big_.degree(big_.append_removal(links_)));
+  }
+}
+
+template <Ring R>
+void LiveEquivalence<R>::push_mark() {
+  marks_.push_back({cells_, links_, big_.size(), rewriter_.mark()});
+}
+
+template <Ring R>
+void LiveEquivalence<R>::undo_to_mark() {
+  const Mark mark = marks_.back();
+  marks_.pop_back();
+  rewriter_.undo(mark.rewriter);
+  big_.truncate(mark.generators, mark.cells, mark.links);
+  cells_ = mark.cells;
+  links_ = mark.links;
+}
+
+// ------------------------------------------------------------------------------------------------------------ groups
+
+template <Ring R>
+const typename LiveEquivalence<R>::TorsionCache& LiveEquivalence<R>::torsion() {
+  const TorsionCore<R>& core = rewriter_.core();
+  if (torsion_.filled && torsion_.version == core.version()) {
+    return torsion_;
+  }
+  torsion_ = {core.version(), true, {}, {}};
+  std::map<int, std::vector<const Terms<R>*>> by_degree;
+  for (const auto& [x, column] : core.columns()) {
+    by_degree[rewriter_.degree(x)].push_back(&column);
+  }
+  for (const auto& [degree, columns] : by_degree) {
+    Numbering rows;
+    Matrix<R> matrix(ring_, 0, 0);
+    for (const Terms<R>* column : columns) {
+      Terms<R> terms;
+      for (const Term<R>& term : *column) {
+        if (!rows.position.contains(term.index)) {
+          rows.add(0, term.index);
+          matrix.append_rows(1);
+        }
+        terms.push_back({rows.position.at(term.index), term.coefficient});
+      }
+      sparse::normalize(ring_, terms);
+      matrix.append_column(terms);
+    }
+    const auto p = static_cast<std::size_t>(degree);
+    torsion_.columns.resize(p + 1, 0);
+    torsion_.columns[p] = static_cast<std::uint32_t>(columns.size());
+    torsion_.torsion.resize(p);
+    for (const auto& factor : sparse::invariant_factors(matrix)) {
+      if (!ring_.is_unit(factor)) {
+        torsion_.torsion[p - 1].push_back(ring_.to_integer(factor));
+      }
+    }
+  }
+  return torsion_;
+}
+
+template <Ring R>
+Homology LiveEquivalence<R>::homology(std::size_t dimensions) {
+  const TorsionCache& core = torsion();
+  const std::vector<std::uint32_t>& small = rewriter_.small_counts();
+  std::size_t used = small.size();
+  while (used > 0 && small[used - 1] == 0) {
+    --used;
+  }
+  dimensions = std::max(dimensions, used);
+  const auto at = [](const auto& counts, std::size_t p) -> std::int64_t { return p < counts.size() ? counts[p] : 0; };
+  Homology homology;
+  for (std::size_t p = 0; p < dimensions; ++p) {
+    homology.betti.push_back(at(small, p) - at(core.columns, p) - at(core.columns, p + 1));
+    homology.torsion.push_back(p < core.torsion.size() ? core.torsion[p] : std::vector<Integer>{});
+    homology.small.push_back(static_cast<std::uint32_t>(at(small, p)));
+  }
+  homology.big = big_.counts();
+  homology.big.resize(std::max(dimensions, homology.big.size()), 0);
+  return homology;
+}
+
+template <Ring R>
+typename LiveEquivalence<R>::Group LiveEquivalence<R>::group(int degree) const {
+  const TorsionCore<R>& core = rewriter_.core();
+  std::vector<Symbol> columns;
+  std::set<Symbol> met;
+  for (const auto& [x, column] : core.columns()) {
+    if (rewriter_.degree(x) == degree + 1) {
+      columns.push_back(x);
+      for (const Term<R>& term : column) {
+        met.insert(term.index);
+      }
+    }
+  }
+  std::vector<Symbol> free;
+  Numbering bound;
+  for (const Symbol x : rewriter_.small(degree)) {
+    if (core.find(x) != nullptr) {
+      continue;  // its boundary is not zero, and the columns of the core are independent: it is in no cycle
+    }
+    if (met.contains(x)) {
+      bound.add(0, x);
+    } else {
+      free.push_back(x);
+    }
+  }
+  Matrix<R> matrix(ring_, static_cast<Index>(bound.position.size()), 0);
+  for (const Symbol x : columns) {
+    Terms<R> terms;
+    for (const Term<R>& term : *core.find(x)) {
+      terms.push_back({bound.position.at(term.index), term.coefficient});
+    }
+    sparse::normalize(ring_, terms);
+    matrix.append_column(terms);
+  }
+  return {std::move(free), bound.members.empty() ? std::vector<Symbol>{} : std::move(bound.members[0]),
+          std::move(columns), sparse::smith_form(matrix)};
+}
+
+template <Ring R>
+std::vector<Generator> LiveEquivalence<R>::generators(int degree) {
+  const Group h = group(degree);
+  const auto in_symbols = [](const Terms<R>& terms, const std::vector<Symbol>& symbols) {
+    Terms<R> out;
+    for (const Term<R>& term : terms) {
+      out.push_back({symbols[term.index], term.coefficient});
+    }
+    return out;
+  };
+  const auto cells_of = [&](int p, const Terms<R>& chain_of_s) { return to_cells(p, rewriter_.lift(chain_of_s)); };
+  std::vector<Generator> finite;
+  std::vector<Generator> infinite;
+  for (Index k = 0; k < h.bound.size(); ++k) {
+    const bool has_order = k < h.smith.factors.size();
+    if (has_order && ring_.is_unit(h.smith.factors[k])) {
+      continue;
+    }
+    Generator generator;
+    generator.degree = degree;
+    generator.cycle = cells_of(degree, in_symbols(h.smith.left_inverse.column(k), h.bound));
+    if (has_order) {
+      generator.order = ring_.to_integer(h.smith.factors[k]);
+      generator.bounding = cells_of(degree + 1, in_symbols(h.smith.right.column(k), h.columns));
+    }
+    (has_order ? finite : infinite).push_back(std::move(generator));
+  }
+  for (const Symbol x : h.free) {
+    infinite.push_back({degree, 0, cells_of(degree, unit(ring_, x)), {}});
+  }
+  std::move(infinite.begin(), infinite.end(), std::back_inserter(finite));
+  return finite;
+}
+
+template <Ring R>
+ClassAnswer LiveEquivalence<R>::classify(const CellChain& chain) {
+  ClassAnswer answer;
+  if (!boundary(chain).terms.empty()) {
+    return answer;
+  }
+  answer.is_cycle = true;
+  const Terms<R> z = g(chain);
+  const Terms<R> image = rewriter_.rewrite(z);
+  const Group h = group(chain.degree);
+  // 1. The coordinates of F z: on the basis of the Smith form for what meets the core, on the free generators else.
+  Terms<R> in_bound;
+  std::vector<Integer> on_free(h.free.size());
+  for (const Term<R>& term : image) {
+    if (const auto at = std::find(h.free.begin(), h.free.end(), term.index); at != h.free.end()) {
+      on_free[static_cast<std::size_t>(at - h.free.begin())] = ring_.to_integer(term.coefficient);
+    } else {
+      const auto row = std::find(h.bound.begin(), h.bound.end(), term.index);
+      expects(row != h.bound.end(), "the image of a cycle is a cycle of the small complex");
+      in_bound.push_back({static_cast<Index>(row - h.bound.begin()), term.coefficient});
+    }
+  }
+  sparse::normalize(ring_, in_bound);
+  const Terms<R> coordinates = h.smith.left.apply(in_bound);
+  std::vector<typename R::Element> dense(h.bound.size(), ring_.zero());
+  for (const Term<R>& term : coordinates) {
+    dense[term.index] = term.coefficient;
+  }
+  // 2. What is left of them modulo the orders, and the chain y of S with d y = the rest.
+  Terms<R> preimage;
+  for (std::size_t k = 0; k < dense.size(); ++k) {
+    if (k >= h.smith.factors.size()) {
+      answer.coefficients.push_back(ring_.to_integer(dense[k]));
+      continue;
+    }
+    const auto& order = h.smith.factors[k];
+    const auto quotient = ring_.quotient(dense[k], order);
+    sparse::add_multiple<R>(ring_, preimage, quotient, h.smith.right.column(static_cast<Index>(k)));
+    if (!ring_.is_unit(order)) {
+      answer.coefficients.push_back(ring_.to_integer(ring_.subtract(dense[k], ring_.multiply(quotient, order))));
+    }
+  }
+  answer.coefficients.insert(answer.coefficients.end(), on_free.begin(), on_free.end());
+  answer.is_zero = std::all_of(answer.coefficients.begin(), answer.coefficients.end(),
+                               [](const Integer& a) { return a.is_zero(); });
+  // 3. z = d(G y + K z).
+  if (answer.is_zero) {
+    for (Term<R>& term : preimage) {
+      term.index = h.columns[term.index];
+    }
+    answer.bounds = to_cells(chain.degree + 1, rewriter_.lift(preimage, rewriter_.trace(z)));
+  }
+  return answer;
+}
+
+// -------------------------------------------------------------------------------------------------------------- maps
+
+template <Ring R>
+Terms<R> LiveEquivalence<R>::g(const CellChain& chain) const {
+  Terms<R> out;
+  for (const auto& [coefficient, cell] : chain.terms) {
+    expects(cell < cells_ && structure_.is_current(cell) && structure_.dimension(cell) == chain.degree,
+            "a chain is made of current cells of its degree");
+    big_.add_g(cell, ring_.from(coefficient), out);
+  }
+  sparse::normalize(ring_, out);
+  return out;
+}
+
+template <Ring R>
+CellChain LiveEquivalence<R>::to_cells(int degree, const Terms<R>& chain_of_b) const {
+  return to_chain(degree, big_.f(chain_of_b));
+}
+
+template <Ring R>
+CellChain LiveEquivalence<R>::to_chain(int degree, const Terms<R>& cells) const {
+  CellChain chain{degree, {}};
+  for (const Term<R>& term : cells) {
+    chain.terms.push_back({ring_.to_integer(term.coefficient), term.index});
+  }
+  std::sort(chain.terms.begin(), chain.terms.end(), [this](const CellChain::Term& a, const CellChain::Term& b) {
+    return structure_.oldest(a.cell) < structure_.oldest(b.cell);
+  });
+  return chain;
+}
+
+template <Ring R>
+SmallChain LiveEquivalence<R>::apply_F(const CellChain& chain) {
+  const Terms<R> image = rewriter_.rewrite(g(chain));
+  SmallChain out{chain.degree, {}};
+  if (image.empty()) {
+    return out;
+  }
+  const std::vector<Symbol> symbols = rewriter_.small(chain.degree);
+  for (const Term<R>& term : image) {
+    const auto at = std::find(symbols.begin(), symbols.end(), term.index);
+    out.terms.push_back({ring_.to_integer(term.coefficient), static_cast<std::uint32_t>(at - symbols.begin())});
+  }
+  return out;
+}
+
+template <Ring R>
+CellChain LiveEquivalence<R>::apply_G(const SmallChain& chain) {
+  const std::vector<Symbol> symbols = rewriter_.small(chain.degree);
+  Terms<R> in_symbols;
+  for (const auto& [coefficient, generator] : chain.terms) {
+    in_symbols.push_back({symbols.at(generator), ring_.from(coefficient)});
+  }
+  sparse::normalize(ring_, in_symbols);
+  return to_cells(chain.degree, rewriter_.lift(in_symbols));
+}
+
+template <Ring R>
+CellChain LiveEquivalence<R>::apply_K(const CellChain& chain) {
+  return to_cells(chain.degree + 1, rewriter_.lift({}, rewriter_.trace(g(chain))));
+}
+
+template <Ring R>
+CellChain LiveEquivalence<R>::boundary(const CellChain& chain) const {
+  Terms<R> out;
+  for (const auto& [coefficient, cell] : chain.terms) {
+    const ops::TypeInfo& type = structure_.type(cell);
+    const auto faces = structure_.faces_as_created(cell);
+    const auto element = ring_.from(coefficient);
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+      out.push_back({structure_.find(faces[k]), type.faces[k].sign > 0 ? element : ring_.negate(element)});
+    }
+  }
+  sparse::normalize(ring_, out);
+  return to_chain(chain.degree - 1, out);
+}
+
+template <Ring R>
+Terms<R> LiveEquivalence<R>::core_boundary(std::span<const Term<R>> chain_of_s) const {
+  Terms<R> out;
+  for (const Term<R>& term : chain_of_s) {
+    if (const Terms<R>* column = rewriter_.core().find(term.index)) {
+      sparse::add_multiple<R>(ring_, out, term.coefficient, *column);
+    }
+  }
+  return out;
+}
+
+template <Ring R>
+SmallChain LiveEquivalence<R>::boundary(const SmallChain& chain) {
+  const std::vector<Symbol> symbols = rewriter_.small(chain.degree);
+  Terms<R> in_symbols;
+  for (const auto& [coefficient, generator] : chain.terms) {
+    in_symbols.push_back({symbols.at(generator), ring_.from(coefficient)});
+  }
+  sparse::normalize(ring_, in_symbols);
+  const std::vector<Symbol> below = rewriter_.small(chain.degree - 1);
+  SmallChain out{chain.degree - 1, {}};
+  for (const Term<R>& term : core_boundary(in_symbols)) {
+    const auto at = std::find(below.begin(), below.end(), term.index);
+    out.terms.push_back({ring_.to_integer(term.coefficient), static_cast<std::uint32_t>(at - below.begin())});
+  }
+  return out;
+}
+
+// ---------------------------------------------------------------------------------------------------- matrices, laws
+
+template <Ring R>
+reductions::Equivalence<R> LiveEquivalence<R>::matrices() {
+  const ops::CellBasis basis = ops::cells_at(structure_, ops::now(structure_));
+  Numbering object;
+  for (std::size_t p = 0; p < basis.cells().size(); ++p) {
+    for (const CellId cell : basis.cells()[p]) {
+      object.add(static_cast<int>(p), cell);
+    }
+  }
+  Numbering big;
+  for (Index b = 0; b < big_.size(); ++b) {
+    big.add(big_.degree(b), b);
+  }
+  Numbering small;
+  for (int p = 0; p < static_cast<int>(rewriter_.small_counts().size()); ++p) {
+    for (const Symbol x : rewriter_.small(p)) {
+      small.add(p, x);
+    }
+  }
+  const ChainComplex<R> c = ops::chain_complex(structure_, basis, ops::now(structure_), ring_);
+  const ChainComplex<R> b = reductions::complex_with(
+      graded_map(ring_, -1, big, big, [&](Index x) { return big_.boundary().column(x); }));
+  const ChainComplex<R> s = reductions::complex_with(
+      graded_map(ring_, -1, small, small, [&](Index x) { return core_boundary(unit(ring_, x)); }));
+  const auto f = [&](Index x) {
+    const CellId cell = big_.f(x);
+    return cell == ops::none ? Terms<R>{} : unit(ring_, cell);
+  };
+  const auto g = [&](Index cell) {
+    Terms<R> out;
+    big_.add_g(cell, ring_.one(), out);
+    return out;
+  };
+  return {{b, c, graded_map(ring_, 0, big, object, f), graded_map(ring_, 0, object, big, g),
+           graded_map(ring_, 1, big, big, [&](Index x) { return big_.h(x); })},
+          {b, s, graded_map(ring_, 0, big, small, [&](Index x) { return rewriter_.rewrite(unit(ring_, x)); }),
+           graded_map(ring_, 0, small, big, [&](Index x) { return rewriter_.lift(unit(ring_, x)); }),
+           graded_map(ring_, 1, big, big,
+                      [&](Index x) { return rewriter_.lift({}, rewriter_.trace(unit(ring_, x))); })}};
+}
+
+template <Ring R>
+std::optional<std::string> LiveEquivalence<R>::first_defect(ops::Moment before_last_step) {
+  const ops::Moment present = ops::now(structure_);
+  if (!(before_last_step == present)) {
+    const auto step = ops::step_sequence(structure_, before_last_step, present, ring_);
+    if (const auto defect = reductions::first_defect(step.sequence)) {
+      return "the step's exact sequence: " + defect->to_string();
+    }
+  }
+  const reductions::Equivalence<R> equivalence = matrices();
+  if (const auto defect = reductions::first_defect(equivalence)) {
+    return "the equivalence: " + defect->to_string();
+  }
+  const std::vector<reductions::AbelianGroup> groups = reductions::homology_groups(equivalence.object());
+  const Homology live = homology(groups.size());
+  for (std::size_t p = 0; p < live.betti.size(); ++p) {
+    const reductions::AbelianGroup scratch = p < groups.size() ? groups[p] : reductions::AbelianGroup{};
+    const reductions::AbelianGroup found{static_cast<Index>(live.betti[p]), live.torsion[p]};
+    if (!(scratch == found)) {
+      return "H_" + std::to_string(p) + " is " + found.to_string() + " here, but " + scratch.to_string() +
+             " by a Smith form from scratch";
+    }
+    const std::vector<Generator> basis = generators(static_cast<int>(p));
+    if (basis.size() != scratch.rank + scratch.torsion.size()) {
+      return "H_" + std::to_string(p) + " has " + std::to_string(basis.size()) + " generators for " +
+             scratch.to_string();
+    }
+    for (std::size_t k = 0; k < basis.size(); ++k) {
+      const ClassAnswer own = classify(basis[k].cycle);
+      for (std::size_t m = 0; m < own.coefficients.size(); ++m) {
+        if (!(own.coefficients[m] == Integer(m == k ? 1 : 0))) {
+          return "generator " + std::to_string(k) + " of H_" + std::to_string(p) + " is not the class of itself";
+        }
+      }
+      CellChain multiple = basis[k].cycle;
+      for (CellChain::Term& term : multiple.terms) {
+        term.coefficient *= basis[k].order;
+      }
+      if (!basis[k].order.is_zero() && !(boundary(basis[k].bounding) == multiple)) {
+        return "generator " + std::to_string(k) + " of H_" + std::to_string(p) + ": its order times it is not bounded";
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::unique_ptr<HomologyTracker> make_tracker(const sparse::AnyRing& ring, const Structure& structure) {
+  return std::visit(
+      [&]<class R>(const R& k) -> std::unique_ptr<HomologyTracker> {
+        return std::make_unique<LiveEquivalence<R>>(k, structure);
+      },
+      ring);
+}
+
+#define SESAME_INSTANTIATE(R) template class LiveEquivalence<R>;
+SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
+#undef SESAME_INSTANTIATE
+
+}  // namespace sesame::engine

@@ -1,0 +1,83 @@
+/// \file
+/// The live form of the homological equivalence C <= B => S over one ring.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/big_complex.hpp"
+#include "engine/homology_tracker.hpp"
+#include "engine/rewriter.hpp"
+#include "reductions/equivalence.hpp"
+#include "sparse/smith.hpp"
+
+namespace sesame::engine {
+
+/// C <= B => S: the left reduction is BigComplex, the right one Rewriter; the groups are read off S.
+template <Ring R>
+class LiveEquivalence final : public HomologyTracker {
+ public:
+  LiveEquivalence(R ring, const Structure& structure);
+
+  void extend() override;
+  void push_mark() override;
+  void undo_to_mark() override;
+  void drop_mark() override { marks_.pop_back(); }
+
+  [[nodiscard]] Homology homology(std::size_t dimensions) override;
+  [[nodiscard]] std::vector<Generator> generators(int degree) override;
+  [[nodiscard]] ClassAnswer classify(const CellChain& chain) override;
+  [[nodiscard]] SmallChain apply_F(const CellChain& chain) override;
+  [[nodiscard]] CellChain apply_G(const SmallChain& chain) override;
+  [[nodiscard]] CellChain apply_K(const CellChain& chain) override;
+  [[nodiscard]] CellChain boundary(const CellChain& chain) const override;
+  [[nodiscard]] SmallChain boundary(const SmallChain& chain) override;
+  [[nodiscard]] std::optional<std::string> first_defect(ops::Moment before_last_step) override;
+
+  /// The whole equivalence as matrices. C's basis is that of ops::cells_at; B's and S's are their generators of each
+  /// degree, oldest first. Cost: the size of all maps written out.
+  [[nodiscard]] reductions::Equivalence<R> matrices();
+  [[nodiscard]] const BigComplex<R>& big() const { return big_; }
+
+ private:
+  /// The groups of one degree, as read off the core's columns of the degree above.
+  struct Group {
+    std::vector<Symbol> free;              ///< cycles of S that meet no column of the core above
+    std::vector<Symbol> bound;             ///< cycles of S that do
+    std::vector<Symbol> columns;           ///< the core's columns of the degree above
+    sparse::SmithForm<R> smith;            ///< of the core: bound x columns
+  };
+  struct Mark {
+    CellId cells;
+    LinkId links;
+    Index generators;
+    typename Rewriter<R>::Mark rewriter;
+  };
+  struct TorsionCache {
+    std::uint64_t version = 0;
+    bool filled = false;
+    std::vector<std::vector<Integer>> torsion;
+    std::vector<std::uint32_t> columns;  ///< of the core, by degree
+  };
+
+  const TorsionCache& torsion();
+  [[nodiscard]] Group group(int degree) const;
+  [[nodiscard]] Terms<R> g(const CellChain& chain) const;
+  [[nodiscard]] CellChain to_cells(int degree, const Terms<R>& chain_of_b) const;
+  [[nodiscard]] CellChain to_chain(int degree, const Terms<R>& cells) const;
+  [[nodiscard]] Terms<R> core_boundary(std::span<const sparse::Term<R>> chain_of_s) const;
+
+  R ring_;
+  const Structure& structure_;
+  BigComplex<R> big_;
+  Rewriter<R> rewriter_;
+  CellId cells_ = 0;  ///< taken in so far
+  LinkId links_ = 0;
+  std::vector<Mark> marks_;
+  TorsionCache torsion_;
+};
+
+/// A live equivalence over a ring chosen at run time.
+[[nodiscard]] std::unique_ptr<HomologyTracker> make_tracker(const sparse::AnyRing& ring, const Structure& structure);
+
+}  // namespace sesame::engine

@@ -1,0 +1,168 @@
+/// \file
+/// The right reduction B => S as rewriting rules: eliminations of unit pairs, applied lazily, with memoised results.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/accumulator.hpp"
+#include "engine/torsion_core.hpp"
+#include "sparse/matrix.hpp"
+
+namespace sesame::engine {
+
+/// Rules are counted from 0 in the order in which they were made; time t is the moment when t of them existed.
+using RuleId = std::uint32_t;
+inline constexpr RuleId no_rule = UINT32_MAX;
+
+/// Coefficients of a rewriting by rule: what the homotopy h is made of.
+template <Ring R>
+using Trace = std::vector<std::pair<RuleId, typename R::Element>>;
+
+/// The sequence of elementary reductions that leads from B to the small complex S.
+///
+/// *Symbols* are the generators of B, in order, mixed with those that changes of basis made. A rule says how one symbol is
+/// written in later ones:
+///
+///   elimination of (a, b), d b = e a + rest, e a unit:   a -> -e^-1 rest,   b -> 0
+///   change of basis x' = x - q y (over Z only):          x -> x' + q y
+///
+/// Over a field b is paired with the youngest symbol of its rewritten boundary, and dS = 0. Over Z the boundaries without
+/// a unit are the TorsionCore, kept in Hermite form, so that units hidden in them appear and are eliminated.
+///
+/// *Rewriting* a chain of B gives its image under f: B -> S. Results are memoised per rule and brought up to date when
+/// they are read. The homotopy h and the lift g: S -> B use the rules as they were made, through *traces*:
+/// h(v) = sum trace[a] V(b_a), and V_t(x) = x - sum trace_t(d x)[a] V(b_a) with the rules made before t.
+///
+/// Source: for rules, traces and lifts see "The live form" in the README.
+template <Ring R>
+class Rewriter {
+ public:
+  using Element = typename R::Element;
+  using TermType = sparse::Term<R>;
+
+  /// `boundary` is dB; it grows outside, a column before the generator is announced here by `append`.
+  Rewriter(R ring, const sparse::Matrix<R>& boundary) : ring_{ring}, boundary_{boundary}, sum_{ring}, traced_{ring} {}
+
+  /// Takes the next generator of B: rewrites its boundary, and eliminates or keeps it.
+  /// Cost: the length of the vectors that are rewritten.
+  void append(int degree);
+
+  /// f: the image in S of a chain of B, in symbols. Cost: amortised, the length of the memoised vectors that it reads.
+  [[nodiscard]] Terms<R> rewrite(std::span<const TermType> chain_of_b);
+  /// h, as a trace, of a chain of B. Cost: the rules that apply, each once, times the logarithm of their number.
+  [[nodiscard]] Trace<R> trace(std::span<const TermType> chain_of_b);
+  /// g of a chain of S (in symbols) plus sum trace[a] V(b_a): a chain of B in normal form.
+  /// Cost: each rule involved is expanded once.
+  [[nodiscard]] Terms<R> lift(std::span<const TermType> chain_of_s, const Trace<R>& trace = {});
+
+  /// The small generators of a degree, oldest first.
+  [[nodiscard]] std::vector<Symbol> small(int degree) const;
+  /// The number of small generators of each degree.
+  [[nodiscard]] const std::vector<std::uint32_t>& small_counts() const { return small_counts_; }
+  /// dS of a small generator, in symbols.
+  [[nodiscard]] const TorsionCore<R>& core() const { return core_; }
+  [[nodiscard]] int degree(Symbol x) const { return degree_[x]; }
+  [[nodiscard]] RuleId rules() const { return static_cast<RuleId>(rules_.size()); }
+
+  /// How much there was of everything at some moment.
+  struct Mark {
+    Symbol symbols = 0;
+    RuleId rules = 0;
+    std::uint32_t generators = 0;
+    std::size_t values = 0;
+    std::size_t memo_writes = 0;
+    std::size_t core_journal = 0;
+  };
+  /// A mark to which `undo` can go back.
+  [[nodiscard]] Mark mark();
+  /// Goes back to a mark. Cost: what was done since.
+  void undo(const Mark& mark);
+
+ private:
+  struct Rule {
+    Symbol a;
+    Symbol b;         ///< no_symbol for a change of basis
+    Element inverse;  ///< e^-1; unused by a change of basis
+    std::size_t value_begin;
+    std::uint32_t value_size;
+  };
+  struct Memo {
+    Terms<R> terms;
+    std::uint64_t checked = 0;  ///< the version at which it was known to be in small symbols only
+    std::uint32_t epoch = 0;    ///< in which it was last written
+    bool written = false;       ///< else the value of the rule stands
+  };
+  /// A change of basis x' = x - q y made by rule `rule`; `column` is dS x' then.
+  struct Combination {
+    Symbol x, y;
+    Element q;
+    RuleId rule;
+    Terms<R> column;
+  };
+  struct Neighbours {
+    Symbol before, after;
+  };
+
+  Symbol add_symbol(int degree, std::uint32_t generator);
+  void drop_last_symbol();
+  void unlink(Symbol x);
+  void relink(Symbol x);
+  RuleId push_rule(Symbol a, Symbol b, Element inverse, std::span<const TermType> value);
+  void pop_rule();
+
+  void eliminate(Symbol a, Symbol b, const Terms<R>& column);
+  void settle();
+  void settle_column(Symbol x);
+  void combine(Symbol x, const Element& q, Symbol y);
+  void substitute_row(Symbol row, std::span<const TermType> value);
+  static const TermType* youngest_unit(const R& ring, const Terms<R>& column);
+
+  [[nodiscard]] std::span<const TermType> value(RuleId rule) const {
+    return {values_.data() + rules_[rule].value_begin, rules_[rule].value_size};
+  }
+  std::span<const TermType> memoised(RuleId rule);
+  [[nodiscard]] bool is_eliminated_a(Symbol x) const { return state_[x] != no_rule && rules_[state_[x]].a == x; }
+  [[nodiscard]] std::span<const TermType> memo_terms(RuleId rule) const {
+    return memos_[rule].written ? std::span<const TermType>{memos_[rule].terms} : value(rule);
+  }
+  void update_memo(RuleId rule);
+  void add_rewritten(Symbol x, const Element& coefficient);
+
+  template <class Begin>
+  Trace<R> run_trace(RuleId before, Begin begin);
+  Trace<R> trace_of_boundary(Symbol x, RuleId before);
+
+  R ring_;
+  const sparse::Matrix<R>& boundary_;
+  // Per symbol.
+  std::vector<RuleId> state_;              ///< the rule that removed it, or no_rule: it is small
+  std::vector<std::uint8_t> degree_;
+  std::vector<std::uint32_t> generator_;   ///< of B, or virtual_bit | index in combinations_
+  std::vector<RuleId> born_;               ///< the time at which it was made
+  std::vector<Neighbours> neighbours_;     ///< small symbols of a degree: a doubly linked list, undone in reverse order
+  // Per degree.
+  std::vector<Symbol> first_, last_;
+  std::vector<std::uint32_t> small_counts_;
+
+  std::vector<Symbol> symbol_of_;  ///< per generator of B
+  std::vector<Combination> combinations_;
+  std::vector<Rule> rules_;
+  std::vector<TermType> values_;
+  std::vector<Memo> memos_;
+  std::vector<RuleId> memo_writes_;  ///< memos written, for undo: each once per epoch
+  std::uint64_t version_ = 1;        ///< grows with every rule made or undone
+  std::uint32_t epoch_ = 1;          ///< grows with every mark and undo
+
+  TorsionCore<R> core_;
+  std::set<Symbol> unsettled_;
+  Accumulator<R> sum_, traced_;
+  Terms<R> column_;
+  std::vector<RuleId> pending_;
+};
+
+}  // namespace sesame::engine

@@ -1,0 +1,62 @@
+/// \file
+/// The part of the small complex whose boundary is not zero: over Z, what carries the torsion. Empty over a field.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "sparse/chain.hpp"
+
+namespace sesame::engine {
+
+using sparse::Index;
+using sparse::Ring;
+using sparse::Terms;
+
+/// A generator that the right reduction knows: one of B, or a combination that a change of basis made.
+using Symbol = sparse::Index;
+inline constexpr Symbol no_symbol = UINT32_MAX;
+
+/// The nonzero columns of dS, by small generator, with an index of their rows and the pivots of their Hermite form.
+/// Every change is journaled, so that undo restores the columns as they were.
+template <Ring R>
+class TorsionCore {
+ public:
+  using Column = Terms<R>;
+
+  [[nodiscard]] const std::map<Symbol, Column>& columns() const { return columns_; }
+  [[nodiscard]] const Column* find(Symbol x) const;
+  /// The columns that have an entry in a row, by increasing symbol.
+  [[nodiscard]] std::vector<Symbol> columns_with_row(Symbol row) const;
+  /// The column whose last row is the settled pivot `row`, or no_symbol.
+  [[nodiscard]] Symbol pivot_owner(Symbol row) const;
+  /// Grows with every change: two equal values mean that nothing changed in between.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
+
+  /// Sets a column; an empty one is taken out. A pivot that it owned is released when its last row changes.
+  void set(Symbol x, Column column);
+  void own_pivot(Symbol x);
+  void release_pivot(Symbol x);
+
+  [[nodiscard]] std::size_t journal_size() const { return journal_.size(); }
+  /// Restores the columns to what they were when the journal had that size.
+  void undo(std::size_t journal_size);
+
+ private:
+  void replace(Symbol x, Column column);
+
+  struct Change {
+    Symbol x;
+    Column before;
+  };
+  std::map<Symbol, Column> columns_;
+  std::unordered_map<Symbol, std::vector<Symbol>> rows_;  // unordered: columns_with_row sorts
+  std::unordered_map<Symbol, Symbol> pivots_;
+  std::vector<Change> journal_;
+  std::uint64_t version_ = 0;
+};
+
+}  // namespace sesame::engine

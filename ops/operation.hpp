@@ -1,0 +1,103 @@
+/// \file
+/// The vocabulary of construction steps, as plain values; and their text form, one JSON object a line.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "ops/cell_type.hpp"
+#include "sparse/integer.hpp"
+#include "sparse/result.hpp"
+
+namespace sesame::ops {
+
+using Point = std::array<double, 3>;
+using sparse::Integer;
+
+/// A standard simplex with all its faces. `at`: empty, or a point per vertex.
+struct MakeSimplex {
+  std::string name;
+  int dimension = 0;
+  std::vector<Point> at;
+};
+
+/// A product of simplices with all its faces. `at`: a point per vertex, in lexicographic order of the vertices.
+struct MakeSimploid {
+  std::string name;
+  CellType type;
+  std::vector<Point> at;
+};
+
+/// An explicit complex; cells may be listed in any order.
+struct MakeComplex {
+  struct Cell {
+    std::string id;
+    std::optional<CellType> type;  ///< empty: a simplex with as many faces as are listed
+    std::vector<std::string> faces;
+    std::optional<Point> at;
+  };
+  std::string name;
+  std::vector<Cell> cells;
+};
+
+/// A cone over everything, over a body, or over the closure of some cells.
+struct MakeCone {
+  std::string apex;
+  std::variant<std::monostate, std::string, std::vector<std::string>> over;
+  std::optional<Point> at;
+};
+
+/// Glues pairs of cells, and all that this entails on their faces.
+struct Identify {
+  std::vector<std::pair<std::string, std::string>> pairs;
+};
+
+/// What the state should be; a field that is absent is not looked at.
+struct Expect {
+  std::optional<std::vector<Integer>> betti;
+  std::optional<std::vector<std::vector<Integer>>> torsion;
+  std::optional<Integer> euler;
+  std::optional<std::vector<Integer>> cells;
+};
+
+/// Asks for the class of a chain.
+struct AskClass {
+  std::vector<std::pair<Integer, std::string>> chain;
+};
+
+/// Takes back the last steps.
+struct Undo {
+  std::uint64_t steps = 1;
+};
+
+struct Note {
+  std::string text;
+};
+
+using Operation =
+    std::variant<MakeSimplex, MakeSimploid, MakeComplex, MakeCone, Identify, Expect, AskClass, Undo, Note>;
+
+/// The word that stands for an operation in a log: "simplex", "identify", ...
+[[nodiscard]] std::string_view keyword(const Operation& operation);
+
+/// The first line of a log.
+struct Header {
+  int version = 1;
+  std::string ring = "Z";
+  std::string title;
+};
+
+/// Reads one line of a log. Errors: bad_input, naming the unknown op or field, or what a field should be.
+Result<Operation> parse_operation(std::string_view line);
+Result<Header> parse_header(std::string_view line);
+/// The same line again, in canonical form (fields in the order of the documentation, no spaces, no newline).
+[[nodiscard]] std::string to_text(const Operation& operation);
+[[nodiscard]] std::string to_text(const Header& header);
+
+}  // namespace sesame::ops

@@ -1,0 +1,467 @@
+// The text form of operations. Every field is checked by name and by kind; what is not known is an error that names it.
+#include <fmt/format.h>
+
+#include <initializer_list>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "ops/operation.hpp"
+
+namespace sesame::ops {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Thrown inside this file only: ends the reading of one line with a sentence.
+struct Wrong {
+  std::string what;
+};
+
+std::string_view kind(const Json& value) {
+  switch (value.type()) {
+    case Json::value_t::null:
+      return "null";
+    case Json::value_t::boolean:
+      return "a truth value";
+    case Json::value_t::string:
+      return "a string";
+    case Json::value_t::array:
+      return "a list";
+    case Json::value_t::object:
+      return "an object";
+    case Json::value_t::number_float:
+      return "a number with a fraction or too large for 64 bits";
+    default:
+      return "a number";
+  }
+}
+
+/// Reads the fields of one object and remembers which were asked for; what is left over is unknown.
+class Fields {
+ public:
+  Fields(const Json& object, std::string what) : object_{object}, what_{std::move(what)} {}
+
+  [[nodiscard]] const Json* find(const std::string& field) {
+    known_.insert(field);
+    const auto at = object_.find(field);
+    return at == object_.end() ? nullptr : &*at;
+  }
+  const Json& need(const std::string& field) {
+    const Json* value = find(field);
+    if (value == nullptr) {
+      throw Wrong{fmt::format("{} needs a field \"{}\"", what_, field)};
+    }
+    return *value;
+  }
+  void finish() const {
+    for (const auto& [key, value] : object_.items()) {
+      if (!known_.contains(key)) {
+        std::string known;
+        for (const std::string& field : known_) {
+          known += (known.empty() ? "" : ", ") + field;
+        }
+        throw Wrong{fmt::format("{} has an unknown field \"{}\"; its fields are: {}", what_, key, known)};
+      }
+    }
+  }
+  [[noreturn]] void wrong(const std::string& field, std::string_view expected, const Json& value) const {
+    throw Wrong{fmt::format("field \"{}\" of {} should be {}, but is {}", field, what_, expected, kind(value))};
+  }
+
+ private:
+  const Json& object_;
+  std::string what_;
+  std::set<std::string> known_;
+};
+
+std::string text(Fields& in, const std::string& field, const Json& value) {
+  if (!value.is_string()) {
+    in.wrong(field, "a string", value);
+  }
+  return value.get<std::string>();
+}
+
+/// Integers beyond 64 bits are written as strings of digits.
+Integer integer(Fields& in, const std::string& field, const Json& value) {
+  if (value.is_number_integer()) {
+    if (value.is_number_unsigned()) {
+      return *Integer::parse(std::to_string(value.get<std::uint64_t>()));
+    }
+    return value.get<std::int64_t>();
+  }
+  if (value.is_string()) {
+    if (auto parsed = Integer::parse(value.get<std::string>())) {
+      return *parsed;
+    }
+    throw Wrong{fmt::format("field \"{}\": \"{}\" is not an integer", field, value.get<std::string>())};
+  }
+  in.wrong(field, "an integer (beyond 64 bits: a string of digits)", value);
+}
+
+int small(Fields& in, const std::string& field, const Json& value, int least) {
+  const Integer n = integer(in, field, value);
+  const auto word = n.to_int64();
+  if (!word || *word < least || *word > 1'000'000) {
+    throw Wrong{fmt::format("field \"{}\" should be an integer from {} on that is no dimension out of reach, but is {}",
+                            field, least, n.to_string())};
+  }
+  return static_cast<int>(*word);
+}
+
+template <class Read>
+auto list(Fields& in, const std::string& field, const Json& value, std::string_view expected, Read read) {
+  if (!value.is_array()) {
+    in.wrong(field, expected, value);
+  }
+  std::vector<decltype(read(value))> items;
+  items.reserve(value.size());
+  for (const Json& item : value) {
+    items.push_back(read(item));
+  }
+  return items;
+}
+
+Point point(Fields& in, const Json& value) {
+  if (!value.is_array() || value.size() < 2 || value.size() > 3) {
+    in.wrong("at", "a point, [x,y] or [x,y,z]", value);
+  }
+  Point p{};
+  for (std::size_t k = 0; k < value.size(); ++k) {
+    if (!value[k].is_number()) {
+      in.wrong("at", "a point of numbers", value[k]);
+    }
+    p.at(k) = value[k].get<double>();
+  }
+  return p;
+}
+
+std::vector<Point> points(Fields& in, std::size_t vertices) {
+  const Json* at = in.find("at");
+  if (at == nullptr) {
+    return {};
+  }
+  auto all = list(in, "at", *at, "a list of points", [&](const Json& p) { return point(in, p); });
+  if (all.size() != vertices) {
+    throw Wrong{fmt::format("field \"at\" should have {} points, one per vertex, but has {}", vertices, all.size())};
+  }
+  return all;
+}
+
+CellType cell_type(Fields& in, const Json& value) {
+  return list(in, "type", value, "a list of dimensions >= 1, such as [2,1]",
+              [&](const Json& a) { return small(in, "type", a, 1); });
+}
+
+std::vector<std::string> texts(Fields& in, const std::string& field, const Json& value, std::string_view expected) {
+  return list(in, field, value, expected, [&](const Json& item) { return text(in, field, item); });
+}
+
+Operation read_simplex(Fields& in) {
+  MakeSimplex op;
+  op.name = text(in, "name", in.need("name"));
+  op.dimension = small(in, "dim", in.need("dim"), 0);
+  op.at = points(in, static_cast<std::size_t>(op.dimension) + 1);
+  return op;
+}
+
+Operation read_simploid(Fields& in) {
+  MakeSimploid op;
+  op.name = text(in, "name", in.need("name"));
+  op.type = cell_type(in, in.need("type"));
+  std::size_t vertices = 1;
+  for (const int a : op.type) {
+    if (__builtin_mul_overflow(vertices, static_cast<std::size_t>(a) + 1, &vertices)) {
+      vertices = std::numeric_limits<std::size_t>::max();
+      break;
+    }
+  }
+  op.at = points(in, vertices);
+  return op;
+}
+
+MakeComplex::Cell read_cell(const Json& value) {
+  if (!value.is_object()) {
+    throw Wrong{fmt::format("field \"cells\" should be a list of objects with an \"id\", but holds {}", kind(value))};
+  }
+  Fields in(value, "a cell of a complex");
+  MakeComplex::Cell cell;
+  cell.id = text(in, "id", in.need("id"));
+  if (const Json* type = in.find("type")) {
+    cell.type = cell_type(in, *type);
+  }
+  if (const Json* faces = in.find("faces")) {
+    cell.faces = texts(in, "faces", *faces, "a list of cell ids");
+  }
+  if (const Json* at = in.find("at")) {
+    if (!cell.faces.empty()) {
+      throw Wrong{fmt::format("cell \"{}\" has a position \"at\", but only vertices have one", cell.id)};
+    }
+    cell.at = point(in, *at);
+  }
+  in.finish();
+  return cell;
+}
+
+Operation read_complex(Fields& in) {
+  MakeComplex op;
+  op.name = text(in, "name", in.need("name"));
+  op.cells = list(in, "cells", in.need("cells"), "a list of cells", read_cell);
+  return op;
+}
+
+Operation read_cone(Fields& in) {
+  MakeCone op;
+  op.apex = text(in, "apex", in.need("apex"));
+  if (const Json* over = in.find("over")) {
+    if (over->is_string()) {
+      op.over = over->get<std::string>();
+    } else {
+      op.over = texts(in, "over", *over, "the name of a body or a list of cells");
+    }
+  }
+  if (const Json* at = in.find("at")) {
+    op.at = point(in, *at);
+  }
+  return op;
+}
+
+Operation read_identify(Fields& in) {
+  Identify op;
+  constexpr std::string_view expected = "a list of pairs of cells, [[\"a\",\"b\"],...]";
+  op.pairs = list(in, "pairs", in.need("pairs"), expected, [&](const Json& pair) {
+    if (!pair.is_array() || pair.size() != 2) {
+      in.wrong("pairs", expected, pair);
+    }
+    return std::pair{text(in, "pairs", pair[0]), text(in, "pairs", pair[1])};
+  });
+  return op;
+}
+
+std::vector<Integer> integers(Fields& in, const std::string& field, const Json& value) {
+  return list(in, field, value, "a list of integers", [&](const Json& n) { return integer(in, field, n); });
+}
+
+Operation read_expect(Fields& in) {
+  Expect op;
+  if (const Json* betti = in.find("betti")) {
+    op.betti = integers(in, "betti", *betti);
+  }
+  if (const Json* torsion = in.find("torsion")) {
+    op.torsion = list(in, "torsion", *torsion, "a list of lists of integers",
+                      [&](const Json& t) { return integers(in, "torsion", t); });
+  }
+  if (const Json* euler = in.find("euler")) {
+    op.euler = integer(in, "euler", *euler);
+  }
+  if (const Json* cells = in.find("cells")) {
+    op.cells = integers(in, "cells", *cells);
+  }
+  return op;
+}
+
+Operation read_class(Fields& in) {
+  AskClass op;
+  constexpr std::string_view expected = "a list of terms, [[coefficient,\"cell\"],...]";
+  op.chain = list(in, "chain", in.need("chain"), expected, [&](const Json& term) {
+    if (!term.is_array() || term.size() != 2) {
+      in.wrong("chain", expected, term);
+    }
+    return std::pair{integer(in, "chain", term[0]), text(in, "chain", term[1])};
+  });
+  return op;
+}
+
+Operation read_undo(Fields& in) {
+  Undo op;
+  if (const Json* steps = in.find("steps")) {
+    const Integer n = integer(in, "steps", *steps);
+    const auto word = n.to_int64();
+    if (!word || *word < 1) {
+      throw Wrong{fmt::format("field \"steps\" of an undo should be a positive integer, but is {}", n.to_string())};
+    }
+    op.steps = static_cast<std::uint64_t>(*word);
+  }
+  return op;
+}
+
+Operation read_note(Fields& in) { return Note{text(in, "text", in.need("text"))}; }
+
+struct Reader {
+  std::string_view keyword;
+  Operation (*read)(Fields&);
+};
+constexpr Reader readers[] = {{"simplex", read_simplex}, {"simploid", read_simploid}, {"complex", read_complex},
+                              {"cone", read_cone},       {"identify", read_identify}, {"expect", read_expect},
+                              {"class", read_class},     {"undo", read_undo},         {"note", read_note}};
+
+Operation read_operation(const Json& object) {
+  const auto op = object.find("op");
+  if (op == object.end() || !op->is_string()) {
+    throw Wrong{"a step needs a field \"op\" that says which operation it is"};
+  }
+  const std::string word = op->get<std::string>();
+  for (const Reader& reader : readers) {
+    if (reader.keyword == word) {
+      Fields in(object, "\"" + word + "\"");
+      (void)in.find("op");
+      Operation operation = reader.read(in);
+      in.finish();
+      return operation;
+    }
+  }
+  std::string known;
+  for (const Reader& reader : readers) {
+    known += (known.empty() ? "" : ", ") + std::string{reader.keyword};
+  }
+  throw Wrong{fmt::format("there is no op \"{}\"; the ops are: {}", word, known)};
+}
+
+Header read_header(const Json& object) {
+  Fields in(object, "the header");
+  const Json* version = in.find("sesame");
+  if (version == nullptr) {
+    throw Wrong{"the first object should be the header, such as {\"sesame\":1,\"ring\":\"Z\",\"title\":\"torus\"}"};
+  }
+  Header header;
+  if (!version->is_number_integer() || *version != 1) {
+    throw Wrong{fmt::format("this program reads version 1 of the format, but the header says {}", version->dump())};
+  }
+  if (const Json* ring = in.find("ring")) {
+    header.ring = text(in, "ring", *ring);
+  }
+  if (const Json* title = in.find("title")) {
+    header.title = text(in, "title", *title);
+  }
+  in.finish();
+  return header;
+}
+
+template <class Read>
+auto parse_line(std::string_view line, Read read) -> Result<decltype(read(Json{}))> {
+  const std::size_t begin = line.find_first_not_of(" \t\r");
+  if (begin == std::string_view::npos || line[begin] != '{') {
+    return Error{Errc::bad_input, "a line should be one JSON object, {...}"};
+  }
+  try {
+    return read(Json::parse(line));
+  } catch (const Json::parse_error& e) {
+    const auto column = e.byte;
+    return Error{Errc::bad_input, fmt::format("this is not a JSON object (at column {}): a line is one object, {{...}}",
+                                              column)};
+  } catch (const Json::exception& e) {
+    return Error{Errc::bad_input, fmt::format("this object cannot be read: {}", e.what())};
+  } catch (Wrong& wrong) {
+    return Error{Errc::bad_input, std::move(wrong.what)};
+  }
+}
+
+Json json_integer(const Integer& n) {
+  const auto word = n.to_int64();
+  return word ? Json(*word) : Json(n.to_string());
+}
+
+Json json_integers(const std::vector<Integer>& numbers) {
+  Json out = Json::array();
+  for (const Integer& n : numbers) {
+    out.push_back(json_integer(n));
+  }
+  return out;
+}
+
+struct Writer {
+  Json& out;
+
+  void operator()(const MakeSimplex& op) const {
+    out["name"] = op.name;
+    out["dim"] = op.dimension;
+    if (!op.at.empty()) {
+      out["at"] = op.at;
+    }
+  }
+  void operator()(const MakeSimploid& op) const {
+    out["name"] = op.name;
+    out["type"] = op.type;
+    if (!op.at.empty()) {
+      out["at"] = op.at;
+    }
+  }
+  void operator()(const MakeComplex& op) const {
+    out["name"] = op.name;
+    Json& cells = out["cells"] = Json::array();
+    for (const MakeComplex::Cell& cell : op.cells) {
+      Json item{{"id", cell.id}};
+      if (cell.type) {
+        item["type"] = *cell.type;
+      }
+      if (!cell.faces.empty()) {
+        item["faces"] = cell.faces;
+      }
+      if (cell.at) {
+        item["at"] = *cell.at;
+      }
+      cells.push_back(std::move(item));
+    }
+  }
+  void operator()(const MakeCone& op) const {
+    out["apex"] = op.apex;
+    if (const auto* body = std::get_if<std::string>(&op.over)) {
+      out["over"] = *body;
+    } else if (const auto* cells = std::get_if<std::vector<std::string>>(&op.over)) {
+      out["over"] = *cells;
+    }
+    if (op.at) {
+      out["at"] = *op.at;
+    }
+  }
+  void operator()(const Identify& op) const {
+    Json& pairs = out["pairs"] = Json::array();
+    for (const auto& [a, b] : op.pairs) {
+      pairs.push_back(Json::array({a, b}));
+    }
+  }
+  void operator()(const Expect& op) const {
+    if (op.betti) {
+      out["betti"] = json_integers(*op.betti);
+    }
+    if (op.torsion) {
+      Json& torsion = out["torsion"] = Json::array();
+      for (const auto& factors : *op.torsion) {
+        torsion.push_back(json_integers(factors));
+      }
+    }
+    if (op.euler) {
+      out["euler"] = json_integer(*op.euler);
+    }
+    if (op.cells) {
+      out["cells"] = json_integers(*op.cells);
+    }
+  }
+  void operator()(const AskClass& op) const {
+    Json& chain = out["chain"] = Json::array();
+    for (const auto& [coefficient, cell] : op.chain) {
+      chain.push_back(Json::array({json_integer(coefficient), cell}));
+    }
+  }
+  void operator()(const Undo& op) const { out["steps"] = op.steps; }
+  void operator()(const Note& op) const { out["text"] = op.text; }
+};
+
+}  // namespace
+
+Result<Operation> parse_operation(std::string_view line) { return parse_line(line, read_operation); }
+
+Result<Header> parse_header(std::string_view line) { return parse_line(line, read_header); }
+
+std::string to_text(const Operation& operation) {
+  Json out;
+  out["op"] = keyword(operation);
+  std::visit(Writer{out}, operation);
+  return out.dump();
+}
+
+std::string to_text(const Header& header) {
+  return Json{{"sesame", header.version}, {"ring", header.ring}, {"title", header.title}}.dump();
+}
+
+}  // namespace sesame::ops

@@ -1,0 +1,121 @@
+#include "replay/replay.hpp"
+
+#include <chrono>
+
+namespace sesame::replay {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+Outcome outcome_of(Errc code) { return code == Errc::expectation ? Outcome::expectation_failed : Outcome::wrong_script; }
+
+/// One replay: the engine with the means to report on it.
+class Run {
+ public:
+  Run(ScriptReader& script, const ReplayOptions& options, Reporter* reporter, std::ostream& errors, Progress* progress)
+      : script_{script}, options_{options}, reporter_{reporter}, errors_{errors}, progress_{progress} {}
+
+  Outcome run() {
+    const auto start = Clock::now();
+    const Result<ops::Header> header = script_.header();
+    if (!header) {
+      return fail(header.error().what, Outcome::wrong_script);
+    }
+    const Result<sparse::AnyRing> ring = options_.ring ? *options_.ring : sparse::parse_ring(header->ring);
+    if (!ring) {
+      return fail(script_.place() + ring.error().what, Outcome::wrong_script);
+    }
+    engine::Engine engine(*ring);
+    if (options_.log != nullptr) {
+      ops::Header written = *header;
+      written.ring = sparse::ring_name(*ring);
+      *options_.log << ops::to_text(written) << '\n' << std::flush;
+    }
+    Outcome outcome = Outcome::done;
+    while (outcome == Outcome::done && (!options_.until || steps_ < *options_.until)) {
+      if (options_.stop != nullptr && options_.stop->load()) {
+        outcome = Outcome::interrupted;
+        break;
+      }
+      Result<std::optional<ops::Operation>> operation = script_.next();
+      if (!operation) {
+        return fail(operation.error().what, outcome_of(operation.error().code));
+      }
+      if (!*operation) {
+        break;
+      }
+      outcome = step(engine, **operation);
+    }
+    if (outcome != Outcome::done && outcome != Outcome::interrupted) {
+      return outcome;
+    }
+    if (progress_ != nullptr) {
+      progress_->clear();
+    }
+    if (reporter_ != nullptr) {
+      const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+      reporter_->summary(engine, {steps_, seconds, options_.generators, outcome == Outcome::interrupted});
+    }
+    return outcome;
+  }
+
+ private:
+  Outcome step(engine::Engine& engine, const ops::Operation& operation) {
+    const auto start = Clock::now();
+    const Result<engine::StepReport> report = engine.apply(operation);
+    if (!report) {
+      return fail(script_.place() + report.error().what, outcome_of(report.error().code));
+    }
+    ++steps_;
+    if (options_.log != nullptr) {
+      *options_.log << ops::to_text(operation) << '\n' << std::flush;
+    }
+    const bool is_due = options_.every > 0 && steps_ % options_.every == 0 &&
+                        (!options_.report_at_most || reported_ < *options_.report_at_most);
+    if (reporter_ != nullptr && (is_due || report->answer)) {
+      ++reported_;
+      const engine::Homology homology = engine.homology();
+      const double microseconds = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+      if (progress_ != nullptr) {
+        progress_->clear();
+      }
+      reporter_->step(engine, {*report, homology, microseconds});
+    }
+    if (options_.verify) {
+      if (const auto defect = engine.first_defect()) {
+        return fail(script_.place() + "after step " + std::to_string(steps_) + " (" + std::string{report->op} +
+                        ") a law does not hold: " + *defect,
+                    Outcome::law_failed);
+      }
+    }
+    if (progress_ != nullptr) {
+      progress_->update(steps_);
+    }
+    return Outcome::done;
+  }
+
+  Outcome fail(const std::string& what, Outcome outcome) {
+    if (progress_ != nullptr) {
+      progress_->clear();
+    }
+    errors_ << what << '\n';
+    return outcome;
+  }
+
+  ScriptReader& script_;
+  const ReplayOptions& options_;
+  Reporter* reporter_;
+  std::ostream& errors_;
+  Progress* progress_;
+  std::uint64_t steps_ = 0;
+  std::uint64_t reported_ = 0;
+};
+
+}  // namespace
+
+Outcome replay(ScriptReader& script, const ReplayOptions& options, Reporter* reporter, std::ostream& errors,
+               Progress* progress) {
+  return Run(script, options, reporter, errors, progress).run();
+}
+
+}  // namespace sesame::replay

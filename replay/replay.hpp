@@ -1,0 +1,44 @@
+/// \file
+/// Replaying a script: reader, engine, reports, verification, in one loop.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <ostream>
+
+#include "engine/engine.hpp"
+#include "replay/progress.hpp"
+#include "replay/reporter.hpp"
+#include "replay/script.hpp"
+
+namespace sesame::replay {
+
+/// How a replay ended; the values are the exit statuses of the program.
+enum class Outcome : int {
+  done = 0,
+  wrong_usage = 1,
+  wrong_script = 2,
+  expectation_failed = 3,
+  law_failed = 4,
+  interrupted = 130,
+};
+
+struct ReplayOptions {
+  std::optional<sparse::AnyRing> ring;          ///< instead of the one that the header names
+  std::optional<std::uint64_t> until;           ///< stop after that many operations
+  std::uint64_t every = 1;                      ///< report every so many steps; 0: none but answers to `class`
+  std::optional<std::uint64_t> report_at_most;  ///< then report as with every = 0
+  bool verify = false;
+  bool generators = false;
+  const std::atomic<bool>* stop = nullptr;      ///< set from outside: finish the current step, then summarise
+  std::ostream* log = nullptr;                  ///< the operations applied, a line each, flushed after each
+};
+
+/// Replays a script into a fresh engine. Reports go to `reporter` (null: none), errors to `errors` (one line each),
+/// progress to `progress` (null: none).
+Outcome replay(ScriptReader& script, const ReplayOptions& options, Reporter* reporter, std::ostream& errors,
+               Progress* progress);
+
+}  // namespace sesame::replay

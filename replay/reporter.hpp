@@ -1,0 +1,45 @@
+/// \file
+/// Where a replay's reports go: a table for people, JSON Lines for programs.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <ostream>
+
+#include "engine/engine.hpp"
+
+namespace sesame::replay {
+
+/// One applied step, as reported.
+struct ReportedStep {
+  const engine::StepReport& step;
+  const engine::Homology& homology;
+  double microseconds;  ///< of the step and of its Betti numbers and torsion
+};
+
+/// The end of a replay.
+struct Summary {
+  std::uint64_t steps = 0;
+  double seconds = 0;
+  bool with_generators = false;
+  bool interrupted = false;
+};
+
+class Reporter {
+ public:
+  Reporter() = default;
+  Reporter(const Reporter&) = delete;
+  Reporter& operator=(const Reporter&) = delete;
+  virtual ~Reporter() = default;
+
+  virtual void step(engine::Engine& engine, const ReportedStep& reported) = 0;
+  virtual void summary(engine::Engine& engine, const Summary& summary) = 0;
+};
+
+/// One object a line, as the documentation of `sesame replay --json` says.
+[[nodiscard]] std::unique_ptr<Reporter> json_reporter(std::ostream& out);
+
+/// An aligned table; `colour` marks with ANSI colours what changed since the step reported before.
+[[nodiscard]] std::unique_ptr<Reporter> table_reporter(std::ostream& out, bool colour);
+
+}  // namespace sesame::replay

@@ -1,0 +1,80 @@
+#include "replay/script.hpp"
+
+#include <string_view>
+
+namespace sesame::replay {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+bool carries_an_object(std::string_view line) {
+  return !line.empty() && line.front() != '#' && line.find_first_not_of(" \t\r") != std::string_view::npos;
+}
+
+}  // namespace
+
+ScriptReader::ScriptReader(std::istream& input, std::string name, std::function<bool()> wait_for_more)
+    : input_{input}, name_{std::move(name)}, wait_for_more_{std::move(wait_for_more)} {}
+
+std::string ScriptReader::place() const { return name_ + ":" + std::to_string(line_) + ": "; }
+
+bool ScriptReader::read_object_line() {
+  text_.clear();
+  while (true) {
+    std::string part;
+    std::getline(input_, part);
+    text_ += part;
+    if (input_.eof() && wait_for_more_ && wait_for_more_()) {
+      input_.clear();  // an unfinished line goes on when the file has grown
+      continue;
+    }
+    if (input_.eof() && text_.empty()) {
+      return false;
+    }
+    ++line_;
+    if (line_ == 1 && text_.starts_with(byte_order_mark)) {
+      text_.erase(0, byte_order_mark.size());
+    }
+    if (carries_an_object(text_)) {
+      return true;
+    }
+    text_.clear();
+    if (!input_) {
+      return false;
+    }
+  }
+}
+
+Result<ops::Header> ScriptReader::header() {
+  if (!read_object_line()) {
+    return Error{Errc::bad_input, name_ + ": this script is empty: its first object should be the header, such as "
+                                          "{\"sesame\":1,\"ring\":\"Z\",\"title\":\"torus\"}"};
+  }
+  Result<ops::Header> header = ops::parse_header(text_);
+  if (!header) {
+    return Error{header.error().code, place() + header.error().what};
+  }
+  return header;
+}
+
+Result<std::optional<ops::Operation>> ScriptReader::next() {
+  if (!read_object_line()) {
+    return std::optional<ops::Operation>{};
+  }
+  Result<ops::Operation> operation = ops::parse_operation(text_);
+  if (!operation) {
+    return Error{operation.error().code, place() + operation.error().what};
+  }
+  return std::optional{std::move(*operation)};
+}
+
+std::uint64_t count_operations(std::istream& input) {
+  std::uint64_t objects = 0;
+  std::string line;
+  while (std::getline(input, line)) {
+    objects += carries_an_object(line) ? 1U : 0U;
+  }
+  return objects == 0 ? 0 : objects - 1;
+}
+
+}  // namespace sesame::replay

@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "replay/groups.hpp"
+#include "replay/reporter.hpp"
+
+namespace sesame::replay {
+namespace {
+
+/// Longer chains are cut in the table; --json has them whole.
+constexpr std::size_t most_terms = 40;
+
+std::string short_time(double microseconds) {
+  if (microseconds < 1e3) {
+    return fmt::format("{:.1f} us", microseconds);
+  }
+  return microseconds < 1e6 ? fmt::format("{:.1f} ms", microseconds / 1e3) : fmt::format("{:.2f} s", microseconds / 1e6);
+}
+
+class TableReporter final : public Reporter {
+ public:
+  TableReporter(std::ostream& out, bool colour) : out_{out}, colour_{colour} {}
+
+  void step(engine::Engine& engine, const ReportedStep& reported) override {
+    if (!has_header_) {
+      out_ << bold(fmt::format("{:>6}  {:<9} {:<18} {:>6} {:>10}  homology over {}", "step", "op", "cells", "euler",
+                               "time", sparse::ring_name(engine.ring())))
+           << '\n';
+      has_header_ = true;
+    }
+    const std::string homology = homology_line(reported.homology, engine.ring());
+    out_ << fmt::format("{:>6}  {:<9} {:<18} {:>6} {:>10}  ", reported.step.step, reported.step.op,
+                        fmt::format("{}", fmt::join(engine.cells(), " ")), engine.euler_characteristic(),
+                        short_time(reported.microseconds))
+         << (homology == last_ ? homology : changed(homology)) << '\n';
+    last_ = homology;
+    if (reported.step.answer) {
+      answer(engine, *reported.step.answer);
+    }
+  }
+
+  void summary(engine::Engine& engine, const Summary& summary) override {
+    if (has_header_) {
+      out_ << '\n';
+    }
+    const double rate = summary.seconds > 0 ? static_cast<double>(summary.steps) / summary.seconds : 0;
+    out_ << fmt::format("{}{} steps in {} ({:.0f} a second)\n", summary.interrupted ? "interrupted: " : "", summary.steps,
+                        short_time(summary.seconds * 1e6), rate);
+    out_ << fmt::format("cells {}, Euler characteristic {}\n",
+                        engine.cells().empty() ? "none" : fmt::format("{}", fmt::join(engine.cells(), " ")),
+                        engine.euler_characteristic());
+    const engine::Homology homology = engine.homology();
+    int p = 0;
+    for (const std::string& name : group_names(homology, engine.ring())) {
+      out_ << fmt::format("H{} = {}\n", p, bold(name));
+      if (summary.with_generators) {
+        generators(engine, p);
+      }
+      ++p;
+    }
+    out_ << std::flush;
+  }
+
+ private:
+  void generators(engine::Engine& engine, int degree) {
+    for (const engine::Generator& g : engine.generators(degree)) {
+      const std::string order = g.order.is_zero() ? "free" : "order " + g.order.to_string();
+      out_ << fmt::format("    {:<9} {}\n", order, chain_text(g.cycle, engine.structure(), most_terms));
+      if (!g.order.is_zero()) {
+        out_ << fmt::format("    {:<9} {} times it bounds {}\n", "", g.order.to_string(),
+                            chain_text(g.bounding, engine.structure(), most_terms));
+      }
+    }
+  }
+
+  void answer(engine::Engine& engine, const engine::ClassAnswer& found) {
+    const std::string indent(8, ' ');
+    if (!found.is_cycle) {
+      out_ << indent << "not a cycle: it has no class\n";
+    } else if (!found.is_zero) {
+      std::string coefficients;
+      for (const sparse::Integer& c : found.coefficients) {
+        coefficients += (coefficients.empty() ? "" : ", ") + c.to_string();
+      }
+      out_ << indent << "a cycle of class (" << coefficients << ") on the generators\n";
+    } else {
+      out_ << indent << "bounds " << chain_text(*found.bounds, engine.structure(), most_terms) << '\n';
+    }
+  }
+
+  [[nodiscard]] std::string bold(const std::string& text) const { return coloured("1", text); }
+  [[nodiscard]] std::string changed(const std::string& text) const { return coloured("32", text); }
+  [[nodiscard]] std::string coloured(const char* code, const std::string& text) const {
+    return colour_ ? fmt::format("\033[{}m{}\033[0m", code, text) : text;
+  }
+
+  std::ostream& out_;
+  bool colour_;
+  bool has_header_ = false;
+  std::string last_;
+};
+
+}  // namespace
+
+std::unique_ptr<Reporter> table_reporter(std::ostream& out, bool colour) {
+  return std::make_unique<TableReporter>(out, colour);
+}
+
+}  // namespace sesame::replay

@@ -1,0 +1,55 @@
+#include "sparse/chain.hpp"
+
+#include <map>
+
+#include "tests/sparse/dense.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace sesame::sparse;
+
+TEMPLATE_TEST_CASE("chains add like functions on generators", "[sparse][twin]", Integers, Z2, Zp) {
+  const auto ring = sample_ring<TestType>();
+  Random random{GENERATE(range(0u, 20u))};
+  std::map<Index, std::int64_t> twin;
+  Terms<TestType> terms;
+  for (int i = 0; i < 15; ++i) {
+    const Index at = below(random, 10);
+    const std::int64_t value = std::int64_t{below(random, 7)} - 3;
+    terms.push_back({at, ring.from(value)});
+    twin[at] += value;
+  }
+  Chain<TestType> chain(ring, {2}, terms);
+  Chain<TestType> other(ring, {2});
+  for (int i = 0; i < 5; ++i) {
+    const Index at = below(random, 10);
+    other.add(ring.from(i), at);
+    twin[at] += 3 * i;
+  }
+  chain.add(ring.from(3), other);
+
+  for (Index i = 0; i < 10; ++i) {
+    CHECK(chain.coefficient(i) == ring.from(twin[i]));
+  }
+  CHECK(chain.degree() == Degree{2});
+  for (std::size_t i = 0; i < chain.terms().size(); ++i) {
+    CHECK_FALSE(ring.is_zero(chain.terms()[i].coefficient));
+    CHECK((i == 0 || chain.terms()[i - 1].index < chain.terms()[i].index));
+  }
+  CHECK((chain - chain).is_zero());
+  CHECK(chain + other - other == chain);
+  Chain<TestType> twice = chain;
+  twice.add(ring.one(), twice);
+  CHECK(twice == chain + chain);
+}
+
+TEST_CASE("chains of different degrees do not add", "[sparse]") {
+  Chain<Integers> edge(Integers{}, {1}), triangle(Integers{}, {2});
+  CHECK_THROWS_AS(edge.add(1, triangle), ContractViolation);
+}
+
+TEST_CASE("chains print for people", "[sparse]") {
+  CHECK(Chain<Integers>(Integers{}, {1}).to_string() == "0");
+  CHECK(Chain<Integers>(Integers{}, {1}, {{3, -2}, {0, 1}}).to_string() == "e0 - 2 e3");
+  CHECK(Chain<Integers>(Integers{}, {1}, {{0, -1}, {1, 5}}).to_string("v") == "-v0 + 5 v1");
+  CHECK(Chain<Z2>(Z2{}, {1}, {{0, 1}, {4, 1}}).to_string() == "e0 + e4");
+}

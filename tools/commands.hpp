@@ -1,0 +1,13 @@
+/// \file
+/// The subcommands of the program. Each adds itself to the command line; when it is chosen, its callback sets `status`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace sesame::tools {
+
+void add_replay_command(CLI::App& app, int& status);
+void add_import_command(CLI::App& app, int& status);
+void add_mesh_command(CLI::App& app, int& status);
+
+}  // namespace sesame::tools

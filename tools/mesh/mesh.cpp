@@ -1,0 +1,121 @@
+#include "tools/mesh/mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include "tools/mesh/readers.hpp"
+#include "tools/mesh/text.hpp"
+#include "tools/mesh/weld.hpp"
+
+namespace sesame::tools {
+
+namespace {
+
+constexpr std::string_view known_formats = "an OFF, OBJ, PLY or STL mesh is expected";
+
+Format format_of_extension(std::string_view name) {
+  const auto dot = name.find_last_of("./\\");
+  if (dot == std::string_view::npos || name[dot] != '.') return Format::automatic;
+  std::string extension{name.substr(dot + 1)};
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  if (extension == "off") return Format::off;
+  if (extension == "obj") return Format::obj;
+  if (extension == "ply") return Format::ply;
+  if (extension == "stl") return Format::stl;
+  return Format::automatic;
+}
+
+bool has_obj_vertex(std::string_view bytes) {
+  LineReader lines{bytes, {}};
+  while (lines.next_with_words()) {
+    auto rest = lines.line();
+    if (next_word(rest) == "v") return true;
+  }
+  return false;
+}
+
+Format format_of_content(std::string_view bytes) {
+  if (bytes.starts_with("ply")) return Format::ply;
+  if (has_off_head(bytes)) return Format::off;
+  if (has_binary_stl_size(bytes) || bytes.substr(bytes.find_first_not_of(" \t\r\n")).starts_with("solid")) {
+    return Format::stl;
+  }
+  return has_obj_vertex(bytes) ? Format::obj : Format::automatic;
+}
+
+Result<Mesh> read_as(Format format, std::string_view bytes, std::string_view name) {
+  switch (format) {
+    case Format::off:
+      return read_off(bytes, name);
+    case Format::obj:
+      return read_obj(bytes, name);
+    case Format::ply:
+      return read_ply(bytes, name);
+    case Format::stl:
+      return read_stl(bytes, name);
+    case Format::automatic:
+      break;
+  }
+  return Error{Errc::bad_input,
+               fmt::format("{}:1: neither the name nor the content tells the format, {}", name, known_formats)};
+}
+
+/// What no format allows: nothing at all, UTF-16, more than 32-bit numbers can count.
+Status check_readable(std::string_view bytes, std::string_view name) {
+  if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    return Error{Errc::bad_input, fmt::format("{}:1: the file is empty, {}", name, known_formats)};
+  }
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {
+    return Error{Errc::bad_input, fmt::format("{}:1: the text is UTF-16, save it as UTF-8", name)};
+  }
+  if (bytes.size() >= std::numeric_limits<std::uint32_t>::max()) {
+    return Error{Errc::bad_input,
+                 fmt::format("{}:1: the file has {} bytes, meshes are read up to 4 GB", name, bytes.size())};
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<Mesh> parse_mesh(std::string_view bytes, std::string_view name, const ReadOptions& options) {
+  if (options.weld && !(std::isfinite(*options.weld) && *options.weld >= 0)) {
+    return Error{Errc::bad_input, fmt::format("the welding tolerance {} is not a finite number >= 0", *options.weld)};
+  }
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  if (auto readable = check_readable(bytes, name); !readable) return readable.error();
+  auto format = options.format;
+  if (format == Format::automatic) format = format_of_extension(name);
+  if (format == Format::automatic) format = format_of_content(bytes);
+  auto mesh = read_as(format, bytes, name);
+  if (mesh && (options.weld || format == Format::stl)) weld(*mesh, options.weld.value_or(0));
+  return mesh;
+}
+
+Result<Mesh> read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
+  const std::string name = path.string();
+  const Error unreadable{Errc::io, fmt::format("{}: cannot be read, give the path of a readable mesh file", name)};
+  std::error_code problem;
+  if (std::filesystem::is_directory(path, problem)) return unreadable;
+  std::ifstream file{path, std::ios::binary | std::ios::ate};
+  if (!file) return unreadable;
+  const auto size = static_cast<std::streamoff>(file.tellg());
+  std::string bytes;
+  if (size > 0) {
+    bytes.resize(static_cast<std::size_t>(size));
+    file.seekg(0);
+    if (!file.read(bytes.data(), size)) return unreadable;
+  } else {
+    // A pipe, or a file of /proc, does not tell its size.
+    file.clear();
+    bytes.assign(std::istreambuf_iterator<char>{file}, {});
+  }
+  return parse_mesh(bytes, name, options);
+}
+
+}  // namespace sesame::tools

@@ -1,0 +1,419 @@
+// The format: Greg Turk, "The PLY Polygon File Format" (1994).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "tools/mesh/readers.hpp"
+#include "tools/mesh/text.hpp"
+
+namespace sesame::tools {
+
+namespace {
+
+enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+struct TypeName {
+  std::string_view name;
+  Type type;
+};
+
+constexpr auto type_names = std::to_array<TypeName>({{"char", Type::int8},
+                                                     {"uchar", Type::uint8},
+                                                     {"short", Type::int16},
+                                                     {"ushort", Type::uint16},
+                                                     {"int", Type::int32},
+                                                     {"uint", Type::uint32},
+                                                     {"float", Type::float32},
+                                                     {"double", Type::float64},
+                                                     {"int8", Type::int8},
+                                                     {"uint8", Type::uint8},
+                                                     {"int16", Type::int16},
+                                                     {"uint16", Type::uint16},
+                                                     {"int32", Type::int32},
+                                                     {"uint32", Type::uint32},
+                                                     {"float32", Type::float32},
+                                                     {"float64", Type::float64}});
+
+std::size_t size_of(Type type) {
+  constexpr std::array<std::size_t, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
+  return sizes[static_cast<std::size_t>(type)];
+}
+
+std::optional<Type> type_of(std::string_view name) {
+  const auto* const found =
+      std::find_if(type_names.begin(), type_names.end(), [name](const TypeName& entry) { return entry.name == name; });
+  if (found == type_names.end()) return std::nullopt;
+  return found->type;
+}
+
+struct Property {
+  std::string_view name;
+  Type type;
+  std::optional<Type> count;  ///< of a list: the type of its length
+};
+
+struct Element {
+  std::string_view name;
+  std::uint64_t count = 0;
+  std::vector<Property> properties;
+
+  /// The position of a property, or the number of properties.
+  [[nodiscard]] std::size_t find(std::string_view property) const {
+    const auto found = std::find_if(properties.begin(), properties.end(),
+                                    [property](const Property& p) { return p.name == property; });
+    return static_cast<std::size_t>(found - properties.begin());
+  }
+};
+
+enum class Encoding { ascii, little_endian, big_endian };
+
+struct Header {
+  Encoding encoding = Encoding::ascii;
+  std::vector<Element> elements;
+};
+
+/// Reads the lines up to `end_header`.
+class HeaderReader {
+ public:
+  explicit HeaderReader(LineReader& lines) : lines_{lines} {}
+
+  Result<Header> read() {
+    if (!lines_.next() || word_of_line() != "ply") return lines_.error("a PLY file begins with a line `ply`");
+    bool has_format = false;
+    while (lines_.next()) {
+      const auto keyword = word_of_line();
+      Status done = Done{};
+      if (keyword == "end_header") {
+        if (!has_format)
+          return lines_.error("the header ends without a line `format ascii 1.0` or `format binary_...`");
+        return std::move(header_);
+      }
+      if (keyword == "format") {
+        done = read_format();
+        has_format = true;
+      } else if (keyword == "element") {
+        done = read_element();
+      } else if (keyword == "property") {
+        done = read_property();
+      } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
+        return lines_.error(fmt::format(
+            "{} in the header, `element`, `property`, `comment` or `end_header` is expected", shown(keyword)));
+      }
+      if (!done) return done.error();
+    }
+    return lines_.error("the file ends before `end_header`");
+  }
+
+ private:
+  std::string_view word_of_line() {
+    rest_ = lines_.line();
+    return next_word(rest_);
+  }
+
+  Status read_format() {
+    const auto encoding = next_word(rest_);
+    if (encoding == "ascii") {
+      header_.encoding = Encoding::ascii;
+    } else if (encoding == "binary_little_endian") {
+      header_.encoding = Encoding::little_endian;
+    } else if (encoding == "binary_big_endian") {
+      header_.encoding = Encoding::big_endian;
+    } else {
+      return lines_.error(
+          fmt::format("the format {} is unknown, `ascii`, `binary_little_endian` or "
+                      "`binary_big_endian` is expected",
+                      shown(encoding)));
+    }
+    return Done{};
+  }
+
+  Status read_element() {
+    Element element;
+    element.name = next_word(rest_);
+    const auto word = next_word(rest_);
+    std::int64_t count = 0;
+    if (!parse_integer(word, count) || count < 0) {
+      return lines_.error(fmt::format("element {} has {} in the place of its number, which is one from 0",
+                                      shown(element.name), shown(word)));
+    }
+    element.count = static_cast<std::uint64_t>(count);
+    header_.elements.push_back(std::move(element));
+    return Done{};
+  }
+
+  Status read_property() {
+    if (header_.elements.empty()) return lines_.error("a property before any `element`");
+    Property property{};
+    auto word = next_word(rest_);
+    if (word == "list") {
+      word = next_word(rest_);
+      property.count = type_of(word);
+      if (!property.count || *property.count == Type::float32 || *property.count == Type::float64) {
+        return lines_.error(fmt::format("a list counts its entries in {}, an integer type is expected", shown(word)));
+      }
+      word = next_word(rest_);
+    }
+    const auto type = type_of(word);
+    property.name = next_word(rest_);
+    if (!type || property.name.empty()) {
+      return lines_.error(
+          fmt::format("{} {} is not a property, a type (char uchar short ushort int uint float double, "
+                      "or int8 ... float64) and a name are expected",
+                      shown(word), shown(property.name)));
+    }
+    property.type = *type;
+    header_.elements.back().properties.push_back(property);
+    return Done{};
+  }
+
+  LineReader& lines_;
+  std::string_view rest_;
+  Header header_;
+};
+
+/// The values after the header, one after the other, as doubles, which hold every type exactly.
+class Values {
+ public:
+  Values(Encoding encoding, LineReader lines, std::string_view name)
+      : encoding_{encoding}, lines_{lines}, name_{name}, at_{std::min(lines.offset(), lines.text().size())} {
+    // Where lines end in \r alone, a \n after `end_header` is data.
+    const bool lone_returns = lines.text().substr(0, 5).starts_with("ply\r") && !lines.text().starts_with("ply\r\n");
+    if (lone_returns && at_ >= 2 && lines.text().substr(at_ - 2, 2) == "\r\n") --at_;
+  }
+
+  [[nodiscard]] bool is_ascii() const { return encoding_ == Encoding::ascii; }
+  [[nodiscard]] std::size_t remaining() const {
+    const std::size_t read = is_ascii() ? std::min(lines_.offset(), lines_.text().size()) - rest_.size() : at_;
+    return lines_.text().size() - read;
+  }
+
+  bool read(Type type, double& value) { return is_ascii() ? read_word(value) : read_binary(type, value); }
+
+  /// An error at the value that was read last, or that could not be.
+  [[nodiscard]] Error error(std::string_view what) const {
+    return is_ascii() ? lines_.error(what) : error_at_byte(name_, value_at_, what);
+  }
+  [[nodiscard]] std::string problem() const {
+    if (!is_ascii() || word_.empty()) return "the file ends";
+    return fmt::format("{} is not a number", shown(word_));
+  }
+
+ private:
+  bool read_word(double& value) {
+    word_ = next_word(rest_);
+    while (word_.empty()) {
+      if (!lines_.next()) return false;
+      rest_ = lines_.line();
+      word_ = next_word(rest_);
+    }
+    return parse_real(word_, value);
+  }
+
+  bool read_binary(Type type, double& value) {
+    const std::size_t size = size_of(type);
+    const auto text = lines_.text();
+    value_at_ = at_;
+    if (text.size() - at_ < size) return false;
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::size_t place = encoding_ == Encoding::big_endian ? i : size - 1 - i;
+      bits = (bits << 8) | static_cast<unsigned char>(text[at_ + place]);
+    }
+    at_ += size;
+    value = value_of(type, bits);
+    return true;
+  }
+
+  static double value_of(Type type, std::uint64_t bits) {
+    switch (type) {
+      case Type::int8:
+        return static_cast<double>(static_cast<std::int8_t>(bits));
+      case Type::int16:
+        return static_cast<double>(static_cast<std::int16_t>(bits));
+      case Type::int32:
+        return static_cast<double>(static_cast<std::int32_t>(bits));
+      case Type::float32:
+        return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+      case Type::float64:
+        return std::bit_cast<double>(bits);
+      case Type::uint8:
+      case Type::uint16:
+      case Type::uint32:
+        break;
+    }
+    return static_cast<double>(bits);
+  }
+
+  Encoding encoding_;
+  LineReader lines_;
+  std::string_view name_;
+  std::string_view rest_;
+  std::string_view word_;
+  std::size_t at_;
+  std::size_t value_at_ = at_;
+};
+
+class PlyReader {
+ public:
+  PlyReader(std::string_view bytes, std::string_view name) : lines_{bytes, name}, name_{name} {}
+
+  Result<Mesh> read() {
+    auto header = HeaderReader{lines_}.read();
+    if (!header) return header.error();
+    Values values{header->encoding, lines_, name_};
+    bool has_points = false;
+    for (const auto& element : header->elements) {
+      if (element.name != "vertex") continue;
+      points_ = element.count;
+      has_points = true;
+    }
+    for (const auto& element : header->elements) {
+      if (auto done = check(element, values); !done) return done.error();
+      for (std::uint64_t row = 0; row < element.count; ++row) {
+        if (auto done = read_row(element, row, values); !done) return done.error();
+        if (auto done = use_row(element, row, values); !done) return done.error();
+      }
+    }
+    if (!has_points) return lines_.error("the header announces no element `vertex`");
+    if (mesh_.points.size() != points_) return lines_.error("element `vertex` is announced twice");
+    for (const auto& element : header->elements) remark_skipped(element);
+    return std::move(mesh_);
+  }
+
+ private:
+  /// Whether an element has the properties that are needed, and whether its rows can fit into what is left.
+  Status check(const Element& element, const Values& values) {
+    std::uint64_t least = 0;
+    for (const auto& property : element.properties) {
+      least += values.is_ascii() ? 2 : size_of(property.count.value_or(property.type));
+    }
+    if (element.count > 0 && least == 0) {
+      return lines_.error(fmt::format("element {} has no property", shown(element.name)));
+    }
+    if (element.count > 0 && element.count > (values.remaining() + 1) / least) {
+      return values.error(fmt::format("{} rows of element {} are announced, but only {} bytes follow", element.count,
+                                      shown(element.name), values.remaining()));
+    }
+    uses_ = element.count == 0 ? std::array<std::size_t, 3>{} : properties_of(element);
+    for (const auto use : uses_) {
+      if (use >= element.properties.size() && element.count > 0 && is_used(element)) {
+        return lines_.error(
+            fmt::format("element {} lacks a property, {} is expected", shown(element.name), needed_of(element)));
+      }
+    }
+    if (element.name == "tristrips" && element.count > 0) {
+      return lines_.error("triangle strips are not read, save the mesh with an element `face`");
+    }
+    return Done{};
+  }
+
+  static bool is_used(const Element& element) {
+    return element.name == "vertex" || element.name == "face" || element.name == "edge";
+  }
+
+  static std::string_view needed_of(const Element& element) {
+    if (element.name == "vertex") return "`x`, `y` and `z`, numbers,";
+    if (element.name == "face") return "`vertex_indices` or `vertex_index`, a list,";
+    return "`vertex1` and `vertex2`, numbers,";
+  }
+
+  /// Where the properties that are used stand in a row; a position past the end for one that is missing or is a list
+  /// in the place of a number, or the reverse.
+  static std::array<std::size_t, 3> properties_of(const Element& element) {
+    const auto find = [&element](std::string_view name, bool list) {
+      const auto place = element.find(name);
+      const bool fits = place < element.properties.size() && element.properties[place].count.has_value() == list;
+      return fits ? place : element.properties.size();
+    };
+    if (element.name == "vertex") return {find("x", false), find("y", false), find("z", false)};
+    if (element.name == "edge") return {find("vertex1", false), find("vertex2", false), 0};
+    if (element.name != "face") return {};
+    const auto list = std::min(find("vertex_indices", true), find("vertex_index", true));
+    return {list, list, list};
+  }
+
+  /// Reads a row: its numbers to row_, the list that holds the corners to corners_.
+  Status read_row(const Element& element, std::uint64_t row, Values& values) {
+    row_.assign(element.properties.size(), 0);
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      const auto& property = element.properties[i];
+      const bool is_corners = element.name == "face" && i == uses_[0];
+      double& value = row_[i];
+      if (is_corners) corners_.clear();
+      bool there = values.read(property.count.value_or(property.type), value);
+      if (there && property.count) {
+        if (value < 0 || value != std::floor(value)) return values.error("the length of a list is not a number from 0");
+        for (double k = value; there && k > 0; --k) {
+          there = values.read(property.type, value);
+          if (there && is_corners) corners_.push_back(value);
+        }
+      }
+      if (!there) {
+        return values.error(fmt::format("{} in row {} of the {} of element {}", values.problem(), row, element.count,
+                                        shown(element.name)));
+      }
+    }
+    return Done{};
+  }
+
+  Status use_row(const Element& element, std::uint64_t row, const Values& values) {
+    if (element.name == "vertex") {
+      Point point{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        point[i] = row_[uses_[i]];
+        if (!std::isfinite(point[i])) return values.error(fmt::format("a coordinate of point {} is not finite", row));
+      }
+      mesh_.points.push_back(point);
+    } else if (element.name == "face") {
+      if (corners_.empty())
+        return values.error(fmt::format("face {} has no corners, at least three are expected", row));
+      for (const double corner : corners_) {
+        std::uint32_t point = 0;
+        if (auto done = to_point(corner, values, point); !done) return done;
+        mesh_.faces.push_corner(point);
+      }
+      mesh_.faces.close_face();
+    } else if (element.name == "edge") {
+      Edge edge{};
+      for (std::size_t i = 0; i < 2; ++i) {
+        if (auto done = to_point(row_[uses_[i]], values, edge[i]); !done) return done;
+      }
+      mesh_.lines.push_back(edge);
+    }
+    return Done{};
+  }
+
+  Status to_point(double number, const Values& values, std::uint32_t& point) const {
+    if (!(number >= 0 && number < static_cast<double>(points_) && number == std::floor(number))) {
+      return values.error(
+          fmt::format("{} does not number a point, the {} points are numbered from 0", number, points_));
+    }
+    point = static_cast<std::uint32_t>(number);
+    return Done{};
+  }
+
+  void remark_skipped(const Element& element) {
+    if (is_used(element) || element.count == 0) return;
+    mesh_.remarks.push_back(
+        fmt::format("left out {} of element {}", counted(element.count, "row", "rows"), shown(element.name)));
+  }
+
+  LineReader lines_;
+  std::string_view name_;
+  std::uint64_t points_ = 0;
+  std::array<std::size_t, 3> uses_{};
+  std::vector<double> row_;
+  std::vector<double> corners_;
+  Mesh mesh_;
+};
+
+}  // namespace
+
+Result<Mesh> read_ply(std::string_view bytes, std::string_view name) { return PlyReader{bytes, name}.read(); }
+
+}  // namespace sesame::tools

@@ -1,0 +1,425 @@
+#include "tools/mesh/script.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <iterator>
+#include <ostream>
+#include <span>
+
+#include "tools/mesh/incidence.hpp"
+#include "tools/mesh/normalise.hpp"
+#include "tools/mesh/text.hpp"
+
+namespace sesame::tools {
+
+namespace {
+
+constexpr std::uint32_t none = 0xffffffff;
+
+/// A triangle or a line, its vertices in increasing order. The edge at place k of a triangle is the face that omits
+/// vertex k; a line has its one edge at place 0.
+struct Simplex {
+  std::array<std::uint32_t, 3> vertices;
+  std::array<std::uint32_t, 3> edges;
+  std::size_t dimension;
+
+  [[nodiscard]] std::span<const std::uint32_t> all_vertices() const { return std::span{vertices}.first(dimension + 1); }
+  [[nodiscard]] std::span<const std::uint32_t> all_edges() const {
+    return std::span{edges}.first(dimension == 2 ? 3 : 1);
+  }
+};
+
+/// A triangulated mesh as a list of items: its triangles, then its lines.
+class Items {
+ public:
+  explicit Items(Mesh mesh) : mesh_{std::move(mesh)}, incidence_{incidence_of(mesh_)} {
+    items_at_begin_.assign(mesh_.points.size() + 1, 0);
+    const auto count = static_cast<std::uint32_t>(size());
+    for (std::uint32_t item = 0; item < count; ++item) {
+      for (const auto v : (*this)[item].all_vertices()) ++items_at_begin_[v + 1];
+    }
+    for (std::size_t v = 0; v < mesh_.points.size(); ++v) items_at_begin_[v + 1] += items_at_begin_[v];
+    items_at_.resize(items_at_begin_.back());
+    auto next = items_at_begin_;
+    for (std::uint32_t item = 0; item < count; ++item) {
+      for (const auto v : (*this)[item].all_vertices()) items_at_[next[v]++] = item;
+    }
+  }
+
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const Incidence& incidence() const { return incidence_; }
+  [[nodiscard]] std::size_t size() const { return mesh_.faces.size() + mesh_.lines.size(); }
+  [[nodiscard]] bool is_line(std::uint32_t item) const { return item >= mesh_.faces.size(); }
+
+  /// The number of an item among its kind.
+  [[nodiscard]] std::size_t number(std::uint32_t item) const {
+    return is_line(item) ? item - mesh_.faces.size() : item;
+  }
+
+  [[nodiscard]] std::span<const std::uint32_t> items_at(std::uint32_t vertex) const {
+    return std::span{items_at_}.subspan(items_at_begin_[vertex], items_at_begin_[vertex + 1] - items_at_begin_[vertex]);
+  }
+
+  [[nodiscard]] Simplex operator[](std::uint32_t item) const {
+    if (is_line(item)) {
+      const auto edge = incidence_.edge_of_line[item - mesh_.faces.size()];
+      return {{incidence_.edges[edge][0], incidence_.edges[edge][1], none}, {edge, none, none}, 1};
+    }
+    const auto face = mesh_.faces[item];
+    Simplex simplex{{face[0], face[1], face[2]}, {none, none, none}, 2};
+    std::sort(simplex.vertices.begin(), simplex.vertices.end());
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const auto edge = incidence_.edge_of_corner[mesh_.faces.start(item) + i];
+      const auto [low, high] = incidence_.edges[edge];
+      const std::size_t omitted = low == simplex.vertices[1] ? 0 : high == simplex.vertices[2] ? 1 : 2;
+      simplex.edges[omitted] = edge;
+    }
+    return simplex;
+  }
+
+ private:
+  Mesh mesh_;
+  Incidence incidence_;
+  std::vector<std::uint32_t> items_at_begin_;
+  std::vector<std::uint32_t> items_at_;
+};
+
+/// Breadth first over shared edges. When those are used up, an item at an early vertex of what is built is next, so
+/// that sheets that touch in a point and lines follow; when there is none, the first item of another component.
+class BreadthFirst {
+ public:
+  explicit BreadthFirst(const Items& items)
+      : items_{items}, placed_(items.size(), false), seen_(items.mesh().points.size(), false) {}
+
+  std::vector<std::uint32_t> run() {
+    for (std::uint32_t seed = 0; seed < items_.size(); ++seed) {
+      if (placed_[seed]) continue;
+      place(seed);
+      grow();
+    }
+    return std::move(order_);
+  }
+
+ private:
+  void grow() {
+    while (next_ < order_.size() || !frontier_.empty()) {
+      if (next_ < order_.size()) {
+        place_neighbours(order_[next_++]);
+        continue;
+      }
+      const auto here = items_.items_at(frontier_.front());
+      const auto free = std::find_if(here.begin(), here.end(), [this](std::uint32_t item) { return !placed_[item]; });
+      if (free == here.end()) {
+        frontier_.pop_front();
+      } else {
+        place(*free);
+      }
+    }
+  }
+
+  void place_neighbours(std::uint32_t item) {
+    for (const auto edge : items_[item].all_edges()) {
+      for (const auto side : items_.incidence().sides_of(edge)) {
+        const auto face = items_.incidence().face_of_corner[side];
+        if (!placed_[face]) place(face);
+      }
+    }
+  }
+
+  void place(std::uint32_t item) {
+    placed_[item] = true;
+    order_.push_back(item);
+    for (const auto v : items_[item].all_vertices()) {
+      if (!seen_[v]) frontier_.push_back(v);
+      seen_[v] = true;
+    }
+  }
+
+  const Items& items_;
+  std::vector<bool> placed_;
+  std::vector<bool> seen_;
+  std::vector<std::uint32_t> order_;
+  std::size_t next_ = 0;  ///< items of order_ before this one have had their neighbours placed
+  std::deque<std::uint32_t> frontier_;
+};
+
+std::vector<std::uint32_t> build_order(const Items& items, BuildOrder order) {
+  if (order == BuildOrder::breadth_first) return BreadthFirst{items}.run();
+  std::vector<std::uint32_t> given(items.size());
+  for (std::uint32_t i = 0; i < given.size(); ++i) given[i] = i;
+  return given;
+}
+
+/// What both kinds of script have in common: the head, the comments, the expectation, and a buffer before the stream.
+class ScriptWriter {
+ public:
+  ScriptWriter(const Items& items, std::ostream& out, const ScriptOptions& options)
+      : items_{items}, options_{options}, out_{out} {}
+
+  template <class... Arguments>
+  void print(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    constexpr std::size_t enough = 1U << 16U;
+    fmt::format_to(std::back_inserter(buffer_), format, std::forward<Arguments>(arguments)...);
+    if (buffer_.size() > enough) flush();
+  }
+
+  void print_point(std::uint32_t vertex) {
+    const auto& [x, y, z] = items_.mesh().points[vertex];
+    print("[{},{},{}]", x, y, z);
+  }
+
+  void head(std::string_view what) {
+    const auto& mesh = items_.mesh();
+    print("{{\"sesame\":1,\"ring\":\"{}\",\"title\":\"{}\"}}\n", printable(options_.ring),
+          name_of_source(options_.source));
+    print("# {}{}{}\n", what, options_.source.empty() ? "" : " from ", printable(options_.source));
+    print("# {} vertices, {} edges, {} triangles; they are counted from 0\n", mesh.points.size(),
+          items_.incidence().edges.size(), mesh.faces.size());
+    for (const auto& remark : mesh.remarks) print("# {}\n", printable(remark));
+  }
+
+  /// The cells are counted on the mesh, so this holds of any engine that works.
+  void expectation() {
+    if (!options_.expect) return;
+    const auto vertices = static_cast<long long>(items_.mesh().points.size());
+    const auto edges = static_cast<long long>(items_.incidence().edges.size());
+    const auto triangles = static_cast<long long>(items_.mesh().faces.size());
+    print("{{\"op\":\"expect\",\"cells\":[{}", vertices);
+    if (edges > 0) print(",{}", edges);
+    if (triangles > 0) print(",{}", triangles);
+    print("],\"euler\":{}}}\n", vertices - edges + triangles);
+    ++steps_;
+  }
+
+  void count_step() { ++steps_; }
+
+  Result<ScriptSummary> finish() {
+    flush();
+    out_.flush();
+    if (!out_) return Error{Errc::io, "the script cannot be written, is there room on the disk?"};
+    const auto& mesh = items_.mesh();
+    return ScriptSummary{mesh.points.size(), items_.incidence().edges.size(), mesh.faces.size(), steps_, mesh.remarks};
+  }
+
+ private:
+  void flush() {
+    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    buffer_.clear();
+  }
+
+  const Items& items_;
+  const ScriptOptions& options_;
+  std::ostream& out_;
+  fmt::memory_buffer buffer_;
+  std::size_t steps_ = 0;
+};
+
+class ComplexScript {
+ public:
+  ComplexScript(const Items& items, std::ostream& out, const ScriptOptions& options)
+      : items_{items}, options_{options}, writer_{items, out, options} {}
+
+  Result<ScriptSummary> write() {
+    const auto& mesh = items_.mesh();
+    has_vertex_.assign(mesh.points.size(), false);
+    has_edge_.assign(items_.incidence().edges.size(), false);
+    writer_.head("a complex");
+    writer_.print("{{\"op\":\"complex\",\"name\":\"{}\",\"cells\":[", name_of_source(options_.source));
+    writer_.count_step();
+    for (const auto item : build_order(items_, options_.order)) write_item(item);
+    for (std::uint32_t v = 0; v < mesh.points.size(); ++v) write_vertex(v);
+    writer_.print("]}}\n");
+    writer_.expectation();
+    return writer_.finish();
+  }
+
+ private:
+  void separate() {
+    if (!is_first_) writer_.print(",");
+    is_first_ = false;
+  }
+
+  void write_item(std::uint32_t item) {
+    const auto simplex = items_[item];
+    for (const auto v : simplex.all_vertices()) write_vertex(v);
+    for (const auto edge : simplex.all_edges()) write_edge(edge);
+    if (items_.is_line(item)) return;
+    separate();
+    const auto& [a, b, c] = simplex.vertices;
+    writer_.print("{{\"id\":\"f{}\",\"faces\":[\"e{}-{}\",\"e{}-{}\",\"e{}-{}\"]}}", items_.number(item), b, c, a, c, a,
+                  b);
+  }
+
+  void write_vertex(std::uint32_t vertex) {
+    if (has_vertex_[vertex]) return;
+    has_vertex_[vertex] = true;
+    separate();
+    writer_.print("{{\"id\":\"v{}\",\"at\":", vertex);
+    writer_.print_point(vertex);
+    writer_.print("}}");
+  }
+
+  void write_edge(std::uint32_t edge) {
+    if (has_edge_[edge]) return;
+    has_edge_[edge] = true;
+    separate();
+    const auto [low, high] = items_.incidence().edges[edge];
+    writer_.print("{{\"id\":\"e{}-{}\",\"faces\":[\"v{}\",\"v{}\"]}}", low, high, high, low);
+  }
+
+  const Items& items_;
+  const ScriptOptions& options_;
+  ScriptWriter writer_;
+  std::vector<bool> has_vertex_;
+  std::vector<bool> has_edge_;
+  bool is_first_ = true;
+};
+
+class AssembledScript {
+ public:
+  AssembledScript(const Items& items, std::ostream& out, const ScriptOptions& options)
+      : items_{items}, options_{options}, writer_{items, out, options} {}
+
+  Result<ScriptSummary> write() {
+    const auto& mesh = items_.mesh();
+    vertex_owner_.assign(mesh.points.size(), {none, 0});
+    edge_owner_.assign(items_.incidence().edges.size(), {none, 0});
+    writer_.head("an assembly");
+    for (const auto item : build_order(items_, options_.order)) {
+      const auto simplex = items_[item];
+      write_simplex(item, simplex);
+      write_gluing(item, simplex);
+      take_ownership(item, simplex);
+    }
+    for (std::uint32_t v = 0; items_.size() == 0 && v < mesh.points.size(); ++v) {
+      writer_.print("{{\"op\":\"simplex\",\"name\":\"p{}\",\"dim\":0,\"at\":[", v);
+      writer_.print_point(v);
+      writer_.print("]}}\n");
+      writer_.count_step();
+    }
+    writer_.expectation();
+    return writer_.finish();
+  }
+
+ private:
+  /// The first item that has a cell, and where in it the cell is: a vertex by its place, an edge by the vertex omitted.
+  struct Owner {
+    std::uint32_t item;
+    std::size_t place;
+  };
+
+  void write_simplex(std::uint32_t item, const Simplex& simplex) {
+    writer_.print("{{\"op\":\"simplex\",\"name\":\"");
+    print_name(item);
+    writer_.print("\",\"dim\":{},\"at\":[", simplex.dimension);
+    for (std::size_t i = 0; i <= simplex.dimension; ++i) {
+      if (i > 0) writer_.print(",");
+      writer_.print_point(simplex.vertices[i]);
+    }
+    writer_.print("]}}\n");
+    writer_.count_step();
+  }
+
+  void write_gluing(std::uint32_t item, const Simplex& simplex) {
+    pairs_ = 0;
+    std::array<bool, 3> is_glued{};
+    for (std::size_t k = 0; simplex.dimension == 2 && k < 3; ++k) {
+      const auto& owner = edge_owner_[simplex.edges[k]];
+      if (owner.item == none) continue;
+      begin_pair();
+      print_edge(item, k);
+      writer_.print("\",\"");
+      print_edge(owner.item, owner.place);
+      writer_.print("\"]");
+      for (std::size_t i = 0; i < 3; ++i) is_glued[i] = is_glued[i] || i != k;
+    }
+    for (std::size_t i = 0; i <= simplex.dimension; ++i) {
+      const auto& owner = vertex_owner_[simplex.vertices[i]];
+      if (is_glued[i] || owner.item == none) continue;
+      begin_pair();
+      print_name(item);
+      writer_.print(".{}\",\"", i);
+      print_name(owner.item);
+      writer_.print(".{}\"]", owner.place);
+    }
+    if (pairs_ > 0) writer_.print("]}}\n");
+  }
+
+  void begin_pair() {
+    if (pairs_++ == 0) {
+      writer_.print("{{\"op\":\"identify\",\"pairs\":[[\"");
+      writer_.count_step();
+    } else {
+      writer_.print(",[\"");
+    }
+  }
+
+  void take_ownership(std::uint32_t item, const Simplex& simplex) {
+    for (std::size_t i = 0; i <= simplex.dimension; ++i) {
+      auto& owner = vertex_owner_[simplex.vertices[i]];
+      if (owner.item == none) owner = {item, i};
+    }
+    for (std::size_t k = 0; k < simplex.all_edges().size(); ++k) {
+      auto& owner = edge_owner_[simplex.edges[k]];
+      if (owner.item == none) owner = {item, k};
+    }
+  }
+
+  void print_name(std::uint32_t item) { writer_.print("{}{}", items_.is_line(item) ? 'l' : 'f', items_.number(item)); }
+
+  /// Only triangles share edges: a line that is a side of one was left out by `normalise`.
+  void print_edge(std::uint32_t triangle, std::size_t omitted) {
+    constexpr std::array<const char*, 3> ends{"1-2", "0-2", "0-1"};
+    print_name(triangle);
+    writer_.print(".{}", ends[omitted]);
+  }
+
+  const Items& items_;
+  const ScriptOptions& options_;
+  ScriptWriter writer_;
+  std::vector<Owner> vertex_owner_;
+  std::vector<Owner> edge_owner_;
+  std::size_t pairs_ = 0;
+};
+
+Result<Items> items_of(const Mesh& mesh, const ScriptOptions& options) {
+  if (mesh.points.empty()) {
+    return Error{Errc::bad_input, fmt::format("{}: the mesh has no points, there is nothing to build",
+                                              options.source.empty() ? "mesh" : options.source)};
+  }
+  Mesh prepared = mesh;
+  normalise(prepared);
+  triangulate(prepared, options.polygons);
+  return Items{std::move(prepared)};
+}
+
+}  // namespace
+
+Result<ScriptSummary> write_complex_script(const Mesh& mesh, std::ostream& out, const ScriptOptions& options) {
+  auto items = items_of(mesh, options);
+  if (!items) return items.error();
+  return ComplexScript{*items, out, options}.write();
+}
+
+Result<ScriptSummary> write_assembled_script(const Mesh& mesh, std::ostream& out, const ScriptOptions& options) {
+  auto items = items_of(mesh, options);
+  if (!items) return items.error();
+  return AssembledScript{*items, out, options}.write();
+}
+
+std::string name_of_source(std::string_view path) {
+  path.remove_prefix(path.find_last_of("/\\") + 1);  // npos + 1 is 0
+  const auto dot = path.rfind('.');
+  if (dot != std::string_view::npos && dot > 0) path = path.substr(0, dot);
+  std::string name{path};
+  for (char& c : name) {
+    const bool stays =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+    if (!stays) c = '_';
+  }
+  return name.empty() ? "mesh" : name;
+}
+
+}  // namespace sesame::tools

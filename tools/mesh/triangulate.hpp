@@ -1,0 +1,23 @@
+/// \file
+/// From polygons to triangles, without a change of topology.
+#pragma once
+
+#include "tools/mesh/mesh.hpp"
+
+namespace sesame::tools {
+
+enum class Polygons {
+  fan,   ///< diagonals from one corner; no new points
+  cone,  ///< a new point in the middle, joined to every side
+};
+
+/// Replaces each face with more than three corners, in place of it in the order of faces.
+///
+/// A fan whose diagonal joined two points that an edge joins already would glue the two edges, and so change the
+/// topology: another corner is tried then, and if several fail the polygon gets a cone after all. Remarks say what was
+/// done and how often. Concave polygons are no problem: only the topology counts here.
+///
+/// Requires a mesh as `normalise` leaves it. Ensures the same of the result, with triangles only.
+void triangulate(Mesh& mesh, Polygons how);
+
+}  // namespace sesame::tools
