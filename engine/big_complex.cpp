@@ -37,6 +37,7 @@ Index BigComplex<R>::append(std::uint32_t origin, int degree) {
   sparse::normalize(ring_, column_);
   boundary_.append_rows(1);
   boundary_.append_column(column_);
+  entries_appended_ += column_.size();
   origin_.push_back(origin);
   degree_.push_back(static_cast<std::uint8_t>(degree));
   if (static_cast<std::size_t>(degree) >= counts_.size()) {

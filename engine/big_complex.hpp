@@ -45,6 +45,9 @@ class BigComplex {
   /// The number of generators of each degree, up to the largest that has one.
   [[nodiscard]] const std::vector<std::uint32_t>& counts() const { return counts_; }
 
+  /// The entries ever appended to the boundary, undone ones included.
+  [[nodiscard]] std::uint64_t entries_appended() const { return entries_appended_; }
+
   /// Appends the generator of the next cell, of the next removal. Cost O(faces of faces * log cells).
   Index append_cell(CellId cell);
   Index append_removal(LinkId link);
@@ -73,6 +76,7 @@ class BigComplex {
   std::vector<std::uint8_t> degree_;
   std::vector<Index> of_cell_, of_link_;
   std::vector<std::uint32_t> counts_;
+  std::uint64_t entries_appended_ = 0;
   Terms<R> column_;  ///< scratch
 };
 

@@ -82,6 +82,9 @@ class Engine {
   /// Betti numbers, torsion, sizes of the small and the big complex; an entry per dimension that has cells, at least.
   [[nodiscard]] Homology homology() { return tracker_->homology(cells().size()); }
 
+  /// What has been done so far, in terms and entries. The difference over a step is that step's cost.
+  [[nodiscard]] Work work() const { return tracker_->work(); }
+
   // ---- chains
   /// A chain from names. Errors: unknown_name; bad_input when the cells differ in dimension.
   [[nodiscard]] Result<CellChain> chain(const std::vector<std::pair<Integer, std::string>>& terms) const;

@@ -64,6 +64,12 @@ struct Homology {
   std::vector<std::uint32_t> big;             ///< generators of the big complex
 };
 
+/// How much has been done, in terms and entries: what a step costs, independent of the machine. Only grows.
+struct Work {
+  std::uint64_t boundary_entries = 0;  ///< appended to the boundary of the big complex
+  std::uint64_t rewritten_terms = 0;   ///< read while boundaries and chains were rewritten, memos included
+};
+
 /// Keeps the homological equivalence C <= B => S of a structure current over one ring.
 class HomologyTracker {
  public:
@@ -94,6 +100,8 @@ class HomologyTracker {
   [[nodiscard]] virtual CellChain apply_K(const CellChain& chain) = 0;
   [[nodiscard]] virtual CellChain boundary(const CellChain& chain) const = 0;
   [[nodiscard]] virtual SmallChain boundary(const SmallChain& chain) = 0;
+
+  [[nodiscard]] virtual Work work() const = 0;
 
   /// Checks every law of the equivalence and of the last step's exact sequence, and the homology against a Smith form
   /// computed from scratch. Returns the first that fails and where. Slow: for tests and audits.

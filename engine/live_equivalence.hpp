@@ -32,6 +32,7 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] CellChain apply_K(const CellChain& chain) override;
   [[nodiscard]] CellChain boundary(const CellChain& chain) const override;
   [[nodiscard]] SmallChain boundary(const SmallChain& chain) override;
+  [[nodiscard]] Work work() const override { return {big_.entries_appended(), rewriter_.terms_read()}; }
   [[nodiscard]] std::optional<std::string> first_defect(ops::Moment before_last_step) override;
 
   /// The whole equivalence as matrices. C's basis is that of ops::cells_at; B's and S's are their generators of each

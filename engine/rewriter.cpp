@@ -147,9 +147,11 @@ void Rewriter<R>::undo(const Mark& mark) {
 template <Ring R>
 void Rewriter<R>::add_rewritten(Symbol x, const Element& coefficient) {
   const RuleId rule = state_[x];
+  ++terms_read_;
   if (rule == no_rule) {
     sum_.add_product(x, coefficient, ring_.one());
   } else if (rules_[rule].a == x) {
+    terms_read_ += memo_terms(rule).size();
     for (const auto& [y, factor] : memo_terms(rule)) {
       sum_.add_product(y, coefficient, factor);
     }
@@ -167,6 +169,7 @@ std::span<const sparse::Term<R>> Rewriter<R>::memoised(RuleId rule) {
     bool waits = false;
     if (!is_current) {
       is_current = true;
+      terms_read_ += memo_terms(top).size();
       for (const TermType& term : memo_terms(top)) {
         const RuleId next = state_[term.index];
         if (next == no_rule) {

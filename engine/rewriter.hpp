@@ -67,6 +67,8 @@ class Rewriter {
   /// dS of a small generator, in symbols.
   [[nodiscard]] const TorsionCore<R>& core() const { return core_; }
   [[nodiscard]] int degree(Symbol x) const { return degree_[x]; }
+  /// The terms ever read while rewriting: what rewriting has cost.
+  [[nodiscard]] std::uint64_t terms_read() const { return terms_read_; }
   [[nodiscard]] RuleId rules() const { return static_cast<RuleId>(rules_.size()); }
 
   /// How much there was of everything at some moment.
@@ -157,6 +159,8 @@ class Rewriter {
   std::vector<RuleId> memo_writes_;  ///< memos written, for undo: each once per epoch
   std::uint64_t version_ = 1;        ///< grows with every rule made or undone
   std::uint32_t epoch_ = 1;          ///< grows with every mark and undo
+
+  std::uint64_t terms_read_ = 0;
 
   TorsionCore<R> core_;
   std::set<Symbol> unsettled_;

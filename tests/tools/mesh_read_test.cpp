@@ -183,7 +183,7 @@ TEST_CASE("a file that cannot be read is an error of its own kind", "[mesh]") {
 TEST_CASE("broken files are refused with their name and line", "[mesh]") {
   const auto [file, what] = GENERATE(table<std::string, std::string>({
       {"wrong_index.off", ":6: corner 2 of face 0 is `3`, points are numbered from 0 to 2"},
-      {"wrong_count.off", ":2: 4000000000 points and 1 faces are announced, but only 26 bytes follow"},
+      {"wrong_count.off", ":2: 4000000000 points and 1 face are announced, but only 26 bytes follow"},
       {"wrong_end.off", ":1: nothing in the place of the number of points"},
       {"wrong_number.obj", ":3: a point: `nan` is not finite, a coordinate is a finite number"},
       {"wrong_list.ply", ":13: the file ends in row 0 of the 1 of element `face`"},
@@ -246,7 +246,7 @@ TEST_CASE("broken texts are refused at the line that is wrong", "[mesh]") {
       {"a.ply",
        ply_head + "property float z\nelement vertex 1\nproperty int x\nproperty int y\nproperty int z\n"
                   "end_header\n0 0 0\n0 0 0\n",
-       ":10: element `vertex` is announced twice"},
+       ":11: element `vertex` is announced twice"},
       {"a.ply", ply_head + "property float z\nelement face 1\nproperty int q\nend_header\n0 0 0\n3\n",
        ":9: element `face` lacks a property, `vertex_indices`"},
       {"a.ply",
@@ -264,7 +264,7 @@ TEST_CASE("broken texts are refused at the line that is wrong", "[mesh]") {
       {"a.ply",
        ply_head +
            "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0\n",
-       ":10: triangle strips are not read"},
+       ":9: triangle strips are not read"},
       {"a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n", ":4: nothing is not a number"},
       {"a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", ":4: nothing in the place of `vertex`"},
       {"a.stl", "solid a\nfacet\nvertex 0 0 0\n", ":3: `vertex` in the place of `outer` of a facet"},

@@ -193,9 +193,9 @@ TEST_CASE("an assembly glues up to the cells of the mesh, each component connect
 }
 
 TEST_CASE("an assembly in the order of the file glues up to the same cells", "[mesh]") {
+  const auto polygons = GENERATE(Polygons::fan, Polygons::cone);
   for (const auto& [file, expected, bodies] : cases) {
     INFO(file);
-    const auto polygons = GENERATE(Polygons::fan, Polygons::cone);
     const ScriptOptions options{.source = file, .polygons = polygons, .order = BuildOrder::as_given, .expect = false};
     const auto script = script_of(write_assembled_script, read_fixture(file), options);
     CHECK(assembled(script).cells() == Cells{script.summary.vertices, script.summary.edges, script.summary.triangles});

@@ -86,7 +86,6 @@ TEST_CASE("a turned face is found, and the surface stays orientable", "[mesh]") 
 }
 
 TEST_CASE("components are judged one by one", "[mesh]") {
-  auto text = contents("tetrahedron.ply");
   const auto two = validity_of(
       "OFF 9 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n5 0 0\n6 0 0\n6 1 0\n5 1 0\n9 9 9\n"
       "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 4 5 6\n3 4 6 7\n");

@@ -1,7 +1,7 @@
 // The format: https://people.sc.fsu.edu/~jburkardt/data/off/off.html and the manual of Geomview, section OFF.
 #include <fmt/format.h>
 
-#include <limits>
+#include <algorithm>
 
 #include "tools/mesh/readers.hpp"
 #include "tools/mesh/text.hpp"
@@ -96,18 +96,20 @@ class OffReader {
     return check_counts();
   }
 
-  /// A point takes at least two bytes per coordinate and a face at least two, the very last one may lack its newline.
+  /// How many bytes follow the present line.
+  std::size_t room() const { return lines_.text().size() - std::min(lines_.offset(), lines_.text().size()); }
+
+  /// Claims that no file of this size can keep are refused here; those that come close, where the file ends.
   Status check_counts() const {
-    const std::uint64_t room = lines_.text().size() - std::min(lines_.offset(), lines_.text().size()) + 1;
-    if (head_.points > room / (2 * head_.dimension) || head_.faces > room / 2) {
-      return lines_.error(fmt::format("{} points and {} faces are announced, but only {} bytes follow", head_.points,
-                                      head_.faces, room - 1));
-    }
-    return Done{};
+    if (head_.points <= room() && head_.faces <= room()) return Done{};
+    return lines_.error(fmt::format("{} and {} are announced, but only {} follow",
+                                    counted(head_.points, "point", "points"), counted(head_.faces, "face", "faces"),
+                                    counted(room(), "byte", "bytes")));
   }
 
   Status read_points() {
-    mesh_.points.reserve(head_.points);
+    // A coordinate and the blank after it take two bytes.
+    mesh_.points.reserve(std::min<std::size_t>(head_.points, room() / (2 * head_.dimension) + 1));
     for (std::uint64_t p = 0; p < head_.points; ++p) {
       if (!lines_.next_with_words()) {
         return lines_.error(fmt::format("the file ends after {} of {} points", p, head_.points));

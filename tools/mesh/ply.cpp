@@ -290,12 +290,12 @@ class PlyReader {
   Status check(const Element& element, const Values& values) {
     std::uint64_t least = 0;
     for (const auto& property : element.properties) {
-      least += values.is_ascii() ? 2 : size_of(property.count.value_or(property.type));
+      least += values.is_ascii() ? 1 : size_of(property.count.value_or(property.type));
     }
     if (element.count > 0 && least == 0) {
       return lines_.error(fmt::format("element {} has no property", shown(element.name)));
     }
-    if (element.count > 0 && element.count > (values.remaining() + 1) / least) {
+    if (element.count > 0 && element.count > values.remaining() / least) {
       return values.error(fmt::format("{} rows of element {} are announced, but only {} bytes follow", element.count,
                                       shown(element.name), values.remaining()));
     }

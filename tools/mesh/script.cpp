@@ -25,10 +25,15 @@ struct Simplex {
   std::array<std::uint32_t, 3> edges;
   std::size_t dimension;
 
-  [[nodiscard]] std::span<const std::uint32_t> all_vertices() const { return std::span{vertices}.first(dimension + 1); }
-  [[nodiscard]] std::span<const std::uint32_t> all_edges() const {
+  [[nodiscard]] std::span<const std::uint32_t> all_vertices() const& {
+    return std::span{vertices}.first(dimension + 1);
+  }
+  [[nodiscard]] std::span<const std::uint32_t> all_edges() const& {
     return std::span{edges}.first(dimension == 2 ? 3 : 1);
   }
+  // Loops over the cells of a temporary would dangle.
+  void all_vertices() const&& = delete;
+  void all_edges() const&& = delete;
 };
 
 /// A triangulated mesh as a list of items: its triangles, then its lines.
@@ -38,13 +43,15 @@ class Items {
     items_at_begin_.assign(mesh_.points.size() + 1, 0);
     const auto count = static_cast<std::uint32_t>(size());
     for (std::uint32_t item = 0; item < count; ++item) {
-      for (const auto v : (*this)[item].all_vertices()) ++items_at_begin_[v + 1];
+      const auto simplex = (*this)[item];
+      for (const auto v : simplex.all_vertices()) ++items_at_begin_[v + 1];
     }
     for (std::size_t v = 0; v < mesh_.points.size(); ++v) items_at_begin_[v + 1] += items_at_begin_[v];
     items_at_.resize(items_at_begin_.back());
     auto next = items_at_begin_;
     for (std::uint32_t item = 0; item < count; ++item) {
-      for (const auto v : (*this)[item].all_vertices()) items_at_[next[v]++] = item;
+      const auto simplex = (*this)[item];
+      for (const auto v : simplex.all_vertices()) items_at_[next[v]++] = item;
     }
   }
 
@@ -120,7 +127,8 @@ class BreadthFirst {
   }
 
   void place_neighbours(std::uint32_t item) {
-    for (const auto edge : items_[item].all_edges()) {
+    const auto simplex = items_[item];
+    for (const auto edge : simplex.all_edges()) {
       for (const auto side : items_.incidence().sides_of(edge)) {
         const auto face = items_.incidence().face_of_corner[side];
         if (!placed_[face]) place(face);
@@ -131,7 +139,8 @@ class BreadthFirst {
   void place(std::uint32_t item) {
     placed_[item] = true;
     order_.push_back(item);
-    for (const auto v : items_[item].all_vertices()) {
+    const auto simplex = items_[item];
+    for (const auto v : simplex.all_vertices()) {
       if (!seen_[v]) frontier_.push_back(v);
       seen_[v] = true;
     }
