@@ -31,7 +31,7 @@ using sparse::Terms;
 ///
 /// where P(x) is the sum of the generators <y> on the path of the forest from x to the cell that x is now.
 ///
-/// Source: S. Peltier's habilitation (2023), section 3.3.3; see "The live form" in the README.
+/// Source: S. Peltier's habilitation (2023), section 3.3.3; see engine/LIVE_FORM.md.
 template <Ring R>
 class BigComplex {
  public:

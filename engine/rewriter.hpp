@@ -38,7 +38,7 @@ using Trace = std::vector<std::pair<RuleId, typename R::Element>>;
 /// they are read. The homotopy h and the lift g: S -> B use the rules as they were made, through *traces*:
 /// h(v) = sum trace[a] V(b_a), and V_t(x) = x - sum trace_t(d x)[a] V(b_a) with the rules made before t.
 ///
-/// Source: for rules, traces and lifts see "The live form" in the README.
+/// Source: for rules, traces and lifts see engine/LIVE_FORM.md.
 template <Ring R>
 class Rewriter {
  public:

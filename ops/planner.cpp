@@ -1,6 +1,7 @@
 #include "ops/planner.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -14,8 +15,7 @@ Error bad_input(std::string what) { return {Errc::bad_input, std::move(what)}; }
 
 /// Ends the name begun at the end of plan.names and adds the cell that bears it.
 void add_cell(Plan& plan, TypeId type, std::size_t first_face) {
-  plan.cells.push_back(
-      {type, static_cast<std::uint32_t>(first_face), static_cast<std::uint32_t>(plan.names.size())});
+  plan.cells.push_back({type, static_cast<std::uint32_t>(first_face), plan.names.size()});
 }
 
 /// White space and control characters, in ASCII; the JSON reader has made sure that the text is UTF-8.
@@ -26,11 +26,16 @@ bool is_name(std::string_view name) {
   });
 }
 
+/// The text form cannot say such a type, but a program can.
+bool has_bad_entry(const CellType& type) {
+  return std::any_of(type.begin(), type.end(), [](int a) { return a < 1; });
+}
+
 /// Lays out the cells of a `complex` operation so that faces come before what they are faces of.
 class ComplexPlanner {
  public:
-  ComplexPlanner(const MakeComplex& operation, const Structure& structure, Plan& plan)
-      : operation_{operation}, types_{structure.types()}, base_{structure.created()}, plan_{plan} {}
+  ComplexPlanner(const MakeComplex& operation, const Structure& structure, const Limits& limits, Plan& plan)
+      : operation_{operation}, types_{structure.types()}, base_{structure.created()}, limits_{limits}, plan_{plan} {}
 
   Status run() {
     for (std::uint32_t k = 0; k < operation_.cells.size(); ++k) {
@@ -107,10 +112,15 @@ class ComplexPlanner {
     } else if (!cell.faces.empty()) {
       type = {static_cast<int>(cell.faces.size()) - 1};
     }
-    if (standard_cell_count(type) > Limits{}.cells_of_standard) {
-      return Error{Errc::refused, fmt::format("cell \"{}\" of complex \"{}\" is a {}: cells may have at most {} faces of "
-                                              "all dimensions",
-                                              cell.id, operation_.name, describe(type), Limits{}.cells_of_standard)};
+    if (has_bad_entry(type)) {
+      return bad_input(fmt::format("cell \"{}\" of complex \"{}\" has the type [{}]: the entries of a type are >= 1",
+                                   cell.id, operation_.name, fmt::join(type, ",")));
+    }
+    if (standard_cell_count(type) > limits_.cells_of_standard) {
+      return Error{Errc::refused,
+                   fmt::format("cell \"{}\" of complex \"{}\" is a {}: cells may have at most {} faces of "
+                               "all dimensions",
+                               cell.id, operation_.name, describe(type), limits_.cells_of_standard)};
     }
     declared_[k] = types_.intern(type);
     const std::size_t arity = types_.info(declared_[k]).faces.size();
@@ -137,11 +147,9 @@ class ComplexPlanner {
   }
 
   [[nodiscard]] const Plan::NewCell& planned(CellId c) const { return plan_.cells[c - base_]; }
-  [[nodiscard]] CellId planned_face(CellId c, std::uint32_t k) const {
-    return plan_.faces[planned(c).first_face + k];
-  }
+  [[nodiscard]] CellId planned_face(CellId c, std::uint32_t k) const { return plan_.faces[planned(c).first_face + k]; }
   [[nodiscard]] std::string_view planned_name(CellId c) const {
-    const std::uint32_t begin = c == base_ ? 0 : planned(c - 1).name_end;
+    const std::uint64_t begin = c == base_ ? 0 : planned(c - 1).name_end;
     return std::string_view{plan_.names}.substr(begin, planned(c).name_end - begin);
   }
 
@@ -164,6 +172,7 @@ class ComplexPlanner {
   const MakeComplex& operation_;
   TypeTable& types_;
   CellId base_;
+  const Limits& limits_;
   Plan& plan_;
   std::unordered_map<std::string_view, std::uint32_t> index_;
   std::vector<CellId> placed_;    // per listed cell: its id in the plan
@@ -198,18 +207,22 @@ Status Planner::check_room(std::int64_t new_cells) const {
                                             limits_.cells_per_step)};
   }
   if (new_cells + structure_.created() > limits_.cells) {
-    return Error{Errc::refused,
-                 fmt::format("this step would bring the workspace to {} cells; the limit is {}",
-                             new_cells + structure_.created(), limits_.cells)};
+    return Error{Errc::refused, fmt::format("this step would bring the workspace to {} cells; the limit is {}",
+                                            new_cells + structure_.created(), limits_.cells)};
   }
   return Done{};
 }
 
 Status Planner::check_standard(const CellType& type) const {
+  if (has_bad_entry(type)) {
+    return bad_input(
+        fmt::format("there is no simploid of type [{}]: dimensions are >= 0, and the entries of a type >= 1",
+                    fmt::join(type, ",")));
+  }
   const std::int64_t cells = standard_cell_count(type);
   if (cells > limits_.cells_of_standard) {
-    return Error{Errc::refused, fmt::format("a {} has {} cells; the limit is {}", describe(type), cells,
-                                            limits_.cells_of_standard)};
+    return Error{Errc::refused,
+                 fmt::format("a {} has {} cells; the limit is {}", describe(type), cells, limits_.cells_of_standard)};
   }
   return check_room(cells);
 }
@@ -280,7 +293,7 @@ Status Planner::plan(const MakeComplex& operation, Plan& plan) {
       return bad_input(fmt::format("the name \"{}\" is in use: choose another name for the complex or the cell", full));
     }
   }
-  if (const Status s = ComplexPlanner(operation, structure_, plan).run(); !s) {
+  if (const Status s = ComplexPlanner(operation, structure_, limits_, plan).run(); !s) {
     return s;
   }
   plan.new_body = operation.name;

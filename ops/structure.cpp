@@ -109,7 +109,7 @@ void Structure::apply(const Plan& plan) {
 }
 
 void Structure::add_cells(const Plan& plan) {
-  std::uint32_t name_begin = 0;
+  std::uint64_t name_begin = 0;
   for (const Plan::NewCell& cell : plan.cells) {
     const CellId id = created();
     const std::size_t arity = types_->info(cell.type).faces.size();

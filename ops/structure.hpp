@@ -36,7 +36,7 @@ struct Plan {
   struct NewCell {
     TypeId type;
     std::uint32_t first_face;  ///< in `faces`
-    std::uint32_t name_end;    ///< its name ends here in `names` (and begins where the one before ends)
+    std::uint64_t name_end;    ///< its name ends here in `names` (and begins where the one before ends)
   };
   std::vector<NewCell> cells;
   std::vector<CellId> faces;

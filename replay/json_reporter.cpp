@@ -83,7 +83,7 @@ class JsonReporter final : public Reporter {
       object["class"] = answer(*reported.step.answer, engine.structure());
     }
     object["us"] = reported.microseconds;
-    out_ << object.dump() << '\n';
+    out_ << object.dump() << '\n' << std::flush;  // live: a program may be waiting for it
   }
 
   void summary(engine::Engine& engine, const Summary& summary) override {

@@ -32,11 +32,7 @@ class Run {
       *options_.log << ops::to_text(written) << '\n' << std::flush;
     }
     Outcome outcome = Outcome::done;
-    while (outcome == Outcome::done && (!options_.until || steps_ < *options_.until)) {
-      if (options_.stop != nullptr && options_.stop->load()) {
-        outcome = Outcome::interrupted;
-        break;
-      }
+    while (outcome == Outcome::done && !is_stopped() && (!options_.until || steps_ < *options_.until)) {
       Result<std::optional<ops::Operation>> operation = script_.next();
       if (!operation) {
         return fail(operation.error().what, outcome_of(operation.error().code));
@@ -46,8 +42,11 @@ class Run {
       }
       outcome = step(engine, **operation);
     }
-    if (outcome != Outcome::done && outcome != Outcome::interrupted) {
+    if (outcome != Outcome::done) {
       return outcome;
+    }
+    if (is_stopped()) {
+      outcome = Outcome::interrupted;
     }
     if (progress_ != nullptr) {
       progress_->clear();
@@ -60,6 +59,8 @@ class Run {
   }
 
  private:
+  [[nodiscard]] bool is_stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+
   Outcome step(engine::Engine& engine, const ops::Operation& operation) {
     const auto start = Clock::now();
     const Result<engine::StepReport> report = engine.apply(operation);

@@ -24,8 +24,11 @@ bool ScriptReader::read_object_line() {
     std::string part;
     std::getline(input_, part);
     text_ += part;
-    if (input_.eof() && wait_for_more_ && wait_for_more_()) {
-      input_.clear();  // an unfinished line goes on when the file has grown
+    if (input_.eof() && wait_for_more_) {
+      if (!wait_for_more_()) {
+        return false;  // an unfinished line was still being written
+      }
+      input_.clear();
       continue;
     }
     if (input_.eof() && text_.empty()) {

@@ -37,6 +37,7 @@ class TableReporter final : public Reporter {
     if (reported.step.answer) {
       answer(engine, *reported.step.answer);
     }
+    out_ << std::flush;
   }
 
   void summary(engine::Engine& engine, const Summary& summary) override {

@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
   int status = 0;
   sesame::tools::add_replay_command(app, status);
   sesame::tools::add_import_command(app, status);
+  sesame::tools::add_mesh_command(app, status);
   add_help_command(app);
   try {
     app.parse(argc, argv);

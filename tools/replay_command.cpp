@@ -6,7 +6,9 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <streambuf>
 #include <thread>
+#include <vector>
 
 #include "replay/replay.hpp"
 #include "tools/commands.hpp"
@@ -24,6 +26,29 @@ extern "C" void request_stop(int) {
   stop_requested.store(true);
   std::signal(SIGINT, SIG_DFL);
 }
+
+/// Without SA_RESTART, so that a read that waits for input ends too.
+void catch_interrupt() {
+  struct sigaction action {};
+  action.sa_handler = request_stop;
+  sigaction(SIGINT, &action, nullptr);
+}
+
+/// Standard input that ends at Ctrl-C; std::cin would go on waiting.
+class StandardInput final : public std::streambuf {
+ protected:
+  int_type underflow() override {
+    const ssize_t got = stop_requested.load() ? 0 : ::read(STDIN_FILENO, buffer_.data(), buffer_.size());
+    if (got <= 0) {
+      return traits_type::eof();
+    }
+    setg(buffer_.data(), buffer_.data(), buffer_.data() + got);
+    return traits_type::to_int_type(*gptr());
+  }
+
+ private:
+  std::vector<char> buffer_ = std::vector<char>(1 << 16);
+};
 
 struct Arguments {
   std::string file;
@@ -106,7 +131,7 @@ int run_replay(const Arguments& arguments) {
   options.verify = arguments.verify;
   options.generators = arguments.generators;
   options.stop = &stop_requested;
-  std::signal(SIGINT, request_stop);
+  catch_interrupt();
 
   std::unique_ptr<replay::Reporter> reporter;
   if (arguments.json) {
@@ -118,7 +143,9 @@ int run_replay(const Arguments& arguments) {
   if (!arguments.quiet && isatty(STDERR_FILENO) == 1) {
     progress = std::make_unique<replay::Progress>(std::cerr, operations);
   }
-  replay::ScriptReader script(arguments.file == "-" ? std::cin : file,
+  StandardInput standard_input;
+  std::istream standard_stream(&standard_input);
+  replay::ScriptReader script(arguments.file == "-" ? standard_stream : file,
                               arguments.file == "-" ? "standard input" : arguments.file,
                               arguments.follow ? wait_for_growth : std::function<bool()>{});
   const Outcome outcome = replay::replay(script, options, reporter.get(), std::cerr, progress.get());

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
-#include <set>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -73,7 +73,7 @@ ChainComplex<R> complex_of(const R& ring, const Sizes& sizes, const std::vector<
 /// The simplicial complex with these facets, given by their vertices; generators in lexicographic order.
 template <Ring R>
 ChainComplex<R> simplicial_complex(const R& ring, const std::vector<std::vector<int>>& facets) {
-  std::vector<std::set<std::vector<int>>> simplices;
+  std::vector<std::map<std::vector<int>, Index>> simplices;  // per dimension, with their numbers
   for (std::vector<int> facet : facets) {
     std::sort(facet.begin(), facet.end());
     simplices.resize(std::max(simplices.size(), facet.size()));
@@ -84,7 +84,13 @@ ChainComplex<R> simplicial_complex(const R& ring, const std::vector<std::vector<
           face.push_back(facet[k]);
         }
       }
-      simplices[face.size() - 1].insert(face);
+      simplices[face.size() - 1].emplace(std::move(face), Index{0});
+    }
+  }
+  for (auto& dimension : simplices) {
+    Index number = 0;
+    for (auto& simplex : dimension) {
+      simplex.second = number++;
     }
   }
   Sizes sizes;
@@ -95,13 +101,12 @@ ChainComplex<R> simplicial_complex(const R& ring, const std::vector<std::vector<
       continue;
     }
     auto& columns = boundaries.emplace_back();
-    for (const std::vector<int>& simplex : simplices[p]) {
+    for (const auto& [simplex, number] : simplices[p]) {
       auto& column = columns.emplace_back();
       for (std::size_t k = 0; k <= p; ++k) {
         std::vector<int> face = simplex;
         face.erase(face.begin() + static_cast<std::ptrdiff_t>(k));
-        const auto at = simplices[p - 1].find(face);
-        column.emplace_back(static_cast<Index>(std::distance(simplices[p - 1].begin(), at)), k % 2 == 0 ? 1 : -1);
+        column.emplace_back(simplices[p - 1].at(face), k % 2 == 0 ? 1 : -1);
       }
     }
   }

@@ -1,4 +1,4 @@
-#include <functional>
+#include <algorithm>
 #include <sstream>
 
 #include "tests/support/catch.hpp"
@@ -9,8 +9,6 @@
 namespace sesame::tools {
 
 namespace {
-
-using namespace testing;
 
 struct Sample {
   std::string name;

@@ -9,7 +9,6 @@ namespace sesame::tools {
 
 namespace {
 
-using namespace testing;
 using Catch::Matchers::Contains;
 using FaceList = std::vector<std::vector<std::uint32_t>>;
 

@@ -7,7 +7,6 @@ namespace sesame::tools {
 
 namespace {
 
-using namespace testing;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using FaceList = std::vector<std::vector<std::uint32_t>>;

@@ -2,8 +2,6 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numeric>
-#include <set>
 #include <sstream>
 
 #include "tests/support/catch.hpp"
@@ -13,7 +11,6 @@ namespace sesame::tools {
 
 namespace {
 
-using namespace testing;
 using Catch::Matchers::Contains;
 using nlohmann::json;
 using Cells = std::array<std::size_t, 3>;

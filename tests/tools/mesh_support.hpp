@@ -13,7 +13,7 @@
 #include "tests/support/catch.hpp"
 #include "tools/mesh/mesh.hpp"
 
-namespace sesame::tools::testing {
+namespace sesame::tools {
 
 inline std::string mesh_path(std::string_view file) {
   return std::string{SESAME_TEST_MESHES} + "/" + std::string{file};
@@ -95,4 +95,4 @@ inline std::string binary_ply(bool big_endian) {
   return bytes;
 }
 
-}  // namespace sesame::tools::testing
+}  // namespace sesame::tools

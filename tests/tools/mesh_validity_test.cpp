@@ -7,7 +7,6 @@ namespace sesame::tools {
 
 namespace {
 
-using namespace testing;
 using Catch::Matchers::Contains;
 
 using Counts = std::vector<std::size_t>;

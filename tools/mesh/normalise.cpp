@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <compare>
 #include <numeric>
 #include <span>
 
@@ -98,10 +98,10 @@ void drop_duplicates(Mesh& mesh, Cleaning& cleaning, const std::vector<std::uint
   };
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     const auto sign = compare(a, b);
-    return sign != 0 ? sign < 0 : a < b;
+    return std::is_neq(sign) ? std::is_lt(sign) : a < b;
   });
   std::vector<bool> doubled(count, false);
-  for (std::size_t i = 1; i < count; ++i) doubled[order[i]] = compare(order[i - 1], order[i]) == 0;
+  for (std::size_t i = 1; i < count; ++i) doubled[order[i]] = std::is_eq(compare(order[i - 1], order[i]));
 
   Tally duplicates;
   Faces kept;

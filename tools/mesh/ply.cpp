@@ -89,8 +89,9 @@ class HeaderReader {
       const auto keyword = word_of_line();
       Status done = Done{};
       if (keyword == "end_header") {
-        if (!has_format)
+        if (!has_format) {
           return lines_.error("the header ends without a line `format ascii 1.0` or `format binary_...`");
+        }
         return std::move(header_);
       }
       if (keyword == "format") {
@@ -370,8 +371,9 @@ class PlyReader {
       }
       mesh_.points.push_back(point);
     } else if (element.name == "face") {
-      if (corners_.empty())
+      if (corners_.empty()) {
         return values.error(fmt::format("face {} has no corners, at least three are expected", row));
+      }
       for (const double corner : corners_) {
         std::uint32_t point = 0;
         if (auto done = to_point(corner, values, point); !done) return done;

@@ -1,35 +1,33 @@
-/// \file
-/// A user's program: 25! over Z, where it does not fit a machine word, over a field, and over what is no field.
-#include <cstdint>
-#include <iostream>
-#include <sesame/sparse/integer.hpp>
-#include <sesame/sparse/ring.hpp>
+// What a user of the library writes: a projective plane from a square, its homology, and the class of a loop.
+#include <sesame/engine/engine.hpp>
 #include <sesame/version.hpp>
-#include <string>
-#include <variant>
 
-namespace {
-
-template <sesame::sparse::Ring R>
-sesame::sparse::Integer factorial(const R& ring, std::int64_t n) {
-  auto product = ring.one();
-  for (std::int64_t k = 2; k <= n; ++k) {
-    product = ring.multiply(product, ring.from(k));
-  }
-  return ring.to_integer(product);
-}
-
-}  // namespace
+#include <iostream>
 
 int main() {
-  for (const std::string name : {"Z", "Z/101", "Z/100"}) {
-    const auto ring = sesame::sparse::parse_ring(name);
-    if (!ring) {
-      std::cout << name << " is refused\n";
-      continue;
+  namespace ops = sesame::ops;
+  sesame::engine::Engine engine;
+  const ops::Operation steps[] = {ops::MakeSimplex{"a", 2, {}}, ops::MakeSimplex{"b", 2, {}},
+                                  ops::Identify{{{"a.0-2", "b.0-2"}}},
+                                  ops::Identify{{{"a.0-1", "b.1-2"}, {"a.1-2", "b.0-1"}}}};
+  for (const ops::Operation& step : steps) {
+    if (const auto report = engine.apply(step); !report) {
+      std::cerr << report.error().what << '\n';
+      return 1;
     }
-    const auto answer = std::visit([](const auto& r) { return factorial(r, 25); }, *ring);
-    std::cout << "25! in " << name << " = " << answer.to_string() << "\n";
   }
-  std::cout << "sesame " << SESAME_VERSION << "\n";
+  const sesame::engine::Homology homology = engine.homology();
+  std::cout << "betti";
+  for (const auto betti : homology.betti) {
+    std::cout << ' ' << betti;
+  }
+  std::cout << "\ntorsion of H1";
+  for (const auto& factor : homology.torsion[1]) {
+    std::cout << ' ' << factor.to_string();
+  }
+  const auto twice = engine.chain({{2, "a.0-1"}, {2, "a.1-2"}, {-2, "a.0-2"}});
+  std::cout << "\ntwice the boundary of a is zero: " << engine.classify(*twice).is_zero << '\n';
+  const auto refused = engine.apply(ops::Identify{{{"a", "a.0"}}});
+  std::cout << refused.error().what << "\nsesame " << SESAME_VERSION << '\n';
+  return 0;
 }

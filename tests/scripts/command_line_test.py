@@ -1,0 +1,215 @@
+#!/usr/bin/env python3
+"""What the program promises on its command line: output, errors with their place, exit statuses, signals.
+
+Usage: command_line_test.py SESAME EXAMPLES_DIRECTORY
+"""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+SESAME = sys.argv[1] if len(sys.argv) > 1 else "sesame"
+EXAMPLES = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else ".")
+HEADER = '{"sesame":1,"ring":"Z","title":"test"}\n'
+TRIANGLE = '{"op":"simplex","name":"t","dim":2}\n'
+
+
+def run(*arguments, text=None, **options):
+    return subprocess.run([SESAME, *map(str, arguments)], input=text, capture_output=True, text=True, timeout=60,
+                          check=False, **options)
+
+
+def replay(text, *arguments):
+    return run("replay", "-", *arguments, text=text)
+
+
+class Replay(unittest.TestCase):
+    def test_json_has_one_object_per_step_and_a_summary(self):
+        done = run("replay", "--json", "--generators", EXAMPLES / "torus.jsonl")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        objects = [json.loads(line) for line in done.stdout.splitlines()]
+        steps, summary = objects[:-1], objects[-1]
+        self.assertEqual([o["step"] for o in steps], list(range(1, len(steps) + 1)))
+        for o in steps:
+            self.assertGreaterEqual(set(o), {"step", "op", "cells", "euler", "betti", "torsion", "small", "big", "us"})
+        self.assertTrue(summary["summary"])
+        self.assertEqual(summary["ring"], "Z")
+        self.assertEqual(summary["betti"], [1, 2, 1])
+        self.assertEqual(sorted(g["dim"] for g in summary["generators"]), [0, 1, 1, 2])
+        self.assertEqual(done.stderr, "")
+
+    def test_the_same_script_gives_the_same_bytes(self):
+        def untimed():
+            done = run("replay", "--json", "--generators", EXAMPLES / "lens_space.jsonl")
+            objects = [json.loads(line) for line in done.stdout.splitlines()]
+            for o in objects:
+                o.pop("us", None)
+                o.pop("seconds", None)
+            return json.dumps(objects)
+
+        self.assertEqual(untimed(), untimed())
+
+    def test_verify_holds_on_every_example_over_every_ring(self):
+        for script in sorted(EXAMPLES.glob("*.jsonl")):
+            done = run("replay", "--quiet", "--verify", script)
+            self.assertEqual((script.name, done.returncode, done.stderr), (script.name, 0, ""))
+
+    def test_the_table_is_for_people_and_without_colour_in_a_pipe(self):
+        done = run("replay", "--generators", EXAMPLES / "projective_plane.jsonl")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("H1 = Z/2", done.stdout)
+        self.assertIn("order 2", done.stdout)
+        self.assertNotIn("\033", done.stdout + done.stderr)
+
+    def test_until_every_ring_and_quiet(self):
+        torus = EXAMPLES / "torus.jsonl"
+        self.assertEqual(len(run("replay", "--json", "--until", 3, torus).stdout.splitlines()), 4)
+        every = [json.loads(line) for line in run("replay", "--json", "--every", 2, torus).stdout.splitlines()]
+        self.assertTrue(all(o["step"] % 2 == 0 or "class" in o for o in every if "step" in o))
+        field = run("replay", "--json", "--ring", "Z/2", EXAMPLES / "projective_plane.jsonl")
+        # The example expects its integral homology, so over Z/2 its expectations fail.
+        self.assertEqual(field.returncode, 3)
+        self.assertEqual(run("replay", "--quiet", torus).stdout, "")
+
+    def test_wrong_usage_is_status_1(self):
+        for arguments in (["replay"], ["replay", "/nowhere/at/all.jsonl"], ["replay", "--ring", "Z/4", "-"], ["no"],
+                          ["replay", "--until", "0", "-"], ["replay", "/"], [], ["help", "nothing"],
+                          ["import", "/nowhere.off"]):
+            done = run(*arguments, text="")
+            self.assertEqual((arguments, done.returncode), (arguments, 1))
+            self.assertNotEqual(done.stderr, "")
+
+    def test_a_wrong_script_is_status_2_with_its_place(self):
+        cases = {
+            "": "this script is empty",
+            "[]\n": "one JSON object",
+            '{"op":"simplex","name":"t","dim":2}\n': "the header",
+            '{"sesame":2}\n': "version 1",
+            '{"sesame":1,"ring":"Z/6"}\n': "not a prime",
+            HEADER + '{"op":"simplexx","name":"t","dim":2}\n': 'no op "simplexx"',
+            HEADER + '{"op":"simplex","name":"t","dim":2,"size":1}\n': 'unknown field "size"',
+            HEADER + '{"op":"simplex","name":"t","dim":-1}\n': "dim",
+            HEADER + '{"op":"simplex","name":"t","dim":60}\n': "limit",
+            HEADER + '{"op":"simplex","name":"a b","dim":1}\n': "white space",
+            HEADER + "# a comment\n\n" + TRIANGLE + TRIANGLE: "in use",
+            HEADER + TRIANGLE + '{"op":"identify","pairs":[["t","t.0"]]}\n': "same type",
+            HEADER + TRIANGLE + '{"op":"identify","pairs":[["t.9","t.0"]]}\n': 'no cell "t.9"',
+            HEADER + '{"op":"undo"}\n': "undo",
+            HEADER + '{"op":"simplex","name":"t",\n': "JSON",
+        }
+        for text, expected in cases.items():
+            done = replay(text)
+            self.assertEqual((text, done.returncode), (text, 2))
+            self.assertIn(expected, done.stderr)
+            self.assertTrue(done.stderr.startswith("standard input:"), done.stderr)
+        done = replay(HEADER + "# a comment\n\n" + TRIANGLE + TRIANGLE, "--json")
+        self.assertIn("standard input:5:", done.stderr)
+        self.assertEqual(json.loads(done.stdout.splitlines()[0])["cells"], [3, 3, 1])
+
+    def test_a_failed_expectation_is_status_3_and_says_both_values(self):
+        done = replay(HEADER + TRIANGLE + '{"op":"expect","betti":[2],"euler":1}\n')
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("standard input:3: betti should be [2] but is [1", done.stderr)
+        self.assertNotIn("euler", done.stderr)
+
+    def test_byte_order_mark_carriage_returns_and_a_missing_last_newline(self):
+        done = replay("\ufeff" + HEADER.replace("\n", "\r\n") + "\r\n" + TRIANGLE.strip(), "--json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_integers_beyond_64_bits_survive(self):
+        big = str(3**60)
+        done = replay(HEADER + TRIANGLE + '{"op":"class","chain":[["%s","t.0"]]}\n' % big, "--json")
+        answer = json.loads(done.stdout.splitlines()[1])["class"]
+        self.assertEqual(answer["coefficients"], [big])
+
+    def test_the_log_can_be_replayed(self):
+        with tempfile.TemporaryDirectory() as directory:
+            log = os.path.join(directory, "log.jsonl")
+            first = run("replay", "--json", "--log", log, EXAMPLES / "undo.jsonl")
+            again = run("replay", "--json", log)
+            self.assertEqual((first.returncode, again.returncode), (0, 0), again.stderr)
+            strip = [[{k: v for k, v in json.loads(line).items() if k not in ("us", "seconds")}
+                      for line in done.stdout.splitlines()] for done in (first, again)]
+            self.assertEqual(strip[0], strip[1])
+
+    def test_long_scripts_report_progress_only(self):
+        text = HEADER + "".join('{"op":"simplex","name":"t%d","dim":1}\n' % k for k in range(300))
+        with tempfile.TemporaryDirectory() as directory:
+            script = os.path.join(directory, "long.jsonl")
+            pathlib.Path(script).write_text(text, encoding="utf-8")
+            done = run("replay", "--json", script)
+        self.assertEqual([json.loads(line).get("summary") for line in done.stdout.splitlines()], [True])
+
+    def test_interrupt_finishes_the_step_and_prints_the_summary(self):
+        process = subprocess.Popen([SESAME, "replay", "--json", "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        process.stdin.write(HEADER + TRIANGLE)
+        process.stdin.flush()
+        deadline = time.monotonic() + 30
+        self.assertTrue(json.loads(self.first_line(process, deadline))["step"] == 1)
+        process.send_signal(signal.SIGINT)
+        out, _ = process.communicate(timeout=30)
+        summary = json.loads(out.splitlines()[-1])
+        self.assertEqual(process.returncode, 130)
+        self.assertTrue(summary["interrupted"])
+        self.assertEqual(summary["cells"], [3, 3, 1])
+
+    def test_follow_goes_on_as_the_file_grows(self):
+        with tempfile.TemporaryDirectory() as directory:
+            script = os.path.join(directory, "growing.jsonl")
+            with open(script, "w", encoding="utf-8") as growing:
+                growing.write(HEADER + TRIANGLE)
+                growing.flush()
+                process = subprocess.Popen([SESAME, "replay", "--json", "--follow", script], stdout=subprocess.PIPE,
+                                           stderr=subprocess.PIPE, text=True)
+                deadline = time.monotonic() + 30
+                self.assertEqual(json.loads(self.first_line(process, deadline))["step"], 1)
+                growing.write('{"op":"simplex",')
+                growing.flush()
+                time.sleep(0.3)
+                growing.write('"name":"u","dim":0}\n')
+                growing.flush()
+                self.assertEqual(json.loads(self.first_line(process, deadline))["betti"][0], 2)
+            process.send_signal(signal.SIGINT)
+            out, _ = process.communicate(timeout=30)
+            self.assertTrue(json.loads(out.splitlines()[-1])["interrupted"])
+
+    def first_line(self, process, deadline):
+        line = process.stdout.readline()  # a report is flushed when it is made
+        self.assertLess(time.monotonic(), deadline)
+        return line
+
+
+class Program(unittest.TestCase):
+    def test_help_and_version(self):
+        self.assertRegex(run("--version").stdout, r"^sesame \d+\.\d+\.\d+$|^sesame \d+\.\d+\.\d+\n$")
+        for arguments in (["--help"], ["help"], ["help", "replay"], ["replay", "--help"], ["import", "--help"]):
+            done = run(*arguments)
+            self.assertEqual((arguments, done.returncode), (arguments, 0))
+            self.assertIn("sesame", done.stdout)
+
+    def test_import_then_replay(self):
+        square = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"
+        with tempfile.TemporaryDirectory() as directory:
+            mesh = os.path.join(directory, "square.off")
+            pathlib.Path(mesh).write_text(square, encoding="utf-8")
+            for flags in ([], ["--assemble"], ["--polygons", "cone"], ["--order", "file", "--assemble"]):
+                script = os.path.join(directory, "square.jsonl")
+                self.assertEqual(run("import", mesh, "-o", script, *flags).returncode, 0)
+                done = run("replay", "--json", "--verify", script)
+                self.assertEqual((flags, done.returncode, done.stderr), (flags, 0, ""))
+                self.assertEqual(json.loads(done.stdout.splitlines()[-1])["betti"], [1, 0, 0])
+            pathlib.Path(mesh).write_text(square.replace("4 0 1 2 3", "4 0 1 2 7"), encoding="utf-8")
+            done = run("import", mesh, "-o", script)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("square.off:7:", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]])

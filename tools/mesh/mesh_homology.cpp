@@ -1,0 +1,378 @@
+#include "tools/mesh/mesh_homology.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <sstream>
+#include <unordered_map>
+
+#include "replay/script.hpp"
+#include "sparse/contract.hpp"
+#include "tools/mesh/first_homology.hpp"
+#include "tools/mesh/graph.hpp"
+#include "tools/mesh/incidence.hpp"
+#include "tools/mesh/normalise.hpp"
+#include "tools/mesh/script.hpp"
+#include "tools/mesh/short_loops.hpp"
+#include "tools/mesh/triangulate.hpp"
+
+namespace sesame::tools {
+
+namespace {
+
+using engine::CellChain;
+using engine::SmallChain;
+using ops::CellId;
+using sparse::Index;
+using sparse::Integer;
+using sparse::Integers;
+using sparse::Terms;
+
+/// A mesh as `normalise` leaves it, and which point of the file each of its points is.
+struct Normalised {
+  Mesh mesh;
+  std::vector<std::uint32_t> point_in_file;
+};
+
+/// What is left out depends on the numbers of points alone, so they can carry their numbers through as coordinates.
+Normalised normalised(const Mesh& raw) {
+  Mesh mesh = raw;
+  for (std::size_t p = 0; p < raw.points.size(); ++p) mesh.points[p] = {static_cast<double>(p), 0, 0};
+  normalise(mesh);
+  std::vector<std::uint32_t> point_in_file;
+  for (Point& point : mesh.points) {
+    point_in_file.push_back(static_cast<std::uint32_t>(point[0]));
+    point = raw.points[point_in_file.back()];
+  }
+  return {std::move(mesh), std::move(point_in_file)};
+}
+
+/// Builds the complex by the script that `sesame import` writes, so that cells have the same names here and there.
+Result<std::unique_ptr<engine::Engine>> build(const Mesh& triangulated, const MeshHomologyOptions& options) {
+  std::stringstream text;
+  const ScriptOptions script{options.source, "Z", Polygons::fan, BuildOrder::breadth_first, false};
+  if (const auto summary = write_complex_script(triangulated, text, script); !summary) return summary.error();
+  replay::ScriptReader reader{text, options.source};
+  if (const auto header = reader.header(); !header) return header.error();
+  auto engine = std::make_unique<engine::Engine>(options.ring);
+  for (;;) {
+    const auto operation = reader.next();
+    if (!operation) return operation.error();
+    if (!operation->has_value()) return engine;
+    if (const auto report = engine->apply(**operation); !report) return report.error();
+  }
+}
+
+class Generators {
+ public:
+  Generators(const Normalised& polygons, const Mesh& triangles, const MeshHomologyOptions& options,
+             MeshHomology& result)
+      : polygons_{polygons},
+        triangles_{triangles},
+        ring_{options.ring},
+        name_{name_of_source(options.source)},
+        result_{result},
+        engine_{*result.engine},
+        edges_{incidence_of(polygons.mesh).edges},
+        graph_{polygons.mesh.points, edges_} {
+    for (std::uint32_t v = 0; v < triangles.points.size(); ++v) vertex_of_cell_[cell("v{}", v)] = v;
+    for (const auto& [low, high] : edges_) cell_of_edge_.push_back(cell("e{}-{}", low, high));
+  }
+
+  void find() {
+    find_components();
+    if (!edges_.empty()) find_loops();
+    for (const auto& generator : engine_.generators(2)) add_surface(generator);
+  }
+
+ private:
+  template <class... Numbers>
+  [[nodiscard]] CellId cell(fmt::format_string<Numbers&...> format, Numbers... numbers) const {
+    const auto found = engine_.structure().lookup(name_ + "." + fmt::format(format, numbers...));
+    sparse::expects(found.has_value(), "the script names every cell of the mesh");
+    return *found;
+  }
+
+  // ---- H_0
+  void find_components() {
+    const auto& points = polygons_.mesh.points;
+    const Parts parts = connected_parts(points.size(), edges_);
+    std::vector<MeshGenerator> components(parts.count);
+    for (std::uint32_t v = 0; v < points.size(); ++v) {
+      MeshGenerator& component = components[parts.of[v]];
+      if (component.vertices.empty()) {
+        component.vertices.push_back(in_file(v));
+        component.chain = {0, {{1, cell("v{}", v)}}};
+        component.box = {points[v], points[v]};
+      }
+      extend(component.box, points[v]);
+    }
+    for (MeshGenerator& component : components) {
+      for (std::size_t i = 0; i < 3; ++i) component.centre[i] = std::midpoint(component.box[0][i], component.box[1][i]);
+      result_.generators.push_back(std::move(component));
+    }
+  }
+
+  // ---- H_1
+  void find_loops() {
+    const FirstHomology h = first_homology(engine_, cell_of_edge_);
+    std::vector<MeshGenerator> finite;
+    std::vector<MeshGenerator> infinite;
+    LoopBasis torsion_loops;
+    const bool is_two_torsion =
+        !h.orders.empty() && std::all_of(h.orders.begin(), h.orders.end(), [](const Integer& t) { return t == 2; });
+    if (is_two_torsion) torsion_loops = short_loops(graph_, {sparse::Z2{}, &h.torsion, &h.free, {}});
+    for (const Loop& loop : torsion_loops.loops) finite.push_back(from_loop(loop, 2));
+    for (std::size_t k = 0; k < h.orders.size(); ++k) {
+      if (!is_two_torsion) finite.push_back(from_engine(h.torsion_cycles[k], h.orders[k]));
+    }
+    for (const auto& rest : torsion_loops.completion) finite.push_back(from_engine(sum(rest, h.torsion_cycles), 2));
+    for (MeshGenerator& generator : finite) generator.bounding = bounding(generator);
+
+    const LoopBasis free_loops = short_loops(graph_, {ring_, &h.free, nullptr, roots(h.free_cycles)});
+    for (const Loop& loop : free_loops.loops) infinite.push_back(from_loop(loop, 0));
+    for (const auto& rest : free_loops.completion) infinite.push_back(from_engine(sum(rest, h.free_cycles), 0));
+    result_.loops_tried = torsion_loops.tried + free_loops.tried;
+    std::move(finite.begin(), finite.end(), std::back_inserter(result_.generators));
+    std::move(infinite.begin(), infinite.end(), std::back_inserter(result_.generators));
+  }
+
+  /// A point on each of the first cycles.
+  [[nodiscard]] std::vector<std::uint32_t> roots(const std::vector<SmallChain>& cycles) {
+    constexpr std::size_t most = 64;
+    std::vector<std::uint32_t> points;
+    for (std::size_t i = 0; i < std::min(most, cycles.size()); ++i) {
+      const CellChain cycle = engine_.maps().apply_G(cycles[i]);
+      const auto [low, high] = ends(cycle.terms.front().cell);
+      if (low < graph_.points()) points.push_back(low);
+    }
+    return points;
+  }
+
+  [[nodiscard]] static SmallChain sum(const Terms<Integers>& factors, const std::vector<SmallChain>& cycles) {
+    Terms<Integers> terms;
+    for (const auto& [k, factor] : factors) {
+      for (const auto& [coefficient, x] : cycles[k].terms) terms.push_back({x, factor * coefficient});
+    }
+    sparse::normalize(Integers{}, terms);
+    return small_chain(terms);
+  }
+
+  [[nodiscard]] MeshGenerator from_loop(const Loop& loop, const Integer& order) const {
+    MeshGenerator generator;
+    generator.degree = 1;
+    generator.order = order;
+    generator.is_short = true;
+    generator.chain = {1, {}};
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      const auto from = loop.points[i];
+      const auto to = loop.points[i + 1 < loop.points.size() ? i + 1 : 0];
+      generator.chain.terms.push_back({from < to ? Integer{1} : minus_one(), cell_of_edge_[graph_.way(from, to).edge]});
+      generator.vertices.push_back(in_file(from));
+    }
+    std::sort(generator.chain.terms.begin(), generator.chain.terms.end(),
+              [](const CellChain::Term& a, const CellChain::Term& b) { return a.cell < b.cell; });
+    measure_cycle(generator);
+    return generator;
+  }
+
+  [[nodiscard]] MeshGenerator from_engine(const SmallChain& cycle, const Integer& order) {
+    MeshGenerator generator;
+    generator.degree = 1;
+    generator.order = order;
+    generator.chain = engine_.maps().apply_G(cycle);
+    generator.vertices = simple_loop(generator.chain);
+    measure_cycle(generator);
+    return generator;
+  }
+
+  [[nodiscard]] Integer minus_one() const {
+    return std::visit([](const auto& ring) { return ring.to_integer(ring.from(std::int64_t{-1})); }, ring_);
+  }
+
+  /// The points of a cycle in order, in the file's numbers; none when it is not one simple loop.
+  [[nodiscard]] std::vector<std::uint32_t> simple_loop(const CellChain& chain) const {
+    std::map<std::uint32_t, std::vector<std::uint32_t>> neighbours;
+    for (const auto& [coefficient, edge] : chain.terms) {
+      if (coefficient != 1 && coefficient != minus_one()) return {};
+      const auto [low, high] = ends(edge);
+      neighbours[low].push_back(high);
+      neighbours[high].push_back(low);
+    }
+    for (const auto& [point, others] : neighbours) {
+      if (others.size() != 2) return {};
+    }
+    const std::uint32_t first = neighbours.begin()->first;
+    std::vector<std::uint32_t> loop{in_file(first)};
+    std::uint32_t before = first;
+    for (std::uint32_t here = neighbours.at(first)[0]; here != first;) {
+      loop.push_back(in_file(here));
+      const auto& others = neighbours.at(here);
+      before = std::exchange(here, others[0] == before ? others[1] : others[0]);
+    }
+    return loop.size() == neighbours.size() ? loop : std::vector<std::uint32_t>{};
+  }
+
+  [[nodiscard]] std::optional<CellChain> bounding(const MeshGenerator& generator) {
+    CellChain multiple = generator.chain;
+    for (auto& term : multiple.terms) term.coefficient *= generator.order;
+    auto answer = engine_.classify(multiple);
+    sparse::expects(answer.is_zero, "a torsion generator times its order is a boundary");
+    return std::move(answer.bounds);
+  }
+
+  void measure_cycle(MeshGenerator& generator) const {
+    start_box(generator.box);
+    Point moment{};
+    for (const auto& [coefficient, edge] : generator.chain.terms) {
+      const auto [a, b] = ends(edge);
+      const Point& p = triangles_.points[a];
+      const Point& q = triangles_.points[b];
+      const double length = std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+      const double weight = times(coefficient) * length;
+      generator.length += weight;
+      for (std::size_t i = 0; i < 3; ++i) moment[i] += weight * std::midpoint(p[i], q[i]);
+      extend(generator.box, p);
+      extend(generator.box, q);
+    }
+    place_centre(generator, moment, generator.length);
+  }
+
+  /// How often a cell is in a chain; over Z/p, a coefficient and its negative count alike.
+  [[nodiscard]] double times(const Integer& coefficient) const {
+    const Integer size = sparse::abs(coefficient == minus_one() ? Integer{1} : coefficient);
+    return static_cast<double>(size.to_int64().value_or(std::numeric_limits<std::int64_t>::max()));
+  }
+
+  // ---- H_2
+  void add_surface(const engine::Generator& found) {
+    MeshGenerator generator;
+    generator.degree = 2;
+    generator.order = found.order;
+    generator.chain = found.cycle;
+    generator.triangles = found.cycle.terms.size();
+    start_box(generator.box);
+    Point moment{};
+    double volume = 0;
+    const Integer sign = orientation(found.cycle);
+    for (auto& [coefficient, triangle] : generator.chain.terms) {
+      if (sign != 1) coefficient = coefficient * sign;
+      const auto corners = corners_of(triangle);
+      for (const auto corner : corners) extend(generator.box, triangles_.points[corner]);
+    }
+    // About the lowest corner of the box: far from the origin, volumes about the origin cancel badly.
+    for (const auto& [coefficient, triangle] : generator.chain.terms) {
+      const auto [a, b, c] = sides_from(generator.box[0], corners_of(triangle));
+      const Point normal = cross(minus(b, a), minus(c, a));
+      const double area = times(coefficient) * std::hypot(normal[0], normal[1], normal[2]) / 2;
+      const Point bc = cross(b, c);
+      const double determinant = a[0] * bc[0] + a[1] * bc[1] + a[2] * bc[2];
+      volume += times(coefficient) * coefficient.sign() * determinant / 6;
+      generator.area += area;
+      for (std::size_t i = 0; i < 3; ++i) {
+        moment[i] += area * (generator.box[0][i] + (a[i] + b[i] + c[i]) / 3);
+      }
+    }
+    if (std::holds_alternative<Integers>(ring_)) generator.volume = volume;
+    place_centre(generator, moment, generator.area);
+    result_.generators.push_back(std::move(generator));
+  }
+
+  /// 1 when the chain runs through its lowest triangle as the file does, else -1; 1 over fields.
+  [[nodiscard]] Integer orientation(const CellChain& chain) {
+    if (!std::holds_alternative<Integers>(ring_)) return 1;
+    if (triangle_of_cell_.empty()) {
+      for (std::uint32_t t = 0; t < triangles_.faces.size(); ++t) triangle_of_cell_.emplace(cell("f{}", t), t);
+    }
+    const CellChain::Term* lowest = nullptr;
+    std::uint32_t triangle = 0;
+    for (const auto& term : chain.terms) {
+      const std::uint32_t t = triangle_of_cell_.at(term.cell);
+      if (lowest == nullptr || t < triangle) {
+        lowest = &term;
+        triangle = t;
+      }
+    }
+    const auto face = triangles_.faces[triangle];
+    const bool is_even = (face[0] < face[1]) == ((face[1] < face[2]) == (face[0] < face[2]));
+    return is_even == (lowest->coefficient.sign() > 0) ? 1 : -1;
+  }
+
+  // ---- cells and points
+  [[nodiscard]] Edge ends(CellId edge) const {
+    const auto faces = engine_.structure().faces_as_created(edge);
+    return {vertex_of_cell_.at(faces[1]), vertex_of_cell_.at(faces[0])};
+  }
+  [[nodiscard]] std::array<std::uint32_t, 3> corners_of(CellId triangle) const {
+    const auto faces = engine_.structure().faces_as_created(triangle);
+    const auto [a, b] = ends(faces[2]);
+    return {a, b, ends(faces[0])[1]};
+  }
+  [[nodiscard]] std::array<Point, 3> sides_from(const Point& origin,
+                                                const std::array<std::uint32_t, 3>& corners) const {
+    return {minus(triangles_.points[corners[0]], origin), minus(triangles_.points[corners[1]], origin),
+            minus(triangles_.points[corners[2]], origin)};
+  }
+  [[nodiscard]] std::uint32_t in_file(std::uint32_t point) const {
+    const auto& known = polygons_.point_in_file;
+    if (point < known.size()) return known[point];
+    return static_cast<std::uint32_t>(result_.validity.points_in_file + (point - known.size()));
+  }
+
+  static Point minus(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
+  static Point cross(const Point& p, const Point& q) {
+    return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+  }
+  static void start_box(std::array<Point, 2>& box) {
+    constexpr double most = std::numeric_limits<double>::max();
+    box = {Point{most, most, most}, Point{-most, -most, -most}};
+  }
+  static void extend(std::array<Point, 2>& box, const Point& point) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      box[0][i] = std::min(box[0][i], point[i]);
+      box[1][i] = std::max(box[1][i], point[i]);
+    }
+  }
+  /// The mean; where all weights are zero, the middle of the box.
+  static void place_centre(MeshGenerator& generator, const Point& moment, double weight) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      generator.centre[i] = weight > 0 ? moment[i] / weight : std::midpoint(generator.box[0][i], generator.box[1][i]);
+    }
+  }
+
+  const Normalised& polygons_;
+  const Mesh& triangles_;
+  const sparse::AnyRing& ring_;
+  std::string name_;
+  MeshHomology& result_;
+  engine::Engine& engine_;
+  std::vector<Edge> edges_;
+  EdgeGraph graph_;
+  std::vector<CellId> cell_of_edge_;
+  std::unordered_map<CellId, std::uint32_t> vertex_of_cell_;
+  std::unordered_map<CellId, std::uint32_t> triangle_of_cell_;
+};
+
+}  // namespace
+
+Result<MeshHomology> mesh_homology(const Mesh& mesh, const MeshHomologyOptions& options) {
+  MeshHomology result;
+  result.validity = validate(mesh);
+  const Normalised polygons = normalised(mesh);
+  Mesh triangles = polygons.mesh;
+  triangles.remarks.clear();
+  triangulate(triangles, Polygons::fan);
+  result.remarks = triangles.remarks;
+  auto engine = build(triangles, options);
+  if (!engine) return engine.error();
+  result.engine = std::move(*engine);
+  result.homology = result.engine->homology();
+  if (options.generators) Generators{polygons, triangles, options, result}.find();
+  return result;
+}
+
+}  // namespace sesame::tools

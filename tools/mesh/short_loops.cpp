@@ -1,0 +1,355 @@
+#include "tools/mesh/short_loops.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <queue>
+#include <unordered_map>
+
+#include "tools/mesh/basis_selection.hpp"
+#include "tools/mesh/fingerprint.hpp"
+
+namespace sesame::tools {
+
+namespace {
+
+using sparse::Index;
+using sparse::Integers;
+using sparse::Terms;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Shortest paths from a root, as far as a radius. Reused from root to root: cleared at the cost of what was reached.
+class PathTree {
+ public:
+  struct Step {
+    double distance = infinite;
+    std::uint32_t before = 0;  ///< the point before this one on the path from the root
+    std::uint32_t edge = none;
+    std::uint32_t depth = 0;
+    bool is_settled = false;
+  };
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  explicit PathTree(const EdgeGraph& graph) : graph_{graph}, steps_(graph.points()) {}
+
+  /// Dijkstra's algorithm; ties go to the lower point. Returns the number of ways walked.
+  std::uint64_t grow(std::uint32_t root, double radius) {
+    clear();
+    std::uint64_t walked = 0;
+    Queue queue;
+    reach(root, {0, root, none, 0, false}, queue);
+    while (!queue.empty()) {
+      const auto [distance, point] = queue.top();
+      queue.pop();
+      if (steps_[point].is_settled) continue;
+      if (distance > radius) break;
+      steps_[point].is_settled = true;
+      settled_.push_back(point);
+      for (const auto& way : graph_.ways(point)) {
+        ++walked;
+        const double length = distance + way.length;
+        if (length < steps_[way.to].distance) {
+          reach(way.to, {length, point, way.edge, steps_[point].depth + 1, false}, queue);
+        }
+      }
+    }
+    return walked;
+  }
+
+  /// The points within the radius, nearest first.
+  [[nodiscard]] const std::vector<std::uint32_t>& settled() const { return settled_; }
+  [[nodiscard]] const Step& step(std::uint32_t point) const { return steps_[point]; }
+
+  /// The loop of an edge outside the tree, without what its two paths have in common.
+  [[nodiscard]] Loop loop(std::uint32_t from, const EdgeGraph::Way& way) const {
+    Loop loop;
+    loop.length = steps_[from].distance + way.length + steps_[way.to].distance;
+    std::vector<std::uint32_t> back;
+    std::uint32_t a = from;
+    std::uint32_t b = way.to;
+    while (a != b) {
+      if (steps_[a].depth >= steps_[b].depth) {
+        loop.points.push_back(a);
+        a = steps_[a].before;
+      } else {
+        back.push_back(b);
+        b = steps_[b].before;
+      }
+    }
+    loop.length -= 2 * steps_[a].distance;
+    loop.points.push_back(a);
+    loop.points.insert(loop.points.end(), back.rbegin(), back.rend());
+    return loop;
+  }
+
+ private:
+  using Reached = std::pair<double, std::uint32_t>;
+  using Queue = std::priority_queue<Reached, std::vector<Reached>, std::greater<>>;
+
+  void reach(std::uint32_t point, const Step& step, Queue& queue) {
+    if (steps_[point].distance == infinite) touched_.push_back(point);
+    steps_[point] = step;
+    queue.emplace(step.distance, point);
+  }
+
+  void clear() {
+    for (const auto point : touched_) steps_[point] = Step{};
+    touched_.clear();
+    settled_.clear();
+  }
+
+  const EdgeGraph& graph_;
+  std::vector<Step> steps_;
+  std::vector<std::uint32_t> touched_;
+  std::vector<std::uint32_t> settled_;
+};
+
+void to_canonical(Loop& loop) {
+  auto& points = loop.points;
+  std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
+  if (points.size() > 2 && points.back() < points[1]) std::reverse(points.begin() + 1, points.end());
+}
+
+bool is_shorter(const Loop& a, const Loop& b) {
+  return a.length != b.length ? a.length < b.length : a.points < b.points;
+}
+
+/// The sum of fingerprints along the paths from a root, for one annotation.
+class Potential {
+ public:
+  Potential(const EdgeGraph& graph, const Annotation& annotation, const sparse::AnyRing& ring)
+      : fingerprinter_{ring}, of_point_(graph.points()) {
+    of_edge_.reserve(annotation.of_edge.size());
+    for (const auto& vector : annotation.of_edge) of_edge_.push_back(fingerprinter_.of(vector));
+  }
+
+  void follow(const PathTree& tree) {
+    for (const auto point : tree.settled()) {
+      const auto& step = tree.step(point);
+      of_point_[point] = step.edge == PathTree::none ? Fingerprint{} : beyond(step.before, step.edge, point);
+    }
+  }
+  /// The fingerprint of the loop of an edge outside the tree.
+  [[nodiscard]] Fingerprint around(std::uint32_t from, const EdgeGraph::Way& way) const {
+    Fingerprint sum = beyond(from, way.edge, way.to);
+    fingerprinter_.subtract(sum, of_point_[way.to]);
+    return sum;
+  }
+  [[nodiscard]] Fingerprint up_to_sign(const Fingerprint& f) const {
+    Fingerprint minus{};
+    fingerprinter_.subtract(minus, f);
+    return std::min(f, minus);
+  }
+
+ private:
+  [[nodiscard]] Fingerprint beyond(std::uint32_t from, std::uint32_t edge, std::uint32_t to) const {
+    Fingerprint sum = of_point_[from];
+    if (from < to) {
+      fingerprinter_.add(sum, of_edge_[edge]);
+    } else {
+      fingerprinter_.subtract(sum, of_edge_[edge]);
+    }
+    return sum;
+  }
+
+  Fingerprinter fingerprinter_;
+  std::vector<Fingerprint> of_edge_;
+  std::vector<Fingerprint> of_point_;
+};
+
+class Search {
+ public:
+  Search(const EdgeGraph& graph, const LoopSearch& search)
+      : graph_{graph}, search_{search}, tree_{graph}, wanted_{graph, *search.wanted, search.ring} {
+    if (search_.zero != nullptr) zero_.emplace(graph, *search_.zero, sparse::Integers{});
+  }
+
+  LoopBasis run() {
+    if (search_.wanted->rank == 0) return std::move(found_);
+    look_at_each_component();
+    select();
+    look_from_roots();
+    select();
+    for (int round = 0; round < most_rounds && walked_ < search_.effort; ++round) {
+      const double before = total_length();
+      look_along_loops();
+      select();
+      if (total_length() > (1 - 1e-9) * before) break;
+    }
+    return std::move(found_);
+  }
+
+ private:
+  static constexpr int most_rounds = 6;
+  static constexpr std::size_t spread_per_component = 16;
+  static constexpr std::size_t roots_per_loop = 8;
+  static constexpr std::size_t most_pooled_points = 4'000'000;
+
+  void look_at_each_component() {
+    std::vector<bool> is_seen(graph_.points(), false);
+    for (std::uint32_t point = 0; point < graph_.points(); ++point) {
+      if (is_seen[point] || graph_.ways(point).empty()) continue;
+      const bool has_loops = look_from(point, infinite);
+      const auto& reached = tree_.settled();
+      for (const auto other : reached) is_seen[other] = true;
+      if (!has_loops) continue;
+      const std::size_t spread = std::min(spread_per_component, reached.size() - 1);
+      for (std::size_t i = 1; i <= spread; ++i) spread_.push_back(reached[i * (reached.size() - 1) / spread]);
+    }
+    walked_ = 0;
+  }
+
+  /// Half of the effort goes to roots given and spread, half to the loops found.
+  void look_from_roots() {
+    std::vector<std::uint32_t> roots = spread_;
+    roots.insert(roots.end(), search_.roots.begin(), search_.roots.end());
+    for (const auto root : roots) {
+      if (walked_ > search_.effort / 2) return;
+      look_from(root, longest_ / 2);
+    }
+  }
+
+  /// A loop through a point that is shorter than a given one stays within half of its length of the point.
+  void look_along_loops() {
+    const std::vector<Loop> loops = found_.loops;
+    for (auto loop = loops.rbegin(); loop != loops.rend(); ++loop) {
+      const std::size_t count = std::min(roots_per_loop, loop->points.size());
+      for (std::size_t i = 0; i < count; ++i) {
+        if (walked_ > search_.effort) return;
+        look_from(loop->points[i * loop->points.size() / count], loop->length / 2);
+      }
+    }
+  }
+
+  /// Pools the loops from a root, the shortest of each class. Returns whether there were any.
+  bool look_from(std::uint32_t root, double radius) {
+    walked_ += tree_.grow(root, radius);
+    wanted_.follow(tree_);
+    if (zero_) zero_->follow(tree_);
+    bool has_loops = false;
+    for (const auto from : tree_.settled()) {
+      for (const auto& way : graph_.ways(from)) {
+        if (from > way.to || !tree_.step(way.to).is_settled) continue;
+        if (way.edge == tree_.step(from).edge || way.edge == tree_.step(way.to).edge) continue;
+        const Fingerprint fingerprint = wanted_.around(from, way);
+        if (fingerprint == Fingerprint{}) continue;
+        if (zero_ && zero_->around(from, way) != Fingerprint{}) continue;
+        has_loops = true;
+        pool(wanted_.up_to_sign(fingerprint), tree_.loop(from, way));
+      }
+    }
+    if (pooled_points_ > most_pooled_points) select();
+    return has_loops;
+  }
+
+  void pool(const Fingerprint& fingerprint, Loop loop) {
+    ++found_.tried;
+    if (loop.length >= longest_) return;
+    const auto [at, is_new] = place_in_pool_.emplace(fingerprint, pool_.size());
+    if (is_new) {
+      pool_.emplace_back();
+    } else if (pool_[at->second].length <= loop.length) {
+      return;
+    }
+    Loop& kept = pool_[at->second];
+    pooled_points_ += loop.points.size();
+    pooled_points_ -= kept.points.size();
+    kept = std::move(loop);
+  }
+
+  /// The best basis of what is pooled and what was taken before.
+  void select() {
+    for (Loop& loop : pool_) to_canonical(loop);
+    std::move(found_.loops.begin(), found_.loops.end(), std::back_inserter(pool_));
+    std::sort(pool_.begin(), pool_.end(), is_shorter);
+    found_.loops.clear();
+    found_.completion.clear();
+    std::visit([this](const auto& ring) { select_over(ring); }, search_.ring);
+    pool_.clear();
+    place_in_pool_.clear();
+    pooled_points_ = 0;
+    longest_ = found_.completion.empty() && !found_.loops.empty() ? found_.loops.back().length : infinite;
+  }
+
+  template <sparse::Ring R>
+  void select_over(const R& ring) {
+    BasisSelection<R> selection{ring, search_.wanted->rank};
+    for (Loop& loop : pool_) {
+      if (selection.missing() == 0) break;
+      if (search_.zero != nullptr && !class_of(graph_, *search_.zero, loop).empty()) continue;
+      Terms<R> vector;
+      for (const auto& [index, coefficient] : class_of(graph_, *search_.wanted, loop)) {
+        vector.push_back({index, ring.from(coefficient)});
+      }
+      sparse::normalize(ring, vector);
+      if (selection.take(vector)) found_.loops.push_back(std::move(loop));
+    }
+    for (const auto& vector : selection.completion()) {
+      auto& integers = found_.completion.emplace_back();
+      for (const auto& [index, coefficient] : vector) integers.push_back({index, ring.to_integer(coefficient)});
+    }
+  }
+
+  [[nodiscard]] double total_length() const {
+    double sum = 0;
+    for (const Loop& loop : found_.loops) sum += loop.length;
+    return sum;
+  }
+
+  const EdgeGraph& graph_;
+  const LoopSearch& search_;
+  PathTree tree_;
+  Potential wanted_;
+  std::optional<Potential> zero_;
+  std::vector<std::uint32_t> spread_;
+  std::uint64_t walked_ = 0;
+  double longest_ = infinite;  ///< of the loops taken, when they are a basis
+  LoopBasis found_;
+  std::vector<Loop> pool_;
+  std::unordered_map<Fingerprint, std::size_t, FingerprintHash> place_in_pool_;  // never iterated
+  std::size_t pooled_points_ = 0;
+};
+
+}  // namespace
+
+EdgeGraph::EdgeGraph(std::span<const Point> points, std::span<const Edge> edges) : begin_(points.size() + 1, 0) {
+  for (const auto& edge : edges) {
+    for (const auto end : edge) ++begin_[end + 1];
+  }
+  for (std::size_t p = 0; p < points.size(); ++p) begin_[p + 1] += begin_[p];
+  ways_.resize(2 * edges.size());
+  std::vector<std::uint32_t> next = begin_;
+  for (std::uint32_t e = 0; e < edges.size(); ++e) {
+    const auto [a, b] = edges[e];
+    const double length =
+        std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1], points[a][2] - points[b][2]);
+    ways_[next[a]++] = {b, e, length};
+    ways_[next[b]++] = {a, e, length};
+  }
+}
+
+const EdgeGraph::Way& EdgeGraph::way(std::uint32_t from, std::uint32_t to) const {
+  const auto here = ways(from);
+  const auto found = std::find_if(here.begin(), here.end(), [to](const Way& way) { return way.to == to; });
+  sparse::expects(found != here.end(), "neighbours on a loop are joined by an edge");
+  return *found;
+}
+
+Terms<Integers> class_of(const EdgeGraph& graph, const Annotation& annotation, const Loop& loop) {
+  Terms<Integers> sum;
+  for (std::size_t i = 0; i < loop.points.size(); ++i) {
+    const auto from = loop.points[i];
+    const auto to = loop.points[i + 1 < loop.points.size() ? i + 1 : 0];
+    for (const auto& [index, coefficient] : annotation.of_edge[graph.way(from, to).edge]) {
+      sum.push_back({index, from < to ? coefficient : -coefficient});
+    }
+  }
+  sparse::normalize(Integers{}, sum);
+  return sum;
+}
+
+LoopBasis short_loops(const EdgeGraph& graph, const LoopSearch& search) { return Search{graph, search}.run(); }
+
+}  // namespace sesame::tools
