@@ -70,31 +70,30 @@ Engine::Engine(sparse::AnyRing ring, ops::Limits limits)
 Engine::~Engine() = default;
 
 Result<StepReport> Engine::apply(const ops::Operation& operation) {
-  Result<StepReport> result = std::visit(
-      Overloaded{[&](const ops::Undo& undo) { return take_back(undo); },
-                 [&](const ops::Expect& expected) -> Result<StepReport> {
-                   if (Status status = check(expected); !status) {
-                     return status.error();
-                   }
-                   push_history();
-                   return begin_report(operation);
-                 },
-                 [&](const ops::AskClass& question) -> Result<StepReport> {
-                   const Result<CellChain> asked = chain(question.chain);
-                   if (!asked) {
-                     return asked.error();
-                   }
-                   StepReport report = begin_report(operation);
-                   report.answer = classify(*asked);
-                   push_history();
-                   return report;
-                 },
-                 [&](const ops::Note&) -> Result<StepReport> {
-                   push_history();
-                   return begin_report(operation);
-                 },
-                 [&](const auto&) { return construct(operation); }},
-      operation);
+  Result<StepReport> result = std::visit(Overloaded{[&](const ops::Undo& undo) { return take_back(undo); },
+                                                    [&](const ops::Expect& expected) -> Result<StepReport> {
+                                                      if (Status status = check(expected); !status) {
+                                                        return status.error();
+                                                      }
+                                                      push_history();
+                                                      return begin_report(operation);
+                                                    },
+                                                    [&](const ops::AskClass& question) -> Result<StepReport> {
+                                                      const Result<CellChain> asked = chain(question.chain);
+                                                      if (!asked) {
+                                                        return asked.error();
+                                                      }
+                                                      StepReport report = begin_report(operation);
+                                                      report.answer = classify(*asked);
+                                                      push_history();
+                                                      return report;
+                                                    },
+                                                    [&](const ops::Note&) -> Result<StepReport> {
+                                                      push_history();
+                                                      return begin_report(operation);
+                                                    },
+                                                    [&](const auto&) { return construct(operation); }},
+                                         operation);
   if (result) {
     finish(operation, *result);
   }
@@ -146,9 +145,8 @@ Result<StepReport> Engine::construct(const ops::Operation& operation) {
   if (!plan_.changes_nothing()) {
     const std::uint64_t before = report.before.created - report.before.links;
     const std::uint64_t after = report.after.created - report.after.links;
-    report.sequence = plan_.merges.empty()
-                          ? SequenceSizes{ops::Direction::backward, before, after, after - before}
-                          : SequenceSizes{ops::Direction::forward, before - after, before, after};
+    report.sequence = plan_.merges.empty() ? SequenceSizes{ops::Direction::backward, before, after, after - before}
+                                           : SequenceSizes{ops::Direction::forward, before - after, before, after};
   }
   return report;
 }

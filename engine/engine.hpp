@@ -58,9 +58,11 @@ class Engine {
 
   // ---- steps
   /// Carries out one operation.
-  /// Errors    what the planner refuses (nothing has happened then); `expectation` when an Expect differs from the state;
+  /// Errors    what the planner refuses (nothing has happened then); `expectation` when an Expect differs from the
+  /// state;
   ///           `refused` when an Undo asks for more steps than there are.
-  /// Cost      the cells that the step touches, times their dimension, plus the vectors that are rewritten: independent of
+  /// Cost      the cells that the step touches, times their dimension, plus the vectors that are rewritten: independent
+  /// of
   ///           the size of the object and of the length of the history. An Undo costs what the steps taken back did.
   Result<StepReport> apply(const ops::Operation& operation);
   /// What a construction operation would do, without doing it.
@@ -79,7 +81,7 @@ class Engine {
   /// The number of cells of each dimension, up to the largest that has one.
   [[nodiscard]] std::span<const std::uint32_t> cells() const { return structure_.counts(); }
   [[nodiscard]] std::int64_t euler_characteristic() const;
-  /// Betti numbers, torsion, sizes of the small and the big complex; an entry per dimension that has cells, at least.
+  /// Betti numbers, torsion, sizes of the small and the big complex; an entry per dimension that has cells.
   [[nodiscard]] Homology homology() { return tracker_->homology(cells().size()); }
 
   /// What has been done so far, in terms and entries. The difference over a step is that step's cost.
@@ -102,7 +104,8 @@ class Engine {
   // ---- the last step as an exact sequence, and the laws
   /// The moment before the step with this number among those not undone (1: the first). Requires: 1 <= n <= undoable().
   [[nodiscard]] ops::Moment before_step(std::uint64_t n) const;
-  /// The exact sequence of a step that is not undone; nothing when the step changed no cells. Cost: the size of the object.
+  /// The exact sequence of a step that is not undone; nothing when the step changed no cells. Cost: the size of the
+  /// object.
   template <sparse::Ring R>
   [[nodiscard]] std::optional<ops::StepSequence<R>> sequence(std::uint64_t n, const R& ring) const {
     const ops::Moment before = before_step(n);

@@ -43,9 +43,9 @@ struct SmallChain {
 /// A generator of a homology group.
 struct Generator {
   int degree = 0;
-  Integer order;        ///< 0: free
+  Integer order;  ///< 0: free
   CellChain cycle;
-  CellChain bounding;   ///< for order t > 0: its boundary is t * cycle; empty for a free generator
+  CellChain bounding;  ///< for order t > 0: its boundary is t * cycle; empty for a free generator
 };
 
 /// The answer to "what class is this chain in?".
@@ -87,8 +87,8 @@ class HomologyTracker {
   /// Forgets the last moment remembered, without going back.
   virtual void drop_mark() = 0;
 
-  /// Betti numbers, torsion and sizes; `dimensions` entries at least. Cost O(dimensions), plus a Smith form of the core
-  /// when that changed.
+  /// Betti numbers, torsion and sizes, with an entry for each of the first `dimensions` degrees: those that have cells.
+  /// Cost O(dimensions), plus a Smith form of the core when that changed.
   [[nodiscard]] virtual Homology homology(std::size_t dimensions) = 0;
   /// The generators of H_p: those of finite order by increasing order, then the free ones.
   [[nodiscard]] virtual std::vector<Generator> generators(int degree) = 0;

@@ -145,11 +145,9 @@ template <Ring R>
 Homology LiveEquivalence<R>::homology(std::size_t dimensions) {
   const TorsionCache& core = torsion();
   const std::vector<std::uint32_t>& small = rewriter_.small_counts();
-  std::size_t used = small.size();
-  while (used > 0 && small[used - 1] == 0) {
-    --used;
-  }
-  dimensions = std::max(dimensions, used);
+  expects(std::all_of(small.begin() + static_cast<std::ptrdiff_t>(std::min(dimensions, small.size())), small.end(),
+                      [](std::uint32_t count) { return count == 0; }),
+          "the small complex has no generator above the dimension of the object");
   const auto at = [](const auto& counts, std::size_t p) -> std::int64_t { return p < counts.size() ? counts[p] : 0; };
   Homology homology;
   for (std::size_t p = 0; p < dimensions; ++p) {
@@ -277,8 +275,8 @@ ClassAnswer LiveEquivalence<R>::classify(const CellChain& chain) {
     }
   }
   answer.coefficients.insert(answer.coefficients.end(), on_free.begin(), on_free.end());
-  answer.is_zero = std::all_of(answer.coefficients.begin(), answer.coefficients.end(),
-                               [](const Integer& a) { return a.is_zero(); });
+  answer.is_zero =
+      std::all_of(answer.coefficients.begin(), answer.coefficients.end(), [](const Integer& a) { return a.is_zero(); });
   // 3. z = d(G y + K z).
   if (answer.is_zero) {
     for (Term<R>& term : preimage) {
@@ -416,8 +414,8 @@ reductions::Equivalence<R> LiveEquivalence<R>::matrices() {
     }
   }
   const ChainComplex<R> c = ops::chain_complex(structure_, basis, ops::now(structure_), ring_);
-  const ChainComplex<R> b = reductions::complex_with(
-      graded_map(ring_, -1, big, big, [&](Index x) { return big_.boundary().column(x); }));
+  const ChainComplex<R> b =
+      reductions::complex_with(graded_map(ring_, -1, big, big, [&](Index x) { return big_.boundary().column(x); }));
   const ChainComplex<R> s = reductions::complex_with(
       graded_map(ring_, -1, small, small, [&](Index x) { return core_boundary(unit(ring_, x)); }));
   const auto f = [&](Index x) {
@@ -429,12 +427,12 @@ reductions::Equivalence<R> LiveEquivalence<R>::matrices() {
     big_.add_g(cell, ring_.one(), out);
     return out;
   };
-  return {{b, c, graded_map(ring_, 0, big, object, f), graded_map(ring_, 0, object, big, g),
-           graded_map(ring_, 1, big, big, [&](Index x) { return big_.h(x); })},
-          {b, s, graded_map(ring_, 0, big, small, [&](Index x) { return rewriter_.rewrite(unit(ring_, x)); }),
-           graded_map(ring_, 0, small, big, [&](Index x) { return rewriter_.lift(unit(ring_, x)); }),
-           graded_map(ring_, 1, big, big,
-                      [&](Index x) { return rewriter_.lift({}, rewriter_.trace(unit(ring_, x))); })}};
+  return {
+      {b, c, graded_map(ring_, 0, big, object, f), graded_map(ring_, 0, object, big, g),
+       graded_map(ring_, 1, big, big, [&](Index x) { return big_.h(x); })},
+      {b, s, graded_map(ring_, 0, big, small, [&](Index x) { return rewriter_.rewrite(unit(ring_, x)); }),
+       graded_map(ring_, 0, small, big, [&](Index x) { return rewriter_.lift(unit(ring_, x)); }),
+       graded_map(ring_, 1, big, big, [&](Index x) { return rewriter_.lift({}, rewriter_.trace(unit(ring_, x))); })}};
 }
 
 template <Ring R>

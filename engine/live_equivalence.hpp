@@ -43,10 +43,10 @@ class LiveEquivalence final : public HomologyTracker {
  private:
   /// The groups of one degree, as read off the core's columns of the degree above.
   struct Group {
-    std::vector<Symbol> free;              ///< cycles of S that meet no column of the core above
-    std::vector<Symbol> bound;             ///< cycles of S that do
-    std::vector<Symbol> columns;           ///< the core's columns of the degree above
-    sparse::SmithForm<R> smith;            ///< of the core: bound x columns
+    std::vector<Symbol> free;     ///< cycles of S that meet no column of the core above
+    std::vector<Symbol> bound;    ///< cycles of S that do
+    std::vector<Symbol> columns;  ///< the core's columns of the degree above
+    sparse::SmithForm<R> smith;   ///< of the core: bound x columns
   };
   struct Mark {
     CellId cells;

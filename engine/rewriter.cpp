@@ -158,8 +158,8 @@ void Rewriter<R>::add_rewritten(Symbol x, const Element& coefficient) {
   }
 }
 
-/// The memo of a rule in small symbols only. Rules refer to younger rules, so there are no circles; the stack is explicit
-/// because chains of rules can be as long as the history.
+/// The memo of a rule in small symbols only. Rules refer to younger rules, so there are no circles; the stack is
+/// explicit because chains of rules can be as long as the history.
 template <Ring R>
 std::span<const sparse::Term<R>> Rewriter<R>::memoised(RuleId rule) {
   pending_.assign(1, rule);
@@ -313,13 +313,19 @@ void Rewriter<R>::settle() {
   }
 }
 
-/// One move towards Hermite form: a unit is eliminated; a shared pivot is reduced by a step of Euclid's algorithm; an
-/// entry in another column's pivot row is brought below that pivot. What is changed is queued again.
+/// One move towards Hermite form: a unit is eliminated; a column of coprime entries is made to have one; a shared pivot
+/// is reduced by a step of Euclid's algorithm; an entry in another column's pivot row is brought below that pivot. What
+/// is changed is queued again.
 template <Ring R>
 void Rewriter<R>::settle_column(Symbol x) {
   const Terms<R> column = *core_.find(x);
   if (const TermType* unit = youngest_unit(ring_, column)) {
     eliminate(unit->index, x, column);
+    return;
+  }
+  if (content(column) == 1) {
+    reduce_rows(column);
+    unsettled_.insert(x);
     return;
   }
   const TermType& pivot = column.back();
@@ -355,11 +361,42 @@ void Rewriter<R>::settle_column(Symbol x) {
   }
 }
 
+template <Ring R>
+Integer Rewriter<R>::content(const Terms<R>& column) const {
+  Integer divisor = 0;
+  for (const TermType& term : column) {
+    divisor = sparse::gcd(divisor, ring_.to_integer(term.coefficient));
+  }
+  return divisor;
+}
+
+/// One step of Euclid's algorithm on the entries of a column, by a change of basis of its rows: m r + t s with t = q m
+/// + n becomes m r' + n s with r' = r + q s. Repeated on coprime entries it ends with a unit, and without it no unit
+/// might show: so every column that stays in the core has a common divisor, and the small complex has no generator
+/// above the dimension of the object, where the columns are a basis of a saturated lattice and hence coprime.
+template <Ring R>
+void Rewriter<R>::reduce_rows(const Terms<R>& column) {
+  const auto size = [this](const TermType& term) { return sparse::abs(ring_.to_integer(term.coefficient)); };
+  const TermType& least = *std::min_element(column.begin(), column.end(),
+                                            [&](const TermType& a, const TermType& b) { return size(a) < size(b); });
+  for (const TermType& term : column) {
+    const Element q = ring_.quotient(term.coefficient, least.coefficient);
+    if (!(ring_.multiply(q, least.coefficient) == term.coefficient)) {
+      combine(least.index, ring_.negate(q), term.index);
+      return;
+    }
+  }
+}
+
 /// The change of basis x' = x - q y: x -> x' + q y.
 template <Ring R>
 void Rewriter<R>::combine(Symbol x, const Element& q, Symbol y) {
-  Terms<R> column = *core_.find(x);
-  sparse::add_multiple<R>(ring_, column, ring_.negate(q), *core_.find(y));
+  const Terms<R>* column_x = core_.find(x);
+  const Terms<R>* column_y = core_.find(y);
+  Terms<R> column = column_x == nullptr ? Terms<R>{} : *column_x;
+  if (column_y != nullptr) {
+    sparse::add_multiple<R>(ring_, column, ring_.negate(q), *column_y);
+  }
   const auto index = static_cast<std::uint32_t>(combinations_.size());
   const Symbol combined = add_symbol(degree_[x], virtual_bit | index);
   Terms<R> value{{y, q}, {combined, ring_.one()}};  // y is older than the symbol just made: this is normal form
@@ -423,9 +460,8 @@ Trace<R> Rewriter<R>::trace_of_boundary(Symbol x, RuleId before) {
         add(term.index, term.coefficient, ring_.one());
       }
     } else {
-      boundary_.for_each_in_column(generator_[x], [&](const TermType& term) {
-        add(symbol_of_[term.index], term.coefficient, ring_.one());
-      });
+      boundary_.for_each_in_column(
+          generator_[x], [&](const TermType& term) { add(symbol_of_[term.index], term.coefficient, ring_.one()); });
     }
   });
 }

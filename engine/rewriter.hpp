@@ -17,6 +17,7 @@ namespace sesame::engine {
 
 /// Rules are counted from 0 in the order in which they were made; time t is the moment when t of them existed.
 using RuleId = std::uint32_t;
+using sparse::Integer;
 inline constexpr RuleId no_rule = UINT32_MAX;
 
 /// Coefficients of a rewriting by rule: what the homotopy h is made of.
@@ -25,14 +26,14 @@ using Trace = std::vector<std::pair<RuleId, typename R::Element>>;
 
 /// The sequence of elementary reductions that leads from B to the small complex S.
 ///
-/// *Symbols* are the generators of B, in order, mixed with those that changes of basis made. A rule says how one symbol is
-/// written in later ones:
+/// *Symbols* are the generators of B, in order, mixed with those that changes of basis made. A rule says how one symbol
+/// is written in later ones:
 ///
 ///   elimination of (a, b), d b = e a + rest, e a unit:   a -> -e^-1 rest,   b -> 0
 ///   change of basis x' = x - q y (over Z only):          x -> x' + q y
 ///
-/// Over a field b is paired with the youngest symbol of its rewritten boundary, and dS = 0. Over Z the boundaries without
-/// a unit are the TorsionCore, kept in Hermite form, so that units hidden in them appear and are eliminated.
+/// Over a field b is paired with the youngest symbol of its rewritten boundary, and dS = 0. Over Z the boundaries
+/// without a unit are the TorsionCore, kept in Hermite form, so that units hidden in them appear and are eliminated.
 ///
 /// *Rewriting* a chain of B gives its image under f: B -> S. Results are memoised per rule and brought up to date when
 /// they are read. The homotopy h and the lift g: S -> B use the rules as they were made, through *traces*:
@@ -120,6 +121,8 @@ class Rewriter {
   void eliminate(Symbol a, Symbol b, const Terms<R>& column);
   void settle();
   void settle_column(Symbol x);
+  [[nodiscard]] Integer content(const Terms<R>& column) const;
+  void reduce_rows(const Terms<R>& column);
   void combine(Symbol x, const Element& q, Symbol y);
   void substitute_row(Symbol row, std::span<const TermType> value);
   static const TermType* youngest_unit(const R& ring, const Terms<R>& column);
@@ -142,11 +145,11 @@ class Rewriter {
   R ring_;
   const sparse::Matrix<R>& boundary_;
   // Per symbol.
-  std::vector<RuleId> state_;              ///< the rule that removed it, or no_rule: it is small
+  std::vector<RuleId> state_;  ///< the rule that removed it, or no_rule: it is small
   std::vector<std::uint8_t> degree_;
-  std::vector<std::uint32_t> generator_;   ///< of B, or virtual_bit | index in combinations_
-  std::vector<RuleId> born_;               ///< the time at which it was made
-  std::vector<Neighbours> neighbours_;     ///< small symbols of a degree: a doubly linked list, undone in reverse order
+  std::vector<std::uint32_t> generator_;  ///< of B, or virtual_bit | index in combinations_
+  std::vector<RuleId> born_;              ///< the time at which it was made
+  std::vector<Neighbours> neighbours_;    ///< small symbols of a degree: a doubly linked list, undone in reverse order
   // Per degree.
   std::vector<Symbol> first_, last_;
   std::vector<std::uint32_t> small_counts_;

@@ -18,10 +18,10 @@ using TypeId = std::uint32_t;
 
 /// The k-th face operator of a type, in the flattened order d^1_0, d^1_1, ..., d^2_0, ...
 struct FaceOperator {
-  int component;   ///< i, counted from 0
-  int vertex;      ///< j in 0..a_i
-  int sign;        ///< (-1)^(j + a_1 + ... + a_{i-1})
-  TypeId type;     ///< of the face
+  int component;  ///< i, counted from 0
+  int vertex;     ///< j in 0..a_i
+  int sign;       ///< (-1)^(j + a_1 + ... + a_{i-1})
+  TypeId type;    ///< of the face
 };
 
 /// Face `second` of face `first` is the same cell as face `other_second` of face `other_first`.
@@ -46,7 +46,8 @@ struct TypeInfo {
   CellType type;
   int dimension = 0;
   std::vector<FaceOperator> faces;
-  std::vector<FaceLaw> laws;  ///< each unordered pair of equal double faces once; they imply that boundaries compose to 0
+  std::vector<FaceLaw>
+      laws;  ///< each unordered pair of equal double faces once; they imply that boundaries compose to 0
 };
 
 /// The types met so far, each described once. Knowledge, not state: it only grows, and nothing depends on its order.

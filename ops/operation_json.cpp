@@ -347,8 +347,8 @@ auto parse_line(std::string_view line, Read read) -> Result<decltype(read(Json{}
     return read(Json::parse(line));
   } catch (const Json::parse_error& e) {
     const auto column = e.byte;
-    return Error{Errc::bad_input, fmt::format("this is not a JSON object (at column {}): a line is one object, {{...}}",
-                                              column)};
+    return Error{Errc::bad_input,
+                 fmt::format("this is not a JSON object (at column {}): a line is one object, {{...}}", column)};
   } catch (const Json::exception& e) {
     return Error{Errc::bad_input, fmt::format("this object cannot be read: {}", e.what())};
   } catch (Wrong& wrong) {

@@ -42,7 +42,6 @@ GradedMap<R> map_with_columns(const R& ring, const CellBasis& source, const Cell
   return GradedMap<R>(ring, 0, from, to, std::move(parts));
 }
 
-
 template <Ring R>
 StepSequence<R> added(const Structure& structure, Moment before, Moment after, const R& ring) {
   CellBasis old_cells = cells_at(structure, before);
@@ -84,12 +83,15 @@ StepSequence<R> identified(const Structure& structure, Moment before, Moment aft
   auto i = map_with_columns(ring, removed, all, Rest::zero, removed, [&](CellId c) {
     return Terms<R>{{all.index(survivor(c)), ring.one()}, {all.index(c), minus_one}};
   });
-  auto r = map_with_columns(ring, all, removed, Rest::zero, removed,
-                            [&](CellId c) { return Terms<R>{{removed.index(c), minus_one}}; });
-  auto j = map_with_columns(ring, all, kept, Rest::identity, removed,
-                            [&](CellId c) { return Terms<R>{{kept.index(survivor(c)), ring.one()}}; });
-  auto s = map_with_columns(ring, kept, all, Rest::identity, none_stored,
-                            [&](CellId c) { return Terms<R>{{all.index(c), ring.one()}}; });
+  auto r = map_with_columns(ring, all, removed, Rest::zero, removed, [&](CellId c) {
+    return Terms<R>{{removed.index(c), minus_one}};
+  });
+  auto j = map_with_columns(ring, all, kept, Rest::identity, removed, [&](CellId c) {
+    return Terms<R>{{kept.index(survivor(c)), ring.one()}};
+  });
+  auto s = map_with_columns(ring, kept, all, Rest::identity, none_stored, [&](CellId c) {
+    return Terms<R>{{all.index(c), ring.one()}};
+  });
   ChainComplex<R> c1 = chain_complex(structure, all, before, ring);
   std::vector<Matrix<R>> d0;
   for (int p = 0; p < static_cast<int>(removed.cells().size()); ++p) {
@@ -164,8 +166,8 @@ StepSequence<R> step_sequence(const Structure& structure, Moment before, Moment 
   return removes ? identified(structure, before, after, ring) : added(structure, before, after, ring);
 }
 
-#define SESAME_INSTANTIATE(R)                                                                                     \
-  template ChainComplex<R> chain_complex(const Structure&, const CellBasis&, Moment, const R&);                   \
+#define SESAME_INSTANTIATE(R)                                                                   \
+  template ChainComplex<R> chain_complex(const Structure&, const CellBasis&, Moment, const R&); \
   template StepSequence<R> step_sequence(const Structure&, Moment, Moment, const R&);
 SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
 #undef SESAME_INSTANTIATE

@@ -36,8 +36,8 @@ class CellBasis {
 /// The cells that were current at a moment, by increasing id. Cost O(cells created by then).
 [[nodiscard]] CellBasis cells_at(const Structure& structure, Moment moment);
 
-/// The chain complex of the cells of a basis at a moment: each boundary is the signed sum of the faces as they were then.
-/// Faces outside the basis count as 0 (a quotient). Cost: the size of the complex.
+/// The chain complex of the cells of a basis at a moment: each boundary is the signed sum of the faces as they were
+/// then. Faces outside the basis count as 0 (a quotient). Cost: the size of the complex.
 template <sparse::Ring R>
 [[nodiscard]] reductions::ChainComplex<R> chain_complex(const Structure& structure, const CellBasis& basis,
                                                         Moment moment, const R& ring);
@@ -50,9 +50,9 @@ enum class Direction : std::uint8_t {
 
 /// A step as an effective short exact sequence 0 -> C0 -i-> C1 -j-> C2 -> 0 with retractions r and s.
 ///
-/// Identification (forward): C1 is the object before, C2 after, C0 = the removed cells; for a cell x removed in favour of
-/// y: i(x) = y - x, r(x) = -x, j(x) = y, s(y) = y, and d0 = r d1 i. C1 lists the cells that stay first, in the order of
-/// C2: so s and the rest of j are implicit identities, and only the removed cells have stored columns.
+/// Identification (forward): C1 is the object before, C2 after, C0 = the removed cells; for a cell x removed in favour
+/// of y: i(x) = y - x, r(x) = -x, j(x) = y, s(y) = y, and d0 = r d1 i. C1 lists the cells that stay first, in the order
+/// of C2: so s and the rest of j are implicit identities, and only the removed cells have stored columns.
 ///
 /// Adding cells (backward): C0 is the object before, C1 after, C2 = the new cells modulo the old ones; i and r are
 /// implicit identities, and only the new cells have stored columns.

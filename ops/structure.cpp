@@ -30,17 +30,13 @@ std::span<const std::uint32_t> Structure::counts() const {
 }
 
 std::optional<CellId> Structure::lookup(std::string_view name) const {
-  const auto at = cell_by_name_.find(name);
-  return at == cell_by_name_.end() ? std::nullopt : std::optional{at->second};
-}
-
-bool Structure::is_name_taken(std::string_view name) const {
-  return cell_by_name_.contains(name) || body_by_name_.contains(name);
+  const NameTable::Name* found = names_.find(name);
+  return found == nullptr || found->cell == none ? std::nullopt : std::optional{found->cell};
 }
 
 std::optional<BodyId> Structure::lookup_body(std::string_view name) const {
-  const auto at = body_by_name_.find(name);
-  return at == body_by_name_.end() ? std::nullopt : std::optional{find_body(at->second)};
+  const NameTable::Name* found = names_.find(name);
+  return found == nullptr || found->body == none ? std::nullopt : std::optional{find_body(found->body)};
 }
 
 BodyId Structure::find_body(BodyId b) const {
@@ -82,20 +78,19 @@ std::vector<CellId> Structure::cells_of(BodyId body) const {
 }
 
 StructureMark Structure::mark() const {
-  return {created(), links(), static_cast<std::uint32_t>(names_.size()), static_cast<std::uint32_t>(bodies_.size()),
+  return {created(), links(), names_.size(), static_cast<std::uint32_t>(bodies_.size()),
           static_cast<std::uint32_t>(body_links_.size())};
 }
 
 void Structure::apply(const Plan& plan) {
   const CellId first = created();
+  const auto new_body = plan.new_body ? static_cast<BodyId>(bodies_.size()) : none;
   if (plan.new_body) {
-    const auto id = static_cast<BodyId>(bodies_.size());
-    bodies_.push_back({*plan.new_body, id, id, {}, {}, 1});
-    body_by_name_.emplace(bodies_.back().name, id);
+    bodies_.push_back({none, new_body, new_body, {}, {}, 1});
   }
-  add_cells(plan);
+  add_cells(plan, new_body);
   if (!plan.cells.empty()) {
-    const BodyId body = plan.new_body ? static_cast<BodyId>(bodies_.size() - 1) : plan.into_body.value();
+    const BodyId body = plan.new_body ? new_body : plan.into_body.value();
     body_.resize(type_.size(), body);
     bodies_[body].made.push_back({first, created()});
   }
@@ -108,8 +103,8 @@ void Structure::apply(const Plan& plan) {
   }
 }
 
-void Structure::add_cells(const Plan& plan) {
-  std::uint64_t name_begin = 0;
+void Structure::add_cells(const Plan& plan, BodyId new_body) {
+  std::size_t name_begin = 0;
   for (const Plan::NewCell& cell : plan.cells) {
     const CellId id = created();
     const std::size_t arity = types_->info(cell.type).faces.size();
@@ -121,20 +116,24 @@ void Structure::add_cells(const Plan& plan) {
     oldest_.push_back(id);
     size_.push_back(1);
     link_of_.push_back(none);
-    name_of_.push_back(static_cast<std::uint32_t>(names_.size()));
-    add_name(std::string_view{plan.names}.substr(name_begin, cell.name_end - name_begin), id);
+    name_of_.push_back(names_.size());
+    const std::string_view name = std::string_view{plan.names}.substr(name_begin, cell.name_end - name_begin);
+    if (plan.new_body && name == *plan.new_body) {  // the name of the whole, or of the first vertex, is the body's too
+      bodies_[new_body].name = names_.size();
+      names_.add(name, id, new_body);
+    } else {
+      names_.add(name, id, none);
+    }
     name_begin = cell.name_end;
     count(id, 1);
   }
   for (const auto& [name, cell] : plan.aliases) {
-    add_name(name, cell);
+    names_.add(name, cell, none);
   }
-}
-
-void Structure::add_name(std::string_view text, CellId cell) {
-  names_.push_back({std::string{text}, cell});
-  const bool is_new = cell_by_name_.emplace(names_.back().text, cell).second;
-  expects(is_new, "a plan's new names are free");
+  if (plan.new_body && bodies_[new_body].name == none) {
+    bodies_[new_body].name = names_.size();
+    names_.add(*plan.new_body, none, new_body);
+  }
 }
 
 void Structure::link(const Merge& merge) {
@@ -195,7 +194,6 @@ void Structure::truncate(const StructureMark& mark) {
     oldest_before_.pop_back();
   }
   while (names_.size() > mark.names) {
-    cell_by_name_.erase(names_.back().text);
     names_.pop_back();
   }
   if (created() > mark.cells) {
@@ -212,10 +210,7 @@ void Structure::truncate(const StructureMark& mark) {
     }
     first_face_.resize(mark.cells);
   }
-  while (bodies_.size() > mark.bodies) {
-    body_by_name_.erase(bodies_.back().name);
-    bodies_.pop_back();
-  }
+  bodies_.erase(bodies_.begin() + mark.bodies, bodies_.end());
 }
 
 }  // namespace sesame::ops

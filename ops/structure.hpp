@@ -10,10 +10,10 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "ops/cell_type.hpp"
+#include "ops/name_table.hpp"
 
 namespace sesame::ops {
 
@@ -30,8 +30,8 @@ struct Merge {
   CellId survivor;
 };
 
-/// What an operation would do, as a value: worked out by the planner without touching the structure, then applied whole.
-/// New cells have the ids that follow those in use. Reusable: `clear` keeps the memory.
+/// What an operation would do, as a value: worked out by the planner without touching the structure, then applied
+/// whole. New cells have the ids that follow those in use. Reusable: `clear` keeps the memory.
 struct Plan {
   struct NewCell {
     TypeId type;
@@ -42,10 +42,10 @@ struct Plan {
   std::vector<CellId> faces;
   std::string names;
   std::vector<std::pair<std::string, CellId>> aliases;  ///< further names of new cells
-  std::vector<Merge> merges;                            ///< by dimension, so that boundaries agree when their turn comes
-  std::optional<std::string> new_body;                  ///< the new cells make a body of this name
-  std::optional<BodyId> into_body;                      ///< the new cells join this body
-  std::vector<BodyId> joined_bodies;                    ///< become one with `into_body` (the older name stays)
+  std::vector<Merge> merges;            ///< by dimension, so that boundaries agree when their turn comes
+  std::optional<std::string> new_body;  ///< the new cells make a body of this name
+  std::optional<BodyId> into_body;      ///< the new cells join this body
+  std::vector<BodyId> joined_bodies;    ///< become one with `into_body` (the older name stays)
 
   void clear();
   [[nodiscard]] bool changes_nothing() const { return cells.empty() && merges.empty(); }
@@ -113,13 +113,15 @@ class Structure {
   [[nodiscard]] std::string_view own_name(CellId c) const { return names_[name_of_[c]].text; }
   /// The member created first of the cell that c is now.
   [[nodiscard]] CellId oldest(CellId c) const { return oldest_[find(c)]; }
-  [[nodiscard]] bool is_name_taken(std::string_view name) const;
+  [[nodiscard]] bool is_name_taken(std::string_view name) const { return names_.find(name) != nullptr; }
 
   // ---- bodies
   [[nodiscard]] std::optional<BodyId> lookup_body(std::string_view name) const;
   [[nodiscard]] BodyId find_body(BodyId b) const;
   [[nodiscard]] BodyId body_of(CellId c) const { return find_body(body_[c]); }
-  [[nodiscard]] std::string_view body_name(BodyId b) const { return bodies_[bodies_[find_body(b)].oldest].name; }
+  [[nodiscard]] std::string_view body_name(BodyId b) const {
+    return names_[bodies_[bodies_[find_body(b)].oldest].name].text;
+  }
   /// Current bodies, oldest name first.
   [[nodiscard]] std::vector<BodyId> current_bodies() const;
   /// The current cells of a body by increasing id. Cost: the cells ever created in it.
@@ -133,23 +135,18 @@ class Structure {
   void truncate(const StructureMark& mark);
 
  private:
-  struct Name {
-    std::string text;
-    CellId cell;
-  };
   struct Range {
     CellId first, last;
   };
   struct Body {
-    std::string name;
+    std::uint32_t name;  ///< its number among the names
     BodyId parent, oldest;
-    std::vector<Range> made;         ///< creations that joined this very body
-    std::vector<BodyId> children;    ///< bodies linked below it
+    std::vector<Range> made;       ///< creations that joined this very body
+    std::vector<BodyId> children;  ///< bodies linked below it
     std::uint32_t size = 1;
   };
 
-  void add_cells(const Plan& plan);
-  void add_name(std::string_view text, CellId cell);
+  void add_cells(const Plan& plan, BodyId new_body);
   void link(const Merge& merge);
   void join_bodies(BodyId a, BodyId b);
   void count(CellId c, int change);
@@ -165,12 +162,10 @@ class Structure {
   std::vector<CellId> oldest_before_;  // of the survivor, per link: what undo restores
   std::vector<std::uint32_t> counts_;
 
-  std::deque<Name> names_;  // stable addresses: the index below views into them
-  std::unordered_map<std::string_view, CellId> cell_by_name_;
+  NameTable names_;
   std::vector<std::uint32_t> name_of_;
 
   std::deque<Body> bodies_;
-  std::unordered_map<std::string_view, BodyId> body_by_name_;
   std::vector<BodyId> body_;
   struct BodyLink {
     BodyId child, oldest_before;

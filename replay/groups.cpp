@@ -11,8 +11,9 @@ namespace sesame::replay {
 std::vector<std::string> group_names(const engine::Homology& homology, const sparse::AnyRing& ring) {
   std::vector<std::string> names;
   for (std::size_t p = 0; p < homology.betti.size(); ++p) {
-    names.push_back(reductions::AbelianGroup{static_cast<sparse::Index>(homology.betti[p]), homology.torsion[p]}
-                        .to_string(sparse::ring_name(ring)));
+    names.push_back(
+        reductions::AbelianGroup{static_cast<sparse::Index>(homology.betti[p]), homology.torsion[p]}.to_string(
+            sparse::ring_name(ring)));
   }
   return names;
 }

@@ -71,14 +71,10 @@ class JsonReporter final : public Reporter {
   explicit JsonReporter(std::ostream& out) : out_{out} {}
 
   void step(engine::Engine& engine, const ReportedStep& reported) override {
-    Json object{{"step", reported.step.step},
-                {"op", reported.step.op},
-                {"cells", engine.cells()},
-                {"euler", engine.euler_characteristic()},
-                {"betti", reported.homology.betti},
-                {"torsion", torsion(reported.homology.torsion)},
-                {"small", reported.homology.small},
-                {"big", reported.homology.big}};
+    Json object{{"step", reported.step.step},       {"op", reported.step.op},
+                {"cells", engine.cells()},          {"euler", engine.euler_characteristic()},
+                {"betti", reported.homology.betti}, {"torsion", torsion(reported.homology.torsion)},
+                {"small", reported.homology.small}, {"big", reported.homology.big}};
     if (reported.step.answer) {
       object["class"] = answer(*reported.step.answer, engine.structure());
     }

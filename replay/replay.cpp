@@ -7,7 +7,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-Outcome outcome_of(Errc code) { return code == Errc::expectation ? Outcome::expectation_failed : Outcome::wrong_script; }
+Outcome outcome_of(Errc code) {
+  return code == Errc::expectation ? Outcome::expectation_failed : Outcome::wrong_script;
+}
 
 /// One replay: the engine with the means to report on it.
 class Run {

@@ -32,8 +32,8 @@ struct ReplayOptions {
   std::optional<std::uint64_t> report_at_most;  ///< then report as with every = 0
   bool verify = false;
   bool generators = false;
-  const std::atomic<bool>* stop = nullptr;      ///< set from outside: finish the current step, then summarise
-  std::ostream* log = nullptr;                  ///< the operations applied, a line each, flushed after each
+  const std::atomic<bool>* stop = nullptr;  ///< set from outside: finish the current step, then summarise
+  std::ostream* log = nullptr;              ///< the operations applied, a line each, flushed after each
 };
 
 /// Replays a script into a fresh engine. Reports go to `reporter` (null: none), errors to `errors` (one line each),

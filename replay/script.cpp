@@ -50,8 +50,9 @@ bool ScriptReader::read_object_line() {
 
 Result<ops::Header> ScriptReader::header() {
   if (!read_object_line()) {
-    return Error{Errc::bad_input, name_ + ": this script is empty: its first object should be the header, such as "
-                                          "{\"sesame\":1,\"ring\":\"Z\",\"title\":\"torus\"}"};
+    return Error{Errc::bad_input, name_ +
+                                      ": this script is empty: its first object should be the header, such as "
+                                      "{\"sesame\":1,\"ring\":\"Z\",\"title\":\"torus\"}"};
   }
   Result<ops::Header> header = ops::parse_header(text_);
   if (!header) {

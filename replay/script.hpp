@@ -16,8 +16,8 @@ namespace sesame::replay {
 /// Reads a script line by line. Errors carry `NAME:LINE: what, and what would be right`.
 class ScriptReader {
  public:
-  /// `name` is what errors call the input. `wait_for_more` (optional) is called at the end of the input; while it returns
-  /// true the reader tries again, so that a file can be followed as it grows.
+  /// `name` is what errors call the input. `wait_for_more` (optional) is called at the end of the input; while it
+  /// returns true the reader tries again, so that a file can be followed as it grows.
   ScriptReader(std::istream& input, std::string name, std::function<bool()> wait_for_more = {});
 
   /// The header: the first object. To be called once, before `next`.

@@ -14,7 +14,8 @@ std::string short_time(double microseconds) {
   if (microseconds < 1e3) {
     return fmt::format("{:.1f} us", microseconds);
   }
-  return microseconds < 1e6 ? fmt::format("{:.1f} ms", microseconds / 1e3) : fmt::format("{:.2f} s", microseconds / 1e6);
+  return microseconds < 1e6 ? fmt::format("{:.1f} ms", microseconds / 1e3)
+                            : fmt::format("{:.2f} s", microseconds / 1e6);
 }
 
 class TableReporter final : public Reporter {
@@ -45,8 +46,8 @@ class TableReporter final : public Reporter {
       out_ << '\n';
     }
     const double rate = summary.seconds > 0 ? static_cast<double>(summary.steps) / summary.seconds : 0;
-    out_ << fmt::format("{}{} steps in {} ({:.0f} a second)\n", summary.interrupted ? "interrupted: " : "", summary.steps,
-                        short_time(summary.seconds * 1e6), rate);
+    out_ << fmt::format("{}{} steps in {} ({:.0f} a second)\n", summary.interrupted ? "interrupted: " : "",
+                        summary.steps, short_time(summary.seconds * 1e6), rate);
     out_ << fmt::format("cells {}, Euler characteristic {}\n",
                         engine.cells().empty() ? "none" : fmt::format("{}", fmt::join(engine.cells(), " ")),
                         engine.euler_characteristic());

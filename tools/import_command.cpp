@@ -52,8 +52,8 @@ int run_import(const Arguments& arguments) {
   }
   std::ostream& out = arguments.out == "-" ? std::cout : file;
   const ScriptOptions options{arguments.mesh, arguments.ring, arguments.polygons, arguments.order, true};
-  const Result<ScriptSummary> summary = arguments.assemble ? write_assembled_script(*mesh, out, options)
-                                                           : write_complex_script(*mesh, out, options);
+  const Result<ScriptSummary> summary =
+      arguments.assemble ? write_assembled_script(*mesh, out, options) : write_complex_script(*mesh, out, options);
   if (!summary) {
     return fail(arguments.mesh + ": " + summary.error().what,
                 summary.error().code == Errc::io ? Outcome::wrong_usage : Outcome::wrong_script);

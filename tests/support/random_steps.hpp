@@ -48,6 +48,21 @@ inline ops::MakeComplex multiples_of_a_loop(const std::string& name, int n, bool
   return complex;
 }
 
+/// One vertex, loops, and triangles on loops drawn at random: d_0 - d_1 + d_2 = 0 for any three, so H_1 is a random
+/// group, and its torsion does not lie on the surface.
+inline ops::MakeComplex random_relations(const std::string& name, Random& random) {
+  ops::MakeComplex complex{name, {{"v", {}, {}, {}}}};
+  const int loops = random.in(1, 4);
+  for (int k = 1; k <= loops; ++k) {
+    complex.cells.push_back({"e" + std::to_string(k), {}, {"v", "v"}, {}});
+  }
+  const auto loop = [&] { return "e" + std::to_string(random.in(1, loops)); };
+  for (int k = random.in(1, 6); k > 0; --k) {
+    complex.cells.push_back({"t" + std::to_string(k), {}, {loop(), loop(), loop()}, {}});
+  }
+  return complex;
+}
+
 /// Draws operations one after the other. Each is legal in the state for which it was drawn.
 class RandomSteps {
  public:
@@ -57,7 +72,8 @@ class RandomSteps {
 
   ops::Operation next(const ops::Structure& structure) {
     const std::vector<ops::CellId> cells = current_cells(structure);
-    if (cells.empty() || (cells.size() < shape_.most_cells && random_.one_in(cells.size() < 12 ? 2 : 4))) {
+    const bool is_large = cells.size() >= shape_.most_cells;
+    if (cells.empty() || (!is_large && !random_.one_in(cells.size() < shape_.most_cells / 2 ? 4 : 2))) {
       return growth(structure, cells);
     }
     return identification(structure, cells);
@@ -66,7 +82,7 @@ class RandomSteps {
   /// Pairs of current cells of equal types, at random.
   ops::Operation identification(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
     ops::Identify identify;
-    for (int pairs = random_.in(1, 3); pairs > 0; --pairs) {
+    for (int pairs = random_.one_in(3) ? random_.in(2, 3) : 1; pairs > 0; --pairs) {
       const ops::CellId a = pick(cells);
       std::vector<ops::CellId> like_a;
       for (const ops::CellId b : cells) {
@@ -94,10 +110,13 @@ class RandomSteps {
       const std::vector<ops::CellType> types{{1, 1}, {2, 1}, {1, 2}, {1, 1, 1}, {1}, {}};
       return ops::MakeSimploid{fresh_name(), types[static_cast<std::size_t>(random_.in(0, 5))], {}};
     }
-    if (kind <= 4) {
+    if (kind == 3) {
+      return random_relations(fresh_name(), random_);
+    }
+    if (kind <= 5) {
       return multiples_of_a_loop(fresh_name(), random_.in(1, 6), random_.one_in(2));
     }
-    if (kind <= 6 && shape_.cones) {
+    if (kind <= 7 && shape_.cones) {
       return cone(structure, cells);
     }
     return ops::MakeSimplex{fresh_name(), random_.in(0, 3), {}};

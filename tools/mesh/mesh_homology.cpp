@@ -123,17 +123,19 @@ class Generators {
     std::vector<MeshGenerator> finite;
     std::vector<MeshGenerator> infinite;
     LoopBasis torsion_loops;
-    const bool is_two_torsion =
-        !h.orders.empty() && std::all_of(h.orders.begin(), h.orders.end(), [](const Integer& t) { return t == 2; });
-    if (is_two_torsion) torsion_loops = short_loops(graph_, {sparse::Z2{}, &h.torsion, &h.free, {}});
-    for (const Loop& loop : torsion_loops.loops) finite.push_back(from_loop(loop, 2));
-    for (std::size_t k = 0; k < h.orders.size(); ++k) {
-      if (!is_two_torsion) finite.push_back(from_engine(h.torsion_cycles[k], h.orders[k]));
+    const auto prime = common_prime(h.orders);
+    if (prime) {
+      torsion_loops = short_loops(graph_, {*prime, &h.torsion, &h.free});
+      for (const Loop& loop : torsion_loops.loops) finite.push_back(from_loop(loop, h.orders[0]));
+      for (const auto& rest : torsion_loops.completion) {
+        finite.push_back(from_engine(sum(rest, h.torsion_cycles), h.orders[0]));
+      }
+    } else {
+      for (std::size_t k = 0; k < h.orders.size(); ++k) finite.push_back(from_engine(h.torsion_cycles[k], h.orders[k]));
     }
-    for (const auto& rest : torsion_loops.completion) finite.push_back(from_engine(sum(rest, h.torsion_cycles), 2));
     for (MeshGenerator& generator : finite) generator.bounding = bounding(generator);
 
-    const LoopBasis free_loops = short_loops(graph_, {ring_, &h.free, nullptr, roots(h.free_cycles)});
+    const LoopBasis free_loops = short_loops(graph_, {ring_, &h.free});
     for (const Loop& loop : free_loops.loops) infinite.push_back(from_loop(loop, 0));
     for (const auto& rest : free_loops.completion) infinite.push_back(from_engine(sum(rest, h.free_cycles), 0));
     result_.loops_tried = torsion_loops.tried + free_loops.tried;
@@ -141,16 +143,11 @@ class Generators {
     std::move(infinite.begin(), infinite.end(), std::back_inserter(result_.generators));
   }
 
-  /// A point on each of the first cycles.
-  [[nodiscard]] std::vector<std::uint32_t> roots(const std::vector<SmallChain>& cycles) {
-    constexpr std::size_t most = 64;
-    std::vector<std::uint32_t> points;
-    for (std::size_t i = 0; i < std::min(most, cycles.size()); ++i) {
-      const CellChain cycle = engine_.maps().apply_G(cycles[i]);
-      const auto [low, high] = ends(cycle.terms.front().cell);
-      if (low < graph_.points()) points.push_back(low);
-    }
-    return points;
+  /// Z/p when all orders are one prime p: then bases of the torsion are bases over Z/p.
+  [[nodiscard]] static std::optional<sparse::AnyRing> common_prime(const std::vector<Integer>& orders) {
+    if (orders.empty() || orders.front() != orders.back()) return std::nullopt;
+    const auto field = sparse::parse_ring("Z/" + orders.front().to_string());
+    return field ? std::optional{*field} : std::nullopt;
   }
 
   [[nodiscard]] static SmallChain sum(const Terms<Integers>& factors, const std::vector<SmallChain>& cycles) {

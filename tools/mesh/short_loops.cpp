@@ -170,7 +170,7 @@ class Search {
     if (search_.wanted->rank == 0) return std::move(found_);
     look_at_each_component();
     select();
-    look_from_roots();
+    look_from_spread_points();
     select();
     for (int round = 0; round < most_rounds && walked_ < search_.effort; ++round) {
       const double before = total_length();
@@ -184,7 +184,7 @@ class Search {
  private:
   static constexpr int most_rounds = 6;
   static constexpr std::size_t spread_per_component = 16;
-  static constexpr std::size_t roots_per_loop = 8;
+  static constexpr std::size_t roots_per_loop = 32;
   static constexpr std::size_t most_pooled_points = 4'000'000;
 
   void look_at_each_component() {
@@ -201,11 +201,9 @@ class Search {
     walked_ = 0;
   }
 
-  /// Half of the effort goes to roots given and spread, half to the loops found.
-  void look_from_roots() {
-    std::vector<std::uint32_t> roots = spread_;
-    roots.insert(roots.end(), search_.roots.begin(), search_.roots.end());
-    for (const auto root : roots) {
+  /// Half of the effort goes to points that are spread, half to those on the loops found.
+  void look_from_spread_points() {
+    for (const auto root : spread_) {
       if (walked_ > search_.effort / 2) return;
       look_from(root, longest_ / 2);
     }

@@ -61,8 +61,7 @@ struct LoopSearch {
   sparse::AnyRing ring;
   const Annotation* wanted = nullptr;  ///< whose R^rank the loops are to be a basis of
   const Annotation* zero = nullptr;    ///< over Z; if there is one, only loops that it sends to zero count
-  std::vector<std::uint32_t> roots;    ///< points to look from, besides those that the search chooses
-  std::uint64_t effort = 12'000'000;   ///< about how many ways to walk, once each component has been looked at
+  std::uint64_t effort = 20'000'000;   ///< about how many ways to walk, once each component has been looked at
 };
 
 struct LoopBasis {
@@ -76,9 +75,10 @@ struct LoopBasis {
 ///
 /// From a root, shortest paths make a tree, and each edge outside it a loop; cut where its two paths part it is simple.
 /// Of the loops from all roots the shortest are taken that can still be completed to a basis. Roots are one point per
-/// component, those given, some spread over the component, and then points on the loops that were taken, with shorter
-/// and shorter reach. With every point as a root this would be the basis of least total length (Erickson and
-/// Whittlesey, "Greedy optimal homotopy and homology generators", 2005); with some it is short, but perhaps not least.
+/// component, some spread over it, and then points on the loops that were taken, each with half of its loop as reach.
+/// With every point as a root this would, over a field, be the basis of least total length (J. Erickson and
+/// K. Whittlesey, "Greedy optimal homotopy and homology generators", 2005); with some it is short, but perhaps not
+/// least.
 ///
 /// Loops are told apart by a linear fingerprint of their class; only those taken into account have their class
 /// computed. Deterministic. Cost: the effort, times a logarithm, plus the linear algebra on the loops compared.

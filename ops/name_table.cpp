@@ -1,0 +1,79 @@
+#include "ops/name_table.hpp"
+
+#include <functional>
+
+#include "sparse/contract.hpp"
+
+namespace sesame::ops {
+namespace {
+
+constexpr std::uint32_t vacant = UINT32_MAX;
+
+}  // namespace
+
+std::uint32_t NameTable::hash_of(std::string_view text) {
+  const std::size_t hash = std::hash<std::string_view>{}(text);
+  return static_cast<std::uint32_t>(hash ^ (hash >> 32U));
+}
+
+const NameTable::Name* NameTable::find(std::string_view text, std::uint32_t hash) const {
+  if (slots_.empty()) {
+    return nullptr;
+  }
+  const std::size_t mask = slots_.size() - 1;
+  for (std::size_t at = hash & mask; slots_[at].number != vacant; at = (at + 1) & mask) {
+    if (slots_[at].hash == hash && names_[slots_[at].number].text == text) {
+      return &names_[slots_[at].number];
+    }
+  }
+  return nullptr;
+}
+
+void NameTable::add(std::string_view text, std::uint32_t cell, std::uint32_t body) {
+  if (2 * (names_.size() + 1) > slots_.size()) {
+    grow();
+  }
+  const std::uint32_t hash = hash_of(text);
+  sparse::expects(find(text, hash) == nullptr, "a plan's new names are free");
+  insert({hash, size()});
+  names_.push_back({std::string{text}, cell, body});
+}
+
+void NameTable::insert(Slot slot) {
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t at = slot.hash & mask;
+  while (slots_[at].number != vacant) {
+    at = (at + 1) & mask;
+  }
+  slots_[at] = slot;
+}
+
+void NameTable::grow() {
+  std::vector<Slot> old(slots_.empty() ? 64 : 2 * slots_.size(), Slot{0, vacant});
+  old.swap(slots_);
+  for (const Slot& slot : old) {
+    if (slot.number != vacant) {
+      insert(slot);
+    }
+  }
+}
+
+void NameTable::pop_back() {
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t hole = hash_of(names_.back().text) & mask;
+  while (slots_[hole].number != size() - 1) {
+    hole = (hole + 1) & mask;
+  }
+  // Close the gap: what follows moves up unless it would pass the slot that its hash asks for.
+  for (std::size_t at = (hole + 1) & mask; slots_[at].number != vacant; at = (at + 1) & mask) {
+    const std::size_t wanted = slots_[at].hash & mask;
+    if (((at - wanted) & mask) >= ((at - hole) & mask)) {
+      slots_[hole] = slots_[at];
+      hole = at;
+    }
+  }
+  slots_[hole].number = vacant;
+  names_.pop_back();
+}
+
+}  // namespace sesame::ops

@@ -1,0 +1,200 @@
+// State is the fold of the log: undo, determinism, refusals.
+#include "tests/support/engines.hpp"
+#include "tests/support/random_steps.hpp"
+
+using namespace sesame;
+using namespace sesame::tests;
+
+namespace {
+
+/// What a fresh engine says after these operations.
+std::string dump_of(const AnyRing& ring, const std::vector<ops::Operation>& operations) {
+  Engine engine(ring);
+  for (const ops::Operation& op : operations) {
+    carry_out(engine, op);
+  }
+  return dump(engine);
+}
+
+/// Reads this and that, so that results are memoised at all moments.
+void look_around(Engine& engine, Random& random) {
+  const auto cells = current_cells(engine.structure());
+  if (cells.empty()) {
+    return;
+  }
+  switch (random.in(0, 4)) {
+    case 0:
+      (void)engine.homology();
+      break;
+    case 1:
+      (void)engine.generators(random.in(0, 2));
+      break;
+    case 2: {
+      const ops::CellId c = cells[static_cast<std::size_t>(random.in(0, static_cast<int>(cells.size()) - 1))];
+      carry_out(engine, ops::AskClass{{{Integer{random.in(-3, 3)}, std::string{engine.structure().name(c)}}}});
+      break;
+    }
+    case 3:
+      for (const ops::CellId c : cells) {
+        (void)engine.maps().apply_F({engine.structure().dimension(c), {{1, c}}});
+      }
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("after undo the engine is a fresh one that was given what is left", "[engine][stream]") {
+  const unsigned seed = GENERATE(range(0U, 30U));
+  const std::string ring = GENERATE("Z", "Z/2", "Z/3");
+  CAPTURE(seed, ring);
+  Engine engine(ring_named(ring));
+  RandomSteps random(seed, {.most_cells = 35, .simploids = true, .cones = true});
+  std::vector<ops::Operation> left;
+  for (int k = 0; k < 40; ++k) {
+    look_around(engine, random.random());
+    while (left.size() < engine.undoable()) {
+      left.push_back(engine.log().back());  // look_around may ask a question, which is a step
+    }
+    if (!left.empty() && random.random().one_in(5)) {
+      const int most = static_cast<int>(left.size());
+      const auto steps =
+          static_cast<std::size_t>(random.random().one_in(4) ? most : random.random().in(1, std::min(most, 4)));
+      CAPTURE(k, steps);
+      REQUIRE(engine.undo(steps));
+      left.resize(left.size() - steps);
+      REQUIRE(engine.undoable() == left.size());
+      REQUIRE(dump(engine) == dump_of(ring_named(ring), left));
+      continue;
+    }
+    const ops::Operation op = random.next(engine.structure());
+    carry_out(engine, op);
+    left.push_back(op);
+  }
+  REQUIRE(dump(engine) == dump_of(ring_named(ring), left));
+  REQUIRE(engine.undo(engine.undoable()));
+  CHECK(dump(engine) == dump_of(ring_named(ring), {}));
+  for (const ops::Operation& op : left) {
+    carry_out(engine, op);
+  }
+  CHECK(dump(engine) == dump_of(ring_named(ring), left));
+}
+
+TEST_CASE("undoing one step at a time passes through every earlier state", "[engine][stream]") {
+  const unsigned seed = GENERATE(range(30U, 50U));
+  CAPTURE(seed);
+  Engine engine;
+  RandomSteps random(seed, {.most_cells = 35, .simploids = true, .cones = true});
+  std::vector<std::string> states;
+  for (int k = 0; k < 25; ++k) {
+    states.push_back(dump(engine));
+    carry_out(engine, random.next(engine.structure()));
+  }
+  while (!states.empty()) {
+    REQUIRE(engine.undo());
+    REQUIRE(dump(engine) == states.back());
+    states.pop_back();
+  }
+  CHECK(engine.undoable() == 0);
+  CHECK_FALSE(engine.undo());
+}
+
+TEST_CASE("laws hold after undo and in what is built upon it", "[engine][stream]") {
+  const unsigned seed = GENERATE(range(50U, 64U));
+  CAPTURE(seed);
+  Engine engine;
+  RandomSteps random(seed, {.most_cells = 35, .simploids = true, .cones = true});
+  for (int round = 0; round < 5; ++round) {
+    for (int k = 0; k < 8; ++k) {
+      carry_out(engine, random.next(engine.structure()));
+    }
+    (void)engine.generators(1);
+    REQUIRE(engine.undo(static_cast<std::uint64_t>(random.random().in(1, 8))));
+    REQUIRE(engine.first_defect().value_or("") == "");
+  }
+}
+
+TEST_CASE("the same log gives the same answers to the byte, and replays itself", "[engine][stream]") {
+  const unsigned seed = GENERATE(range(70U, 74U));
+  CAPTURE(seed);
+  Engine engine;
+  RandomSteps random(seed, {.most_cells = 40, .simploids = true, .cones = true});
+  for (int k = 0; k < 30; ++k) {
+    look_around(engine, random.random());
+    if (engine.undoable() > 3 && random.random().one_in(6)) {
+      REQUIRE(engine.undo(2));
+    } else {
+      carry_out(engine, random.next(engine.structure()));
+    }
+  }
+  // Through text, undos included.
+  Engine again;
+  for (const ops::Operation& op : engine.log()) {
+    carry_out(again, ops::to_text(op));
+  }
+  CHECK(dump(again) == dump(engine));
+  CHECK(again.undoable() == engine.undoable());
+  CHECK(again.log().size() == engine.log().size());
+}
+
+TEST_CASE("a refused operation leaves everything as it was", "[engine]") {
+  const unsigned seed = GENERATE(range(80U, 83U));
+  CAPTURE(seed);
+  Engine engine{sparse::Integers{}, ops::Limits{.cells_of_standard = 63, .cells_per_step = 200, .cells = 4000}};
+  RandomSteps random(seed, {.most_cells = 40, .simploids = true, .cones = true});
+  int observed = 0;
+  engine.observe([&](const ops::Operation&, const engine::StepReport&) { ++observed; });
+  build(engine, {R"({"op":"simplex","name":"t","dim":2})", R"({"op":"simploid","name":"q","type":[1,1]})"});
+  for (int k = 0; k < 12; ++k) {
+    carry_out(engine, random.next(engine.structure()));
+  }
+  const std::string before = dump(engine);
+  const std::size_t steps = engine.log().size();
+  const int seen = observed;
+  const std::vector<std::pair<std::string, Errc>> wrong{
+      {R"({"op":"simplex","name":"t","dim":1})", Errc::bad_input},
+      {R"({"op":"simplex","name":"a b","dim":1})", Errc::bad_input},
+      {R"({"op":"simplex","name":"large","dim":9})", Errc::refused},
+      {R"({"op":"simploid","name":"t.0","type":[1]})", Errc::bad_input},
+      {R"({"op":"complex","name":"K","cells":[{"id":"e","faces":["a","b"]}]})", Errc::unknown_name},
+      {R"({"op":"complex","name":"K","cells":[{"id":"a"},{"id":"b"},{"id":"e","faces":["a","b"]},{"id":"f","faces":["e","e","e"]}]})",
+       Errc::bad_input},
+      {R"({"op":"cone","apex":"t"})", Errc::bad_input},
+      {R"({"op":"cone","apex":"w","over":"nobody"})", Errc::unknown_name},
+      {R"({"op":"cone","apex":"w","over":["t","q"]})", Errc::refused},
+      {R"({"op":"identify","pairs":[["t.0","t.1"],["t","nobody"]]})", Errc::unknown_name},
+      {R"({"op":"identify","pairs":[["t.0","t.1"],["t","q"]]})", Errc::refused},
+      {R"({"op":"expect","euler":-77})", Errc::expectation},
+      {R"({"op":"expect","betti":[0]})", Errc::expectation},
+      {R"({"op":"class","chain":[[1,"nobody"]]})", Errc::unknown_name},
+      {R"({"op":"class","chain":[[1,"t.0"],[1,"t"]]})", Errc::bad_input},
+      {R"({"op":"undo","steps":1000})", Errc::refused}};
+  for (const auto& [line, code] : wrong) {
+    CAPTURE(line);
+    const auto result = engine.apply(operation(line));
+    REQUIRE_FALSE(result);
+    CHECK(result.error().code == code);
+    CHECK_FALSE(result.error().what.empty());
+    CHECK(dump(engine) == before);
+    CHECK(engine.log().size() == steps);
+    CHECK(engine.undoable() == steps);
+    CHECK(observed == seen);
+  }
+  CHECK(engine.first_defect().value_or("") == "");
+}
+
+TEST_CASE("a plan is worked out without doing it", "[engine]") {
+  Engine engine;
+  build(engine, {R"({"op":"simplex","name":"t","dim":2})", R"({"op":"simplex","name":"u","dim":2})"});
+  const std::string before = dump(engine);
+  const auto plan = engine.plan(operation(R"({"op":"identify","pairs":[["t.0-1","u.0-1"]]})"));
+  REQUIRE(plan);
+  CHECK(plan->merges.size() == 3);
+  CHECK(plan->cells.empty());
+  CHECK_FALSE(engine.plan(operation(R"({"op":"identify","pairs":[["t","u.0"]]})")));
+  CHECK(engine.plan(operation(R"({"op":"note","text":""})"))->changes_nothing());
+  CHECK(dump(engine) == before);
+  CHECK(engine.log().size() == 2);
+}

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "replay/script.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/tools/mesh_support.hpp"
+#include "tools/commands.hpp"
+#include "tools/mesh/script.hpp"
+
+namespace sesame::tools {
+
+namespace {
+
+using namespace testing;
+using Catch::Matchers::Contains;
+using nlohmann::json;
+
+/// Sends a standard stream into a string while it lives.
+class Captured {
+ public:
+  explicit Captured(std::ostream& stream) : stream_{stream}, before_{stream.rdbuf(text_.rdbuf())} {}
+  Captured(const Captured&) = delete;
+  Captured& operator=(const Captured&) = delete;
+  ~Captured() { stream_.rdbuf(before_); }
+  [[nodiscard]] std::string text() const { return text_.str(); }
+
+ private:
+  std::ostringstream text_;
+  std::ostream& stream_;
+  std::streambuf* before_;
+};
+
+struct Run {
+  int status = 0;
+  std::string out;
+  std::string errors;
+};
+
+Run run(std::vector<std::string> arguments) {
+  const Captured out{std::cout};
+  const Captured errors{std::cerr};
+  CLI::App app{"sesame"};
+  Run run;
+  add_mesh_command(app, run.status);
+  std::reverse(arguments.begin(), arguments.end());
+  arguments.emplace_back("mesh");
+  try {
+    app.parse(arguments);
+  } catch (const CLI::ParseError&) {
+    run.status = 1;
+  }
+  run.out = out.text();
+  run.errors = errors.text();
+  return run;
+}
+
+}  // namespace
+
+TEST_CASE("sesame mesh --json gives one object with validity, groups and generators") {
+  const Run result = run({"--json", mesh_path("torus.off")});
+  REQUIRE(result.status == 0);
+  CHECK(result.errors.empty());
+  const json object = json::parse(result.out);
+  CHECK(object.at("ring") == "Z");
+  CHECK(object.at("betti") == json::array({1, 2, 1}));
+  CHECK(object.at("torsion") == json::parse("[[],[],[]]"));
+  CHECK(object.at("euler") == 0);
+  CHECK(object.at("validity").at("closed") == true);
+  CHECK(object.at("validity").at("components").at(0).at("genus") == 1);
+  CHECK(object.at("generators").size() == 4);
+  for (const json& generator : object.at("generators")) {
+    if (generator.at("dim") != 1) continue;
+    CHECK(generator.at("closed") == true);
+    CHECK(generator.at("order") == 0);
+    CHECK(generator.at("length").get<double>() > 0);
+    CHECK(generator.at("vertices").size() == generator.at("chain").size());
+  }
+}
+
+TEST_CASE("chains of sesame mesh can be asked about in the script of sesame import") {
+  const json object = json::parse(run({"--json", mesh_path("torus.off")}).out);
+  std::stringstream script;
+  REQUIRE(write_complex_script(read_fixture("torus.off"), script, {mesh_path("torus.off")}));
+  replay::ScriptReader reader{script, "script"};
+  REQUIRE(reader.header());
+  engine::Engine engine;
+  for (auto operation = reader.next(); operation && operation->has_value(); operation = reader.next()) {
+    REQUIRE(engine.apply(**operation));
+  }
+  for (const json& generator : object.at("generators")) {
+    const auto asked = ops::parse_operation(json{{"op", "class"}, {"chain", generator.at("chain")}}.dump());
+    REQUIRE(asked);
+    const auto report = engine.apply(*asked);
+    REQUIRE(report);
+    CHECK(report->answer->is_cycle);
+    CHECK_FALSE(report->answer->is_zero);
+  }
+}
+
+TEST_CASE("sesame mesh tells people what they need to know") {
+  const Run result = run({mesh_path("torus.off")});
+  CHECK(result.status == 0);
+  CHECK_THAT(result.out, Contains("H1 = Z^2"));
+  CHECK_THAT(result.out, Contains("2 tunnels"));
+  CHECK_THAT(result.out, Contains("1 handle"));
+  CHECK_THAT(result.out, Contains("1 cavity"));
+  CHECK_THAT(result.out, Contains("not unique"));
+  CHECK_THAT(result.out, Contains("not a proof"));
+}
+
+TEST_CASE("--generators-limit cuts the lists and says so") {
+  const Run one = run({mesh_path("torus.off"), "--generators-limit", "1"});
+  CHECK_THAT(one.out, Contains("and 1 more; --generators-limit 2 shows all"));
+  const Run none = run({mesh_path("torus.off"), "--generators-limit", "0"});
+  CHECK_THAT(none.out, !Contains("generators of"));
+  CHECK_THAT(none.out, Contains("H1 = Z^2"));
+  const json object = json::parse(run({"--json", mesh_path("torus.off"), "--generators-limit", "2"}).out);
+  CHECK(object.at("generators").size() == 2);
+}
+
+TEST_CASE("over a field the report names the field and warns about torsion") {
+  const Run result = run({mesh_path("torus.off"), "--ring", "Z/2"});
+  CHECK_THAT(result.out, Contains("homology over Z/2"));
+  CHECK_THAT(result.out, Contains("(Z/2)^2"));
+  CHECK_THAT(result.out, Contains("--ring Z tells them apart"));
+}
+
+TEST_CASE("wrong usage ends with 1, a wrong mesh with 2 and the place of the fault") {
+  CHECK(run({"there_is_no_such.off"}).status == 1);
+  CHECK(run({mesh_path("torus.off"), "--ring", "Q"}).status == 1);
+  CHECK(run({mesh_path("torus.off"), "--generators-limit", "-1"}).status == 1);
+  CHECK(run({}).status == 1);
+  const Run wrong = run({mesh_path("wrong_index.off")});
+  CHECK(wrong.status == 2);
+  CHECK(wrong.out.empty());
+  CHECK_THAT(wrong.errors, Contains("wrong_index.off:"));
+}
+
+TEST_CASE("every mesh that can be read gets a report") {
+  for (const auto& entry : std::filesystem::directory_iterator{SESAME_TEST_MESHES}) {
+    const std::string path = entry.path().string();
+    INFO(path);
+    for (const char* ring : {"Z", "Z/2", "Z/5"}) {
+      const Run result = run({path, "--ring", ring});
+      CHECK((result.status == 0 ? !result.out.empty() : result.status == 2 && !result.errors.empty()));
+    }
+  }
+}
+
+}  // namespace sesame::tools
