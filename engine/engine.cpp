@@ -71,7 +71,7 @@ Engine::Engine(sparse::AnyRing ring, ops::Limits limits)
 
 Engine::~Engine() = default;
 
-Result<StepReport> Engine::apply(const ops::Operation& operation) {
+Result<StepReport> Engine::apply(ops::Operation operation) {
   Result<StepReport> result = std::visit(Overloaded{[&](const ops::Undo& undo) { return take_back(undo); },
                                                     [&](const ops::Expect& expected) -> Result<StepReport> {
                                                       if (Status status = check(expected); !status) {
@@ -97,7 +97,7 @@ Result<StepReport> Engine::apply(const ops::Operation& operation) {
                                                     [&](const auto&) { return construct(operation); }},
                                          operation);
   if (result) {
-    finish(operation, *result);
+    finish(std::move(operation), *result);
   }
   return result;
 }
@@ -197,8 +197,8 @@ void Engine::push_history() {
   tracker_->push_mark();
 }
 
-void Engine::finish(const ops::Operation& operation, StepReport& report) {
-  log_.push_back(operation);
+void Engine::finish(ops::Operation operation, const StepReport& report) {
+  log_.push_back(std::move(operation));
   SPDLOG_DEBUG("step {} ({}): {} cells created, {} removed", report.step, report.op, report.after.created,
                report.after.links);
   for (const Observer& observer : observers_) {

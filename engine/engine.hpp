@@ -64,7 +64,7 @@ class Engine {
   /// Cost      the cells that the step touches, times their dimension, plus the vectors that are rewritten: independent
   /// of
   ///           the size of the object and of the length of the history. An Undo costs what the steps taken back did.
-  Result<StepReport> apply(const ops::Operation& operation);
+  Result<StepReport> apply(ops::Operation operation);
   /// What a construction operation would do, without doing it.
   Result<ops::Plan> plan(const ops::Operation& operation);
   /// Takes back the last n steps (an Undo operation without the operation's text).
@@ -123,7 +123,7 @@ class Engine {
   Status check(const ops::Expect& expected);
   Result<StepReport> take_back(const ops::Undo& operation);
   StepReport begin_report(const ops::Operation& operation) const;
-  void finish(const ops::Operation& operation, StepReport& report);
+  void finish(ops::Operation operation, const StepReport& report);
   void push_history();
 
   sparse::AnyRing ring_;

@@ -42,7 +42,7 @@ class Run {
       if (!*operation) {
         break;
       }
-      outcome = step(engine, **operation);
+      outcome = step(engine, std::move(**operation));
     }
     if (outcome != Outcome::done) {
       return outcome;
@@ -63,15 +63,15 @@ class Run {
  private:
   [[nodiscard]] bool is_stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
-  Outcome step(engine::Engine& engine, const ops::Operation& operation) {
+  Outcome step(engine::Engine& engine, ops::Operation operation) {
     const auto start = Clock::now();
-    const Result<engine::StepReport> report = engine.apply(operation);
+    const Result<engine::StepReport> report = engine.apply(std::move(operation));
     if (!report) {
       return fail(script_.place() + report.error().what, outcome_of(report.error().code));
     }
     ++steps_;
     if (options_.log != nullptr) {
-      *options_.log << ops::to_text(operation) << '\n' << std::flush;
+      *options_.log << ops::to_text(engine.log().back()) << '\n' << std::flush;
     }
     const bool is_due = options_.every > 0 && steps_ % options_.every == 0 &&
                         (!options_.report_at_most || reported_ < *options_.report_at_most);

@@ -107,7 +107,7 @@ TEST_CASE("a step costs the same after ten steps and after thousands", "[engine]
   CHECK(live_groups(engine) == std::vector<AbelianGroup>{group(1), group(1)});
 }
 
-TEST_CASE("a step that does more costs more, and a question costs what it reads", "[engine]") {
+TEST_CASE("a step that does more costs more, and one that does nothing costs nothing", "[engine]") {
   Engine engine;
   const auto small = work_of(engine, {R"({"op":"simplex","name":"a","dim":2})"});
   const auto large = work_of(engine, {R"({"op":"simplex","name":"b","dim":7})"});
