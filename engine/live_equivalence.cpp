@@ -319,29 +319,39 @@ CellChain LiveEquivalence<R>::to_chain(int degree, const Terms<R>& cells) const 
 }
 
 template <Ring R>
-SmallChain LiveEquivalence<R>::apply_F(const CellChain& chain) {
-  const Terms<R> image = rewriter_.rewrite(g(chain));
-  SmallChain out{chain.degree, {}};
-  if (image.empty()) {
+SmallChain LiveEquivalence<R>::to_small(int degree, const Terms<R>& chain_of_s) const {
+  SmallChain out{degree, {}};
+  if (chain_of_s.empty()) {
     return out;
   }
-  const std::vector<Symbol> symbols = rewriter_.small(chain.degree);
-  for (const Term<R>& term : image) {
-    const auto at = std::find(symbols.begin(), symbols.end(), term.index);
+  const std::vector<Symbol> symbols = rewriter_.small(degree);  // oldest first: increasing
+  for (const Term<R>& term : chain_of_s) {
+    const auto at = std::lower_bound(symbols.begin(), symbols.end(), term.index);
     out.terms.push_back({ring_.to_integer(term.coefficient), static_cast<std::uint32_t>(at - symbols.begin())});
   }
   return out;
 }
 
 template <Ring R>
-CellChain LiveEquivalence<R>::apply_G(const SmallChain& chain) {
+Terms<R> LiveEquivalence<R>::to_symbols(const SmallChain& chain) const {
   const std::vector<Symbol> symbols = rewriter_.small(chain.degree);
-  Terms<R> in_symbols;
+  Terms<R> out;
   for (const auto& [coefficient, generator] : chain.terms) {
-    in_symbols.push_back({symbols.at(generator), ring_.from(coefficient)});
+    expects(generator < symbols.size(), "a chain of the small complex is made of its generators");
+    out.push_back({symbols[generator], ring_.from(coefficient)});
   }
-  sparse::normalize(ring_, in_symbols);
-  return to_cells(chain.degree, rewriter_.lift(in_symbols));
+  sparse::normalize(ring_, out);
+  return out;
+}
+
+template <Ring R>
+SmallChain LiveEquivalence<R>::apply_F(const CellChain& chain) {
+  return to_small(chain.degree, rewriter_.rewrite(g(chain)));
+}
+
+template <Ring R>
+CellChain LiveEquivalence<R>::apply_G(const SmallChain& chain) {
+  return to_cells(chain.degree, rewriter_.lift(to_symbols(chain)));
 }
 
 template <Ring R>
@@ -377,19 +387,7 @@ Terms<R> LiveEquivalence<R>::core_boundary(std::span<const Term<R>> chain_of_s) 
 
 template <Ring R>
 SmallChain LiveEquivalence<R>::boundary(const SmallChain& chain) {
-  const std::vector<Symbol> symbols = rewriter_.small(chain.degree);
-  Terms<R> in_symbols;
-  for (const auto& [coefficient, generator] : chain.terms) {
-    in_symbols.push_back({symbols.at(generator), ring_.from(coefficient)});
-  }
-  sparse::normalize(ring_, in_symbols);
-  const std::vector<Symbol> below = rewriter_.small(chain.degree - 1);
-  SmallChain out{chain.degree - 1, {}};
-  for (const Term<R>& term : core_boundary(in_symbols)) {
-    const auto at = std::find(below.begin(), below.end(), term.index);
-    out.terms.push_back({ring_.to_integer(term.coefficient), static_cast<std::uint32_t>(at - below.begin())});
-  }
-  return out;
+  return to_small(chain.degree - 1, core_boundary(to_symbols(chain)));
 }
 
 // ---------------------------------------------------------------------------------------------------- matrices, laws

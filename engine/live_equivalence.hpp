@@ -66,6 +66,8 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] Terms<R> g(const CellChain& chain) const;
   [[nodiscard]] CellChain to_cells(int degree, const Terms<R>& chain_of_b) const;
   [[nodiscard]] CellChain to_chain(int degree, const Terms<R>& cells) const;
+  [[nodiscard]] SmallChain to_small(int degree, const Terms<R>& chain_of_s) const;
+  [[nodiscard]] Terms<R> to_symbols(const SmallChain& chain) const;
   [[nodiscard]] Terms<R> core_boundary(std::span<const sparse::Term<R>> chain_of_s) const;
 
   R ring_;
