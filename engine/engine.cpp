@@ -72,34 +72,44 @@ Engine::Engine(sparse::AnyRing ring, ops::Limits limits)
 Engine::~Engine() = default;
 
 Result<StepReport> Engine::apply(ops::Operation operation) {
-  Result<StepReport> result = std::visit(Overloaded{[&](const ops::Undo& undo) { return take_back(undo); },
-                                                    [&](const ops::Expect& expected) -> Result<StepReport> {
-                                                      if (Status status = check(expected); !status) {
-                                                        return status.error();
-                                                      }
-                                                      push_history();
-                                                      return begin_report(operation);
-                                                    },
-                                                    [&](const ops::AskClass& question) -> Result<StepReport> {
-                                                      const Result<CellChain> asked = chain(question.chain);
-                                                      if (!asked) {
-                                                        return asked.error();
-                                                      }
-                                                      StepReport report = begin_report(operation);
-                                                      report.answer = classify(*asked);
-                                                      push_history();
-                                                      return report;
-                                                    },
-                                                    [&](const ops::Note&) -> Result<StepReport> {
-                                                      push_history();
-                                                      return begin_report(operation);
-                                                    },
-                                                    [&](const auto&) { return construct(operation); }},
-                                         operation);
+  sparse::expects(!is_broken_, "a step was cut off by an exception: the log is intact, make a new engine from it");
+  is_broken_ = true;  // until this has come to its end
+  Result<StepReport> result = carry_out(operation);
   if (result) {
-    finish(std::move(operation), *result);
+    log_.push_back(std::move(operation));
+  }
+  is_broken_ = false;
+  if (result) {
+    notify(*result);
   }
   return result;
+}
+
+Result<StepReport> Engine::carry_out(const ops::Operation& operation) {
+  return std::visit(Overloaded{[&](const ops::Undo& undo) { return take_back(undo); },
+                               [&](const ops::Expect& expected) -> Result<StepReport> {
+                                 if (Status status = check(expected); !status) {
+                                   return status.error();
+                                 }
+                                 push_history();
+                                 return begin_report(operation);
+                               },
+                               [&](const ops::AskClass& question) -> Result<StepReport> {
+                                 const Result<CellChain> asked = chain(question.chain);
+                                 if (!asked) {
+                                   return asked.error();
+                                 }
+                                 StepReport report = begin_report(operation);
+                                 report.answer = classify(*asked);
+                                 push_history();
+                                 return report;
+                               },
+                               [&](const ops::Note&) -> Result<StepReport> {
+                                 push_history();
+                                 return begin_report(operation);
+                               },
+                               [&](const auto&) { return construct(operation); }},
+                    operation);
 }
 
 Result<ops::Plan> Engine::plan(const ops::Operation& operation) {
@@ -134,15 +144,8 @@ Result<StepReport> Engine::construct(const ops::Operation& operation) {
   }
   StepReport report = begin_report(operation);
   push_history();
-  try {
-    structure_.apply(plan_);
-    tracker_->extend();
-  } catch (...) {  // out of memory half-way: as if nothing had happened
-    structure_.truncate(history_.back());
-    history_.pop_back();
-    tracker_->undo_to_mark();
-    throw;
-  }
+  structure_.apply(plan_);
+  tracker_->extend();
   report.after = ops::now(structure_);
   if (!plan_.changes_nothing()) {
     const std::uint64_t before = report.before.created - report.before.links;
@@ -197,8 +200,7 @@ void Engine::push_history() {
   tracker_->push_mark();
 }
 
-void Engine::finish(ops::Operation operation, const StepReport& report) {
-  log_.push_back(std::move(operation));
+void Engine::notify(const StepReport& report) const {
   SPDLOG_DEBUG("step {} ({}): {} cells created, {} removed", report.step, report.op, report.after.created,
                report.after.links);
   for (const Observer& observer : observers_) {

@@ -46,7 +46,8 @@ using Observer = std::function<void(const ops::Operation&, const StepReport&)>;
 /// A workspace: several bodies of cells, their log, and their homology over one ring.
 ///
 /// State is the fold of the log: two engines given the same operations over the same ring answer every query alike, to
-/// the byte. An operation happens wholly or, on an error, not at all.
+/// the byte. An operation happens wholly or, on an error, not at all. An exception (memory that runs out) may cut a step
+/// or a query off: then the log has every step before it, the engine takes no further one, and its answers are void.
 ///
 /// Not thread-safe: queries bring memoised results up to date.
 class Engine {
@@ -119,11 +120,12 @@ class Engine {
   [[nodiscard]] std::optional<std::string> first_defect();
 
  private:
+  Result<StepReport> carry_out(const ops::Operation& operation);
   Result<StepReport> construct(const ops::Operation& operation);
   Status check(const ops::Expect& expected);
   Result<StepReport> take_back(const ops::Undo& operation);
   StepReport begin_report(const ops::Operation& operation) const;
-  void finish(ops::Operation operation, const StepReport& report);
+  void notify(const StepReport& report) const;
   void push_history();
 
   sparse::AnyRing ring_;
@@ -134,6 +136,7 @@ class Engine {
   std::vector<ops::Operation> log_;
   std::vector<ops::StructureMark> history_;  ///< before each step that can be undone
   std::vector<Observer> observers_;
+  bool is_broken_ = false;  ///< a step began and has not come to its end
 };
 
 }  // namespace sesame::engine

@@ -84,8 +84,6 @@ class HomologyTracker {
   /// been truncated to the same moment first.
   virtual void push_mark() = 0;
   virtual void undo_to_mark() = 0;
-  /// Forgets the last moment remembered, without going back.
-  virtual void drop_mark() = 0;
 
   /// Betti numbers, torsion and sizes, with an entry for each of the first `dimensions` degrees: those that have cells.
   /// Cost O(dimensions), plus a Smith form of the core when that changed.

@@ -22,7 +22,6 @@ class LiveEquivalence final : public HomologyTracker {
   void extend() override;
   void push_mark() override;
   void undo_to_mark() override;
-  void drop_mark() override { marks_.pop_back(); }
 
   [[nodiscard]] Homology homology(std::size_t dimensions) override;
   [[nodiscard]] std::vector<Generator> generators(int degree) override;

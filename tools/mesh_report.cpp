@@ -171,9 +171,9 @@ std::vector<std::string> meaning(const MeshHomology& found, std::size_t degree) 
         counted(betti, "tunnel: a loop that nothing fills in", "tunnels: independent loops that nothing fills in"));
     if (const std::string origin = origin_of_tunnels(found.validity); !origin.empty()) lines.push_back(origin);
   } else {
-    lines.push_back(has_torsion ? "no tunnels" : "no tunnels: every loop is filled in");
+    lines.emplace_back(has_torsion ? "no tunnels" : "no tunnels: every loop is filled in");
   }
-  if (has_torsion) lines.push_back("torsion: loops that are filled in only when they are run several times");
+  if (has_torsion) lines.emplace_back("torsion: loops that are filled in only when they are run several times");
   return lines;
 }
 

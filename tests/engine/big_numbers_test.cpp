@@ -1,5 +1,6 @@
 // Coefficients and orders far beyond 64 bits: exact, in every answer.
 #include "tests/support/engines.hpp"
+#include "tests/support/loops.hpp"
 #include "tests/support/random_steps.hpp"
 
 using namespace sesame;
@@ -14,54 +15,6 @@ Integer power(const Integer& base, int exponent) {
   }
   return result;
 }
-
-/// One vertex, and loops that are multiples of one another by triangles: a mapping telescope.
-class Telescope {
- public:
-  explicit Telescope(std::string name) : complex_{std::move(name), {{"v", {}, {}, {}}}} {
-    add_loop("c");  // c = 0 by the triangle d
-    add_triangle("d", "c", "c", "c");
-  }
-
-  void add_loop(const std::string& loop) { complex_.cells.push_back({loop, {}, {"v", "v"}, {}}); }
-  /// x - y + z = 0.
-  void add_triangle(const std::string& id, const std::string& x, const std::string& y, const std::string& z) {
-    complex_.cells.push_back({id, {}, {x, y, z}, {}});
-  }
-  /// A new loop that is `factor` times `loop`: its name.
-  std::string multiple(const std::string& loop, int factor) {
-    std::string last = loop;
-    for (int k = 2; k <= factor; ++k) {
-      const std::string next = loop + "'" + std::to_string(++count_);
-      add_loop(next);
-      add_triangle("t" + next, loop, next, last);
-      last = next;
-    }
-    return last;
-  }
-  /// A loop that is factor^levels times `loop`.
-  std::string tower(std::string loop, int factor, int levels) {
-    for (; levels > 0; --levels) {
-      std::string next = "a" + std::to_string(++count_);
-      add_loop(next);
-      add_triangle("s" + next, "c", next, multiple(loop, factor));  // c = 0: next = the multiple
-      loop = std::move(next);
-    }
-    return loop;
-  }
-  void kill(const std::string& loop) { add_triangle("k" + loop, "c", loop, "c"); }
-
-  ops::MakeComplex take() { return complex_; }
-  ops::MakeComplex reversed() const {
-    ops::MakeComplex complex = complex_;
-    std::reverse(complex.cells.begin(), complex.cells.end());
-    return complex;
-  }
-
- private:
-  ops::MakeComplex complex_;
-  int count_ = 0;
-};
 
 /// Asks for the class of a loop times a number.
 ClassAnswer class_of(Engine& engine, const Integer& coefficient, const std::string& cell) {
@@ -87,7 +40,7 @@ void check_order_of_loop(Engine& engine, const std::string& loop, const Integer&
 
 TEST_CASE("a telescope of fifty maps of degree 3 has torsion of order 3^50, listed either way", "[engine]") {
   const bool is_reversed = GENERATE(false, true);
-  Telescope telescope("K");
+  Loops telescope("K");
   telescope.add_loop("a");
   telescope.kill(telescope.tower("a", 3, 50));
   Engine engine;
@@ -103,7 +56,7 @@ TEST_CASE("a telescope of fifty maps of degree 3 has torsion of order 3^50, list
 }
 
 TEST_CASE("two relations of large coefficients leave their greatest common divisor", "[engine]") {
-  Telescope telescope("K");
+  Loops telescope("K");
   telescope.add_loop("a");
   telescope.kill(telescope.tower("a", 6, 40));
   telescope.kill(telescope.tower("a", 10, 35));
@@ -116,7 +69,7 @@ TEST_CASE("two relations of large coefficients leave their greatest common divis
 }
 
 TEST_CASE("large coprime relations kill the class, with a chain that proves it", "[engine]") {
-  Telescope telescope("K");
+  Loops telescope("K");
   telescope.add_loop("a");
   telescope.kill(telescope.tower("a", 3, 45));
   telescope.kill(telescope.tower("a", 2, 70));
@@ -169,7 +122,7 @@ TEST_CASE("gluing telescopes level by level multiplies the orders, and undo divi
 }
 
 TEST_CASE("one suspension further the same orders appear one dimension higher", "[engine]") {
-  Telescope telescope("K");
+  Loops telescope("K");
   telescope.add_loop("a");
   telescope.kill(telescope.tower("a", 7, 30));
   Engine engine;

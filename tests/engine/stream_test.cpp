@@ -1,5 +1,7 @@
 // Random streams of steps: after each, the live equivalence against everything that can be computed from scratch.
+#include "sparse/smith.hpp"
 #include "tests/support/engines.hpp"
+#include "tests/support/loops.hpp"
 #include "tests/support/random_steps.hpp"
 
 using namespace sesame;
@@ -108,4 +110,49 @@ TEST_CASE("the small complex of a field is its homology, and the big one grows b
       REQUIRE(homology.betti[p] == homology.small[p]);
     }
   }
+}
+
+TEST_CASE("the small complex has no generator above the dimension of the object", "[engine][stream]") {
+  const unsigned seed = GENERATE(range(300U, 340U));
+  CAPTURE(seed);
+  Engine engine;
+  RandomSteps random(seed, {.most_cells = 80, .simploids = true, .cones = true});
+  for (int k = 0; k < 40; ++k) {
+    carry_out(engine, random.next(engine.structure()));
+    REQUIRE(engine.homology().small.size() == engine.cells().size());
+  }
+}
+
+TEST_CASE("random relations give the group that their Smith form says, whatever their entries", "[engine][stream]") {
+  const unsigned seed = GENERATE(range(0U, 20U));
+  CAPTURE(seed);
+  Random random(seed);
+  const int loops = random.in(1, 6);
+  const int most = random.one_in(2) ? 30 : 6;
+  Loops complex("K");
+  std::vector<std::vector<Entry>> columns;
+  for (int k = 1; k <= loops; ++k) {
+    complex.add_loop("a" + std::to_string(k));
+  }
+  for (int relations = random.in(0, 7); relations > 0; --relations) {
+    std::vector<int> factors;
+    columns.emplace_back();
+    for (int k = 0; k < loops; ++k) {
+      factors.push_back(random.one_in(3) ? 0 : random.in(-most, most));
+      columns.back().emplace_back(static_cast<Index>(k), factors.back());
+    }
+    complex.relate(factors);
+  }
+  std::vector<Integer> orders = sparse::invariant_factors(matrix_of(Integers{}, static_cast<Index>(loops), columns));
+  const std::size_t rank = orders.size();
+  orders.resize(static_cast<std::size_t>(loops));  // the rest is free: order 0
+  Engine engine;
+  carry_out(engine, complex.take());
+  CHECK(live_groups(engine)[0] == group(1));
+  const engine::Homology homology = engine.homology();
+  const AbelianGroup expected = reductions::group_of(orders);
+  CHECK(homology.betti[1] == std::int64_t{expected.rank});
+  CHECK(homology.torsion[1] == expected.torsion);
+  CHECK(homology.betti[2] == static_cast<std::int64_t>(columns.size() - rank));
+  CHECK(engine.first_defect().value_or("") == "");
 }

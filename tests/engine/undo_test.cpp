@@ -198,3 +198,23 @@ TEST_CASE("a plan is worked out without doing it", "[engine]") {
   CHECK(dump(engine) == before);
   CHECK(engine.log().size() == 2);
 }
+
+TEST_CASE("torsion classes that were glued and taken apart can be glued again", "[engine]") {
+  const auto [one, other] = GENERATE(values<std::pair<int, int>>({{4, 6}, {6, 4}, {6, 10}, {12, 18}, {9, 4}, {8, 8}}));
+  CAPTURE(one, other);
+  Engine engine;
+  carry_out(engine, multiples_of_a_loop("a", one, true));
+  carry_out(engine, multiples_of_a_loop("b", other, true));
+  const std::string apart = dump(engine);
+  const std::string glue = R"({"op":"identify","pairs":[["a.e1","b.e1"]]})";
+  carry_out(engine, glue);
+  const std::string together = dump(engine);
+  CHECK(live_groups(engine) == groups_from_scratch(engine.structure(), Integers{}));
+  for (int k = 0; k < 3; ++k) {
+    REQUIRE(engine.undo());
+    REQUIRE(dump(engine) == apart);
+    carry_out(engine, glue);
+    REQUIRE(dump(engine) == together);
+    REQUIRE(engine.first_defect().value_or("") == "");
+  }
+}

@@ -4,9 +4,10 @@
     other_programs_test.py SESAME [--seed N] [--count M] [--gap GAP] [--python PYTHON]
 
 GAP's package HAP (Debian: gap-hap) gives the integral homology, GUDHI (Debian: python3-gudhi, for the system's Python)
-the Betti numbers over Z/2, Z/3 and Z/11. The complexes: small known surfaces, Moore spaces and suspensions and wedges
-of these, random complexes, and random acyclic complexes after Kalai (all faces up to one dimension, and of the next as
-many as can be had without a rational cycle), whose torsion is seldom trivial. Each other program runs once for all.
+the Betti numbers over Z/2, Z/3 and Z/11. The complexes: small known surfaces, Moore spaces, suspensions and wedges of
+these, complexes of random group presentations and their suspensions, random complexes, and random acyclic complexes
+after Kalai (all faces up to one dimension, and of the next as many as can be had without a rational cycle). Each other
+program runs once for all.
 
 Exit status: 0 nothing differs, 1 something does, 77 neither program is there. What differs is printed as facets.
 """
@@ -34,17 +35,6 @@ KLEIN_BOTTLE = [(1, 2, 4), (1, 2, 5), (1, 3, 4), (1, 3, 8), (1, 5, 6), (1, 6, 8)
 # ------------------------------------------------------------------------------------------------------ the complexes
 
 
-def moore_space(n):
-    """H_1 = Z/n: a disc whose rim winds n times around a circle of three vertices."""
-    rim = [i % 3 + 1 for i in range(3 * n)] + [1]
-    ring = [4 + i for i in range(3 * n)] + [4]
-    centre = 4 + 3 * n
-    triangles = []
-    for i in range(3 * n):
-        triangles += [(rim[i], rim[i + 1], ring[i]), (rim[i + 1], ring[i], ring[i + 1]), (ring[i], ring[i + 1], centre)]
-    return [tuple(sorted(t)) for t in triangles]
-
-
 def shifted(facets, by):
     return [tuple(v + by for v in facet) for facet in facets]
 
@@ -65,6 +55,44 @@ def wedge(left, right):
 
 def side_by_side(left, right):
     return left + shifted(right, largest(left))
+
+
+def presentation_complex(words):
+    """Circles 1, 2, ... of three edges in a wedge, and a disc for each word of non-zero integers: letter g runs through
+    circle g, -g backwards. H_1 has the circles as generators and the words as relations."""
+    circles = max(abs(letter) for word in words for letter in word)
+    facets = []
+    for g in range(1, circles + 1):
+        facets += [(1, 2 * g), (2 * g, 2 * g + 1), (1, 2 * g + 1)]
+    for word in words:
+        rim = [1]
+        for letter in word:
+            path = [2 * abs(letter), 2 * abs(letter) + 1]
+            rim += (path if letter > 0 else path[::-1]) + [1]
+        first = largest(facets) + 1
+        ring = [*range(first, first + len(rim) - 1), first]
+        for i in range(len(rim) - 1):
+            facets += [(rim[i], rim[i + 1], ring[i]), (rim[i + 1], ring[i], ring[i + 1]),
+                       (ring[i], ring[i + 1], first + len(rim))]
+    return [tuple(sorted(facet)) for facet in facets]
+
+
+def moore_space(n):
+    """H_1 = Z/n."""
+    return presentation_complex([[1] * n])
+
+
+def random_presentation(rng):
+    letters = range(1, rng.randint(1, 4) + 1)
+    words = []
+    divisor = rng.randint(1, 4)  # of every exponent, or most groups would have no torsion
+    for _ in range(rng.randint(1, 4)):
+        words.append([])
+        for letter in letters:
+            words[-1] += [letter * rng.choice([1, -1])] * (divisor * rng.randint(0, 3))
+        words[-1] = words[-1] or [letters[0]]
+        rng.shuffle(words[-1])
+    return words
 
 
 def random_facets(rng, dimension):
@@ -128,8 +156,11 @@ def complexes(seed, count):
     for k in range(count):
         yield f"random {k}", random_facets(rng, rng.randint(1, 4))
         yield f"random and dense {k}", random_dense_facets(rng, rng.randint(2, 3))
-        yield f"random and acyclic, dimension 2, {k}", random_acyclic_facets(rng, 2, rng.randint(8, 14))
-        yield f"random and acyclic, dimension 3, {k}", random_acyclic_facets(rng, 3, rng.randint(7, 9))
+        words = random_presentation(rng)
+        yield f"presentation {words}", presentation_complex(words)
+        yield f"suspended presentation {words}", suspension(presentation_complex(words))
+        yield f"random and acyclic, dimension 2, {k}", random_acyclic_facets(rng, 2, rng.randint(8, 18))
+        yield f"random and acyclic, dimension 3, {k}", random_acyclic_facets(rng, 3, rng.randint(7, 10))
 
 
 def dimension_of(facets):

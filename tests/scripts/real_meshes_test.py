@@ -5,8 +5,8 @@
 
 Meshes whose homology is known are imported as one complex and as an assembly of triangles and replayed over Z, the
 complex over Z/2 as well. Betti numbers, torsion, the number of cells and the Euler characteristic are compared with
-what is known and with what is counted here in the mesh file. The generators are checked by what they claim: each is
-a cycle, and modulo 2 those of H_1 are independent beside all boundaries, with boundaries that are taken here from the
+what is known and with what is counted here in the mesh file. The generators are checked by what they claim: each is a cycle,
+and modulo 2 those of each degree are independent beside all boundaries, with boundaries that are taken here from the
 vertices of the faces in the mesh file.
 
 Then every mesh of the archive goes through `sesame import`, `sesame replay` and `sesame mesh`: none may end by a signal,
@@ -147,7 +147,7 @@ class ModuloTwo:
 def check_generators(mesh, cell_of, summary):
     """Counts, cycles, and independence modulo 2 of the generators; `cell_of` turns a name into a tuple of vertices."""
     count = [0] * len(summary["betti"])
-    loops = []
+    modulo_2 = [[] for _ in count]
     for generator in summary["generators"]:
         p = generator["dim"]
         count[p] += 1
@@ -159,13 +159,14 @@ def check_generators(mesh, cell_of, summary):
             check(cell not in chain and int(coefficient) != 0, f"{name} twice or with coefficient 0")
             chain[cell] = int(coefficient)
         check(chain and not boundary(chain), f"a generator of H_{p} is not a cycle")
-        if p == 1:
-            loops.append([edge for edge, n in chain.items() if n % 2])
+        modulo_2[p].append([cell for cell, n in chain.items() if n % 2])
     check(count == summary["betti"], f"{count} generators for Betti numbers {summary['betti']}")
-    span = ModuloTwo()
-    for triangle in mesh.faces:
-        span.add(sides(triangle))
-    check(all(span.add(loop) for loop in loops), "the generators of H_1 are not independent modulo 2")
+    boundaries = [[[(a,), (b,)] for a, b in mesh.edges], [sides(triangle) for triangle in mesh.faces], []]
+    for p, cycles in enumerate(modulo_2):
+        span = ModuloTwo()
+        for cells in boundaries[p]:
+            span.add(cells)
+        check(all(span.add(cells) for cells in cycles), f"the generators of H_{p} are not independent modulo 2")
 
 
 # ------------------------------------------------------------------------------------------------ the scripts, read here

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "engine/engine.hpp"
 #include "replay/script.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/tools/mesh_support.hpp"
@@ -14,7 +15,6 @@ namespace sesame::tools {
 
 namespace {
 
-using namespace testing;
 using Catch::Matchers::Contains;
 using nlohmann::json;
 

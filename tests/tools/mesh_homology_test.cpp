@@ -14,7 +14,6 @@ namespace sesame::tools {
 
 namespace {
 
-using namespace testing;
 using sparse::Integer;
 using sparse::Integers;
 

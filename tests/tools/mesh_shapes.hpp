@@ -10,7 +10,7 @@
 
 #include "tools/mesh/mesh.hpp"
 
-namespace sesame::tools::testing {
+namespace sesame::tools {
 
 inline Mesh mesh_of(std::vector<Point> points, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
   Mesh mesh;
@@ -140,4 +140,4 @@ inline Mesh double_torus() {
   return glued;
 }
 
-}  // namespace sesame::tools::testing
+}  // namespace sesame::tools

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
 
 #include "sparse/chain.hpp"
@@ -15,7 +14,8 @@ namespace sesame::tools {
 /// have the same one by chance only (2^-248 over Z, 2^-256 over Z/2, p^-8 over Z/p).
 struct Fingerprint {
   std::array<std::uint32_t, 8> lanes{};
-  friend auto operator<=>(const Fingerprint&, const Fingerprint&) = default;
+  friend bool operator==(const Fingerprint&, const Fingerprint&) = default;
+  friend bool operator<(const Fingerprint& a, const Fingerprint& b) { return a.lanes < b.lanes; }
 };
 
 struct FingerprintHash {

@@ -211,12 +211,12 @@ class Search {
 
   /// A loop through a point that is shorter than a given one stays within half of its length of the point.
   void look_along_loops() {
-    const std::vector<Loop> loops = found_.loops;
-    for (auto loop = loops.rbegin(); loop != loops.rend(); ++loop) {
-      const std::size_t count = std::min(roots_per_loop, loop->points.size());
+    const std::vector<Loop> longest_first{found_.loops.rbegin(), found_.loops.rend()};
+    for (const Loop& loop : longest_first) {
+      const std::size_t count = std::min(roots_per_loop, loop.points.size());
       for (std::size_t i = 0; i < count; ++i) {
         if (walked_ > search_.effort) return;
-        look_from(loop->points[i * loop->points.size() / count], loop->length / 2);
+        look_from(loop.points[i * loop.points.size() / count], loop.length / 2);
       }
     }
   }
@@ -268,7 +268,8 @@ class Search {
     pool_.clear();
     place_in_pool_.clear();
     pooled_points_ = 0;
-    longest_ = found_.completion.empty() && !found_.loops.empty() ? found_.loops.back().length : infinite;
+    longest_ = infinite;
+    if (found_.completion.empty() && !found_.loops.empty()) longest_ = found_.loops.back().length;
   }
 
   template <sparse::Ring R>

@@ -1,0 +1,286 @@
+#include "replay/replay.hpp"
+
+#include "engine/homology_tracker.hpp"
+#include "tests/replay/replay_support.hpp"
+#include "tests/support/structures.hpp"
+
+using namespace sesame;
+using namespace sesame::tests;
+using Catch::Contains;
+using replay::Outcome;
+
+namespace {
+
+/// Keeps what was reported.
+class Recorder : public replay::Reporter {
+ public:
+  void step(engine::Engine& engine, const replay::ReportedStep& reported) override {
+    steps.push_back(reported.step.step);
+    cells.assign(engine.cells().begin(), engine.cells().end());
+    if (steps.size() == stop_after) {
+      stop.store(true);
+    }
+  }
+  void summary(engine::Engine& engine, const replay::Summary& summary) override {
+    ++summaries;
+    last = summary;
+    cells.assign(engine.cells().begin(), engine.cells().end());
+    betti = engine.homology().betti;
+    ring = sparse::ring_name(engine.ring());
+  }
+
+  std::vector<std::uint64_t> steps;
+  std::vector<std::uint32_t> cells;
+  std::vector<std::int64_t> betti;
+  std::string ring;
+  int summaries = 0;
+  replay::Summary last;
+  std::size_t stop_after = 0;
+  std::atomic<bool> stop{false};
+};
+
+using Steps = std::vector<std::uint64_t>;
+
+/// Ten points and, as steps 4 and 9, a question.
+std::string points_and_questions() {
+  std::vector<std::string> lines{header_line};
+  for (int k = 1; k <= 12; ++k) {
+    lines.push_back(k == 4 || k == 9 ? R"({"op":"class","chain":[[1,"n1"]]})"
+                                     : R"({"op":"simplex","name":"n)" + std::to_string(k) + R"(","dim":0})");
+  }
+  return joined(lines);
+}
+
+Steps reported_steps(const replay::ReplayOptions& options) {
+  Recorder recorder;
+  CHECK(replay_text(points_and_questions(), &recorder, options).outcome == Outcome::done);
+  CHECK(recorder.summaries == 1);
+  return recorder.steps;
+}
+
+const std::string triangle = R"({"op":"simplex","name":"t","dim":2})";
+const std::string glue = R"({"op":"identify","pairs":[["t.0","t.1"]]})";
+
+}  // namespace
+
+TEST_CASE("steps are reported as often as asked, answers to class always", "[replay]") {
+  replay::ReplayOptions options;
+  CHECK(reported_steps(options) == Steps{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+  options.every = 5;
+  CHECK(reported_steps(options) == Steps{4, 5, 9, 10});
+  options.every = 0;
+  CHECK(reported_steps(options) == Steps{4, 9});
+  options.every = 1;
+  options.report_at_most = 2;
+  CHECK(reported_steps(options) == Steps{1, 2, 4, 9});
+  options.report_at_most = 0;
+  CHECK(reported_steps(options) == Steps{4, 9});
+}
+
+TEST_CASE("a replay stops after as many steps as asked", "[replay]") {
+  for (const std::uint64_t until : {0U, 1U, 5U, 12U, 100U}) {
+    CAPTURE(until);
+    replay::ReplayOptions options;
+    options.until = until;
+    Recorder recorder;
+    const Replayed replayed = replay_text(points_and_questions(), &recorder, options);
+    CHECK(replayed.outcome == Outcome::done);
+    CHECK(recorder.last.steps == std::min<std::uint64_t>(until, 12));
+    CHECK(lines_of(replayed.log).size() == 1 + recorder.last.steps);
+    CHECK_FALSE(recorder.last.interrupted);
+  }
+  replay::ReplayOptions options;
+  options.until = 1;
+  CHECK(replay_text(joined({header_line, triangle, "not read any more"}), nullptr, options).outcome == Outcome::done);
+}
+
+TEST_CASE("the ring of the options goes before that of the header, in the log as well", "[replay]") {
+  const std::string text = joined({R"({"sesame":1,"ring":"Z/3"})", triangle});
+  Recorder recorder;
+  CHECK(replay_text(text, &recorder).outcome == Outcome::done);
+  CHECK(recorder.ring == "Z/3");
+  const auto ring = sparse::parse_ring("Z/7");
+  REQUIRE(ring);
+  replay::ReplayOptions options;
+  options.ring = *ring;
+  const Replayed replayed = replay_text(text, &recorder, options);
+  CHECK(recorder.ring == "Z/7");
+  CHECK_THAT(lines_of(replayed.log).at(0), Contains(R"("ring":"Z/7")"));
+}
+
+TEST_CASE("a wrong header is a wrong script, of which nothing is reported or logged", "[replay]") {
+  for (const std::string wrong : {R"({"sesame":1,"ring":"Z/6"})", R"({"sesame":2})", "[]", "{"}) {
+    CAPTURE(wrong);
+    Recorder recorder;
+    const Replayed replayed = replay_text(joined({"# comment", wrong, triangle}), &recorder);
+    CHECK(replayed.outcome == Outcome::wrong_script);
+    CHECK(replayed.errors.starts_with("script:2: "));
+    CHECK(lines_of(replayed.errors).size() == 1);
+    CHECK(replayed.log.empty());
+    CHECK(recorder.summaries == 0);
+  }
+}
+
+TEST_CASE("of a refused step nothing happens; all before it did", "[replay]") {
+  const std::vector<std::string> refused{
+      "not JSON",
+      R"({"op":"simplexx"})",
+      R"({"op":"simplex","name":"t","dim":1})",
+      R"({"op":"identify","pairs":[["t.1","t.2"],["t","t.0"]]})",
+      R"({"op":"identify","pairs":[["t.1","t.2"],["t.1","nobody"]]})",
+      R"({"op":"complex","name":"K","cells":[{"id":"a"},{"id":"e","faces":["a","b"]}]})",
+      R"({"op":"cone","apex":"t"})",
+      R"({"op":"class","chain":[[1,"nobody"]]})",
+      R"({"op":"undo","steps":3})"};
+  Recorder before;
+  const Replayed good = replay_text(joined({header_line, triangle, glue}), &before);
+  CHECK(good.outcome == Outcome::done);
+  for (const std::string& line : refused) {
+    CAPTURE(line);
+    Recorder recorder;
+    const Replayed replayed = replay_text(joined({header_line, triangle, "", glue, line, triangle}), &recorder);
+    CHECK(replayed.outcome == Outcome::wrong_script);
+    CHECK(replayed.errors.starts_with("script:5: "));
+    CHECK(lines_of(replayed.errors).size() == 1);
+    CHECK(recorder.steps == Steps{1, 2});
+    CHECK(recorder.cells == before.cells);
+    CHECK(replayed.log == good.log);
+  }
+}
+
+TEST_CASE("a failed expectation ends the replay with both values", "[replay]") {
+  Recorder recorder;
+  const Replayed replayed =
+      replay_text(joined({header_line, triangle, R"({"op":"expect","betti":[1],"euler":5})", glue}), &recorder);
+  CHECK(replayed.outcome == Outcome::expectation_failed);
+  CHECK(replayed.errors.starts_with("script:3: "));
+  CHECK_THAT(replayed.errors, Contains("euler should be 5 but is 1"));
+  CHECK_THAT(replayed.errors, !Contains("betti"));
+  CHECK(lines_of(replayed.log).size() == 2);
+  CHECK(recorder.steps == Steps{1});
+}
+
+TEST_CASE("the replay is interrupted after the current step", "[replay]") {
+  for (const std::size_t stop_after : {1U, 4U, 12U}) {
+    CAPTURE(stop_after);
+    Recorder recorder;
+    recorder.stop_after = stop_after;
+    replay::ReplayOptions options;
+    options.stop = &recorder.stop;
+    const Replayed replayed = replay_text(points_and_questions(), &recorder, options);
+    CHECK(replayed.outcome == Outcome::interrupted);
+    CHECK(replayed.errors.empty());
+    CHECK(recorder.summaries == 1);
+    CHECK(recorder.last.interrupted);
+    CHECK(recorder.last.steps == stop_after);
+    CHECK(lines_of(replayed.log).size() == 1 + stop_after);
+  }
+}
+
+TEST_CASE("an interrupt while a followed script waits leaves the unfinished line out", "[replay]") {
+  std::istringstream input(joined({header_line, triangle}) + R"({"op":)");
+  std::atomic<bool> stop{false};
+  replay::ScriptReader script(input, "script", [&] {
+    stop.store(true);
+    return false;
+  });
+  replay::ReplayOptions options;
+  options.stop = &stop;
+  Recorder recorder;
+  std::ostringstream errors;
+  CHECK(replay::replay(script, options, &recorder, errors, nullptr) == Outcome::interrupted);
+  CHECK(errors.str().empty());
+  CHECK(recorder.last.steps == 1);
+}
+
+TEST_CASE("verification passes for what is right, and ends the replay where a law is broken", "[replay]") {
+  /// Takes the structure, behind the engine's back, to before the gluing; its equivalence knows nothing of it.
+  class Saboteur final : public Recorder {
+   public:
+    void step(engine::Engine& engine, const replay::ReportedStep& reported) override {
+      Recorder::step(engine, reported);
+      auto& structure = const_cast<ops::Structure&>(engine.structure());
+      if (reported.step.op == "identify") {
+        structure.truncate(before_);
+      }
+      before_ = structure.mark();
+    }
+
+   private:
+    ops::StructureMark before_;
+  };
+  const std::string text = joined({header_line, triangle, "# now", glue, triangle});
+  replay::ReplayOptions options;
+  options.verify = true;
+  CHECK(replay_text(joined({header_line, triangle, glue}), nullptr, options).outcome == Outcome::done);
+  Saboteur saboteur;
+  const Replayed replayed = replay_text(text, &saboteur, options);
+  CHECK(replayed.outcome == Outcome::law_failed);
+  CHECK(replayed.errors.starts_with("script:4: after step 2 (identify) a law does not hold: "));
+  CHECK(saboteur.summaries == 0);
+}
+
+TEST_CASE("the log is the same script in canonical text, and replays to the same state", "[replay]") {
+  const std::vector<std::string> operations{triangle,
+                                            R"({"op":"simploid","name":"q","type":[1,1]})",
+                                            glue,
+                                            R"({"op":"note","text":"é"})",
+                                            R"({"op":"class","chain":[[1,"t.0-1"]]})",
+                                            R"({"op":"cone","apex":"v","over":["t.2"]})",
+                                            R"({"op":"undo","steps":2})",
+                                            R"({"op":"expect","euler":1})"};
+  std::vector<std::string> spaced{"\xEF\xBB\xBF# comment\r", " { \"ring\":\"Z\", \"sesame\":1 } \r", ""};
+  for (const std::string& line : operations) {
+    spaced.push_back("  " + line + " \r");
+    spaced.emplace_back("# comment");
+  }
+  Recorder first;
+  const Replayed once = replay_text(joined(spaced), &first);
+  CHECK(once.errors.empty());
+  REQUIRE(once.outcome == Outcome::done);
+  const auto logged = lines_of(once.log);
+  CHECK(std::vector<std::string>(logged.begin() + 1, logged.end()) == operations);
+
+  Recorder second;
+  const Replayed twice = replay_text(once.log, &second);
+  CHECK(twice.outcome == Outcome::done);
+  CHECK(twice.log == once.log);
+  CHECK(second.steps == first.steps);
+  CHECK(second.cells == first.cells);
+  CHECK(second.betti == first.betti);
+}
+
+TEST_CASE("the log of every kind of example replays to the same log", "[replay]") {
+  for (const std::string name : {"undo", "klein_bottle", "sphere_by_cones", "class_queries", "two_bodies"}) {
+    CAPTURE(name);
+    Recorder first;
+    Recorder second;
+    const Replayed once = replay_text(example(name), &first);
+    const Replayed twice = replay_text(once.log, &second);
+    CHECK(once.outcome == Outcome::done);
+    CHECK(twice.log == once.log);
+    CHECK(second.cells == first.cells);
+    CHECK(second.betti == first.betti);
+    CHECK(second.last.steps == first.last.steps);
+  }
+}
+
+TEST_CASE("a replay needs neither reporter nor progress", "[replay]") {
+  std::istringstream input(points_and_questions());
+  replay::ScriptReader script(input, "script");
+  std::ostringstream errors;
+  CHECK(replay::replay(script, {}, nullptr, errors, nullptr) == Outcome::done);
+  CHECK(errors.str().empty());
+}
+
+TEST_CASE("an error wipes the progress first", "[replay]") {
+  std::ostringstream terminal;
+  std::istringstream input(joined({header_line, "nonsense"}));
+  replay::ScriptReader script(input, "script");
+  replay::Progress progress(terminal, 1);
+  while (terminal.str().empty()) {
+    progress.update(1);
+  }
+  CHECK(replay::replay(script, {}, nullptr, terminal, &progress) == Outcome::wrong_script);
+  CHECK_THAT(terminal.str(), Contains("\r\033[Kscript:2: "));
+}
