@@ -46,8 +46,9 @@ using Observer = std::function<void(const ops::Operation&, const StepReport&)>;
 /// A workspace: several bodies of cells, their log, and their homology over one ring.
 ///
 /// State is the fold of the log: two engines given the same operations over the same ring answer every query alike, to
-/// the byte. An operation happens wholly or, on an error, not at all. An exception (memory that runs out) may cut a step
-/// or a query off: then the log has every step before it, the engine takes no further one, and its answers are void.
+/// the byte. An operation happens wholly or, on an error, not at all. When an exception cuts it off, such as memory
+/// that runs out, the log has every step before it; the engine takes no further one, and its answers are void. So are
+/// they when a query is cut off.
 ///
 /// Not thread-safe: queries bring memoised results up to date.
 class Engine {

@@ -82,7 +82,8 @@ TEST_CASE("large coprime relations kill the class, with a chain that proves it",
   CHECK(engine.maps().boundary(*answer.bounds) == CellChain{1, {{1, *engine.structure().lookup("K.a")}}});
   CHECK(engine.first_defect().value_or("") == "");
   bool has_large = false;
-  for (const auto& term : engine.generators(2).at(0).cycle.terms) {
+  const engine::Generator generator = engine.generators(2).at(0);
+  for (const auto& term : generator.cycle.terms) {
     has_large = has_large || term.coefficient.is_large();
   }
   CHECK(has_large);
