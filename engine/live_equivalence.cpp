@@ -246,11 +246,12 @@ ClassAnswer LiveEquivalence<R>::classify(const CellChain& chain) {
   Terms<R> in_bound;
   std::vector<Integer> on_free(h.free.size());
   for (const Term<R>& term : image) {
-    if (const auto at = std::find(h.free.begin(), h.free.end(), term.index); at != h.free.end()) {
+    const auto at = std::lower_bound(h.free.begin(), h.free.end(), term.index);
+    if (at != h.free.end() && *at == term.index) {
       on_free[static_cast<std::size_t>(at - h.free.begin())] = ring_.to_integer(term.coefficient);
     } else {
-      const auto row = std::find(h.bound.begin(), h.bound.end(), term.index);
-      expects(row != h.bound.end(), "the image of a cycle is a cycle of the small complex");
+      const auto row = std::lower_bound(h.bound.begin(), h.bound.end(), term.index);
+      expects(row != h.bound.end() && *row == term.index, "the image of a cycle is a cycle of the small complex");
       in_bound.push_back({static_cast<Index>(row - h.bound.begin()), term.coefficient});
     }
   }

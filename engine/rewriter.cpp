@@ -279,10 +279,10 @@ void Rewriter<R>::eliminate(Symbol a, Symbol b, const Terms<R>& column) {
   }
   push_rule(a, b, std::move(inverse), value);
   if constexpr (!R::is_field) {
-    core_.set(a, {});
+    // The columns of the core are independent, so cycles are made of symbols without a column: a has none, being part
+    // of a boundary, and b, which had one, is in no column.
     core_.set(b, {});
     substitute_row(a, value);
-    substitute_row(b, {});
   }
 }
 
@@ -318,16 +318,15 @@ void Rewriter<R>::settle() {
 /// is changed is queued again.
 template <Ring R>
 void Rewriter<R>::settle_column(Symbol x) {
+  if (content(*core_.find(x)) == 1) {
+    while (youngest_unit(ring_, *core_.find(x)) == nullptr) {
+      reduce_rows(*core_.find(x));
+    }
+    const Terms<R> column = *core_.find(x);
+    eliminate(youngest_unit(ring_, column)->index, x, column);
+    return;
+  }
   const Terms<R> column = *core_.find(x);
-  if (const TermType* unit = youngest_unit(ring_, column)) {
-    eliminate(unit->index, x, column);
-    return;
-  }
-  if (content(column) == 1) {
-    reduce_rows(column);
-    unsettled_.insert(x);
-    return;
-  }
   const TermType& pivot = column.back();
   if (const Symbol y = core_.pivot_owner(pivot.index); y != no_symbol && y != x) {
     const Element q = ring_.quotient(pivot.coefficient, core_.find(y)->back().coefficient);
@@ -376,6 +375,7 @@ Integer Rewriter<R>::content(const Terms<R>& column) const {
 /// above the dimension of the object, where the columns are a basis of a saturated lattice and hence coprime.
 template <Ring R>
 void Rewriter<R>::reduce_rows(const Terms<R>& column) {
+  // `column` is the core's own and changes with the one combination that is made, which is the last thing done here.
   const auto size = [this](const TermType& term) { return sparse::abs(ring_.to_integer(term.coefficient)); };
   const TermType& least = *std::min_element(column.begin(), column.end(),
                                             [&](const TermType& a, const TermType& b) { return size(a) < size(b); });

@@ -356,6 +356,9 @@ auto parse_line(std::string_view line, Read read) -> Result<decltype(read(Json{}
   }
 }
 
+/// Text that is not UTF-8 can only come from a program; what is illegal in it is replaced.
+std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 Json json_integer(const Integer& n) {
   const auto word = n.to_int64();
   return word ? Json(*word) : Json(n.to_string());
@@ -457,11 +460,11 @@ std::string to_text(const Operation& operation) {
   Json out;
   out["op"] = keyword(operation);
   std::visit(Writer{out}, operation);
-  return out.dump();
+  return dump(out);
 }
 
 std::string to_text(const Header& header) {
-  return Json{{"sesame", header.version}, {"ring", header.ring}, {"title", header.title}}.dump();
+  return dump(Json{{"sesame", header.version}, {"ring", header.ring}, {"title", header.title}});
 }
 
 }  // namespace sesame::ops

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <boost/locale/utf.hpp>
 #include <map>
 #include <set>
 #include <unordered_set>
@@ -18,12 +19,24 @@ void add_cell(Plan& plan, TypeId type, std::size_t first_face) {
   plan.cells.push_back({type, static_cast<std::uint32_t>(first_face), plan.names.size()});
 }
 
-/// White space and control characters, in ASCII; the JSON reader has made sure that the text is UTF-8.
+/// The Unicode characters of categories Z (separators) and Cc (control), and the byte order mark.
+bool is_space_or_control(std::uint32_t c) {
+  return c <= 0x20 || (c >= 0x7f && c <= 0xa0) || c == 0x1680 || (c >= 0x2000 && c <= 0x200a) || c == 0x2028 ||
+         c == 0x2029 || c == 0x202f || c == 0x205f || c == 0x3000 || c == 0xfeff;
+}
+
+/// Not empty, UTF-8, without white space or control characters.
 bool is_name(std::string_view name) {
-  return !name.empty() && std::none_of(name.begin(), name.end(), [](char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return byte <= 0x20 || byte == 0x7f;
-  });
+  namespace utf = boost::locale::utf;
+  const char* at = name.data();
+  const char* const end = at + name.size();
+  while (at != end) {
+    const utf::code_point c = utf::utf_traits<char>::decode(at, end);
+    if (c == utf::illegal || c == utf::incomplete || is_space_or_control(c)) {
+      return false;
+    }
+  }
+  return !name.empty();
 }
 
 /// The text form cannot say such a type, but a program can.
@@ -192,8 +205,8 @@ Result<CellId> Planner::resolve(const std::string& name) const {
 
 Status Planner::check_new_name(const std::string& name) const {
   if (!is_name(name)) {
-    return bad_input(
-        fmt::format("\"{}\" is not a name: a name is not empty and has no white space or control characters", name));
+    return bad_input(fmt::format(
+        "\"{}\" is not a name: a name is UTF-8, not empty, and has no white space or control characters", name));
   }
   if (structure_.is_name_taken(name)) {
     return bad_input(fmt::format("the name \"{}\" is in use: names are unique, choose another", name));

@@ -78,10 +78,11 @@ TEST_CASE("a name of an undone step is free again", "[ops]") {
   CHECK(shop.apply(operation(R"({"op":"complex","name":"t","cells":[{"id":"0-1"}]})")));
 }
 
-TEST_CASE("white space and control characters are no part of a name", "[ops]") {
+TEST_CASE("white space, control characters and broken UTF-8 are no part of a name", "[ops]") {
   Workshop shop;
   for (const std::string& name : {std::string{}, std::string{"a b"}, std::string{"a\tb"}, std::string{"\n"},
-                                  std::string{"a\x7f"}, std::string{"a\0b", 3}}) {
+                                  std::string{"a\x7f"}, std::string{"a\0b", 3}, std::string{"a\xc2\xa0"},
+                                  std::string{"\xe2\x80\xa8"}, std::string{"\xff"}, std::string{"a\xc3"}}) {
     CAPTURE(name);
     CHECK_THAT(refused(shop, MakeSimplex{name, 1, {}}).what, Contains("is not a name"));
     CHECK_THAT(refused(shop, MakeSimploid{name, {1}, {}}).what, Contains("is not a name"));

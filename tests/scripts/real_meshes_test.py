@@ -5,12 +5,12 @@
 
 Meshes whose homology is known are imported as one complex and as an assembly of triangles and replayed over Z, the
 complex over Z/2 as well. Betti numbers, torsion, the number of cells and the Euler characteristic are compared with
-what is known and with what is counted here in the mesh file. The generators are checked by what they claim: each is a cycle,
-and modulo 2 those of each degree are independent beside all boundaries, with boundaries that are taken here from the
-vertices of the faces in the mesh file.
+what is known and with what is counted here in the mesh file. The generators are checked by what they claim: each is a
+cycle, and modulo 2 those of each degree are independent beside all boundaries, with boundaries that are taken here from
+the vertices of the faces in the mesh file.
 
-Then every mesh of the archive goes through `sesame import`, `sesame replay` and `sesame mesh`: none may end by a signal,
-hang, or fail without a message, and the two ways to the homology must agree.
+Then every mesh of the archive goes through `sesame import`, `sesame replay` and `sesame mesh`: none may end by a
+signal, hang, or fail without a message, and the two ways to the homology must agree.
 
 Prints tables of what was checked and of seconds. Exit status: 0 all is right, 1 something is not, 77 no archive.
 """
@@ -169,7 +169,7 @@ def check_generators(mesh, cell_of, summary):
         check(all(span.add(cells) for cells in cycles), f"the generators of H_{p} are not independent modulo 2")
 
 
-# ------------------------------------------------------------------------------------------------ the scripts, read here
+# ----------------------------------------------------------------------------------------------- the scripts, read here
 
 
 def operations(script):
@@ -286,8 +286,8 @@ def main():
             members = [m for m in archive if m.isfile() and m.name.startswith(FOLDER) and m.name.endswith(MESHES)]
             archive.extractall(directory, members=members)
         meshes = sorted(directory / m.name for m in members)
-        print(f"{'mesh':<20} {'cells':<20} {'Betti':<12} import  over Z over Z/2  import  over Z   (seconds; as one complex,"
-              " then assembled)")
+        print(f"{'mesh':<20} {'cells':<20} {'Betti':<12} import  over Z over Z/2  import  over Z  "
+              " (seconds; as one complex, then assembled)")
         for name, betti in BETTI.items():
             try:
                 cells, seconds = check_known_mesh(options.sesame, directory / FOLDER / f"{name}.off", betti, directory)
@@ -303,8 +303,8 @@ def main():
                 total = [a + b for a, b in zip(total, seconds)]
             except (Wrong, OSError, ValueError, KeyError) as problem:
                 failures.append(f"{path.name}: {problem!r}")
-        print(f"all {len(meshes)} meshes: {outcomes['fine']} fine, {outcomes['refused']} refused with a message; seconds of"
-              " import {:.1f}, replay {:.1f}, mesh {:.1f}".format(*total))
+        print(f"all {len(meshes)} meshes: {outcomes['fine']} fine, {outcomes['refused']} refused with a message;"
+              " seconds of import {:.1f}, replay {:.1f}, mesh {:.1f}".format(*total))
         if not meshes:
             failures.append("the archive holds no meshes")
     for failure in failures:
