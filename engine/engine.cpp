@@ -2,6 +2,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <map>
+
 #include "engine/live_equivalence.hpp"
 #include "sparse/contract.hpp"
 
@@ -220,20 +222,26 @@ std::int64_t Engine::euler_characteristic() const {
 
 Result<CellChain> Engine::chain(const std::vector<std::pair<Integer, std::string>>& terms) const {
   CellChain chain;
+  std::map<ops::CellId, Integer> coefficients;
   for (const auto& [coefficient, name] : terms) {
     const Result<ops::CellId> cell = planner_.resolve(name);
     if (!cell) {
       return cell.error();
     }
     const int dimension = structure_.dimension(*cell);
-    if (chain.terms.empty()) {
+    if (coefficients.empty()) {
       chain.degree = dimension;
     } else if (chain.degree != dimension) {
       return Error{Errc::bad_input, "a chain is made of cells of one dimension, but \"" + terms.front().second +
                                         "\" has dimension " + std::to_string(chain.degree) + " and \"" + name +
                                         "\" has dimension " + std::to_string(dimension)};
     }
-    chain.terms.push_back({coefficient, *cell});
+    coefficients[structure_.oldest(*cell)] += coefficient;
+  }
+  for (auto& [oldest, coefficient] : coefficients) {
+    if (!coefficient.is_zero()) {
+      chain.terms.push_back({std::move(coefficient), structure_.find(oldest)});
+    }
   }
   return chain;
 }

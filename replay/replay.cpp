@@ -36,6 +36,9 @@ class Run {
     Outcome outcome = Outcome::done;
     while (outcome == Outcome::done && !is_stopped() && (!options_.until || steps_ < *options_.until)) {
       Result<std::optional<ops::Operation>> operation = script_.next();
+      if (!operation && is_stopped()) {
+        break;  // what was cut off is no line of the script
+      }
       if (!operation) {
         return fail(operation.error().what, outcome_of(operation.error().code));
       }

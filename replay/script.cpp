@@ -75,7 +75,10 @@ Result<std::optional<ops::Operation>> ScriptReader::next() {
 std::uint64_t count_operations(std::istream& input) {
   std::uint64_t objects = 0;
   std::string line;
-  while (std::getline(input, line)) {
+  for (bool is_first = true; std::getline(input, line); is_first = false) {
+    if (is_first && line.starts_with(byte_order_mark)) {
+      line.erase(0, byte_order_mark.size());
+    }
     objects += carries_an_object(line) ? 1U : 0U;
   }
   return objects == 0 ? 0 : objects - 1;

@@ -33,7 +33,7 @@ void add_help_command(CLI::App& app) {
     if (found == commands.end()) {
       throw CLI::ValidationError("help", "there is no command \"" + *topic + "\"; see sesame --help");
     }
-    std::cout << (*found)->help(app.get_name() + " " + *topic);
+    std::cout << (*found)->help(app.get_name());
   });
 }
 

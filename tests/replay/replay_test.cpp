@@ -121,7 +121,7 @@ TEST_CASE("a wrong header is a wrong script, of which nothing is reported or log
   }
 }
 
-TEST_CASE("of a refused step nothing happens; all before it did", "[replay]") {
+TEST_CASE("of a refused step nothing happens and all before it did", "[replay]") {
   const std::vector<std::string> refused{
       "not JSON",
       R"({"op":"simplexx"})",

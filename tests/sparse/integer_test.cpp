@@ -92,7 +92,7 @@ TEST_CASE("arithmetic agrees with GMP on all pairs of awkward values", "[sparse]
   CHECK(wrong == 0);
 }
 
-TEST_CASE("division leaves a remainder in [0, |b|)", "[sparse][law]") {
+TEST_CASE("division leaves a remainder from 0 up to below the size of the divisor", "[sparse][law]") {
   const auto values = samples();
   std::size_t wrong = 0;
   for (const Integer& a : values) {

@@ -111,7 +111,7 @@ TEST_CASE("sesame mesh tells people what they need to know") {
   CHECK_THAT(result.out, Contains("not a proof"));
 }
 
-TEST_CASE("--generators-limit cuts the lists and says so") {
+TEST_CASE("the option generators-limit cuts the lists and says so") {
   const Run one = run({mesh_path("torus.off"), "--generators-limit", "1"});
   CHECK_THAT(one.out, Contains("and 1 more; --generators-limit 2 shows all"));
   const Run none = run({mesh_path("torus.off"), "--generators-limit", "0"});

@@ -8,8 +8,8 @@ int main() {
   namespace ops = sesame::ops;
   sesame::engine::Engine engine;
   const ops::Operation steps[] = {ops::MakeSimplex{"a", 2, {}}, ops::MakeSimplex{"b", 2, {}},
-                                  ops::Identify{{{"a.0-2", "b.0-2"}}},
-                                  ops::Identify{{{"a.0-1", "b.1-2"}, {"a.1-2", "b.0-1"}}}};
+                                  ops::Identify{{{"a.0-1", "b.0-1"}}},
+                                  ops::Identify{{{"a.1-2", "b.0-2"}, {"a.0-2", "b.1-2"}}}};
   for (const ops::Operation& step : steps) {
     if (const auto report = engine.apply(step); !report) {
       std::cerr << report.error().what << '\n';
@@ -25,8 +25,10 @@ int main() {
   for (const auto& factor : homology.torsion[1]) {
     std::cout << ' ' << factor.to_string();
   }
-  const auto twice = engine.chain({{2, "a.0-1"}, {2, "a.1-2"}, {-2, "a.0-2"}});
-  std::cout << "\ntwice the boundary of a is zero: " << engine.classify(*twice).is_zero << '\n';
+  const auto once = engine.chain({{1, "a.0-1"}});
+  const auto twice = engine.chain({{2, "a.0-1"}});
+  std::cout << "\nthe loop bounds: " << engine.classify(*once).is_zero
+            << ", twice the loop bounds: " << engine.classify(*twice).is_zero << '\n';
   const auto refused = engine.apply(ops::Identify{{{"a", "a.0"}}});
   std::cout << refused.error().what << "\nsesame " << SESAME_VERSION << '\n';
   return 0;
