@@ -90,7 +90,8 @@ class Engine {
   [[nodiscard]] Work work() const { return tracker_->work(); }
 
   // ---- chains
-  /// A chain from names; terms of one cell are added up. Errors: unknown_name; bad_input when the cells differ in dimension.
+  /// A chain from names; terms of one cell are added up. Errors: unknown_name; bad_input when the cells differ in
+  /// dimension.
   [[nodiscard]] Result<CellChain> chain(const std::vector<std::pair<Integer, std::string>>& terms) const;
   /// The generators of H_p: torsion by increasing order, then the free ones. Cost: their expansion.
   [[nodiscard]] std::vector<Generator> generators(int degree) { return tracker_->generators(degree); }

@@ -102,6 +102,26 @@ void LiveEquivalence<R>::undo_to_mark() {
 
 // ------------------------------------------------------------------------------------------------------------ groups
 
+/// The core's columns as a matrix on the rows that occur, in the order in which they do.
+template <Ring R>
+Matrix<R> LiveEquivalence<R>::core_matrix(const std::vector<Symbol>& columns) const {
+  Numbering rows;
+  Matrix<R> matrix(ring_, 0, 0);
+  for (const Symbol x : columns) {
+    Terms<R> terms;
+    for (const Term<R>& term : *rewriter_.core().find(x)) {
+      if (!rows.position.contains(term.index)) {
+        rows.add(0, term.index);
+        matrix.append_rows(1);
+      }
+      terms.push_back({rows.position.at(term.index), term.coefficient});
+    }
+    sparse::normalize(ring_, terms);
+    matrix.append_column(terms);
+  }
+  return matrix;
+}
+
 template <Ring R>
 const typename LiveEquivalence<R>::TorsionCache& LiveEquivalence<R>::torsion() {
   const TorsionCore<R>& core = rewriter_.core();
@@ -109,30 +129,17 @@ const typename LiveEquivalence<R>::TorsionCache& LiveEquivalence<R>::torsion() {
     return torsion_;
   }
   torsion_ = {core.version(), true, {}, {}};
-  std::map<int, std::vector<const Terms<R>*>> by_degree;
+  std::map<int, std::vector<Symbol>> by_degree;
   for (const auto& [x, column] : core.columns()) {
-    by_degree[rewriter_.degree(x)].push_back(&column);
+    by_degree[rewriter_.degree(x)].push_back(x);
   }
   for (const auto& [degree, columns] : by_degree) {
-    Numbering rows;
-    Matrix<R> matrix(ring_, 0, 0);
-    for (const Terms<R>* column : columns) {
-      Terms<R> terms;
-      for (const Term<R>& term : *column) {
-        if (!rows.position.contains(term.index)) {
-          rows.add(0, term.index);
-          matrix.append_rows(1);
-        }
-        terms.push_back({rows.position.at(term.index), term.coefficient});
-      }
-      sparse::normalize(ring_, terms);
-      matrix.append_column(terms);
-    }
     const auto p = static_cast<std::size_t>(degree);
-    torsion_.columns.resize(p + 1, 0);
-    torsion_.columns[p] = static_cast<std::uint32_t>(columns.size());
+    const auto factors = sparse::invariant_factors(core_matrix(columns));
+    torsion_.ranks.resize(p + 1, 0);
+    torsion_.ranks[p] = static_cast<std::uint32_t>(factors.size());
     torsion_.torsion.resize(p);
-    for (const auto& factor : sparse::invariant_factors(matrix)) {
+    for (const auto& factor : factors) {
       if (!ring_.is_unit(factor)) {
         torsion_.torsion[p - 1].push_back(ring_.to_integer(factor));
       }
@@ -145,13 +152,10 @@ template <Ring R>
 Homology LiveEquivalence<R>::homology(std::size_t dimensions) {
   const TorsionCache& core = torsion();
   const std::vector<std::uint32_t>& small = rewriter_.small_counts();
-  expects(std::all_of(small.begin() + static_cast<std::ptrdiff_t>(std::min(dimensions, small.size())), small.end(),
-                      [](std::uint32_t count) { return count == 0; }),
-          "the small complex has no generator above the dimension of the object");
   const auto at = [](const auto& counts, std::size_t p) -> std::int64_t { return p < counts.size() ? counts[p] : 0; };
   Homology homology;
   for (std::size_t p = 0; p < dimensions; ++p) {
-    homology.betti.push_back(at(small, p) - at(core.columns, p) - at(core.columns, p + 1));
+    homology.betti.push_back(at(small, p) - at(core.ranks, p) - at(core.ranks, p + 1));
     homology.torsion.push_back(p < core.torsion.size() ? core.torsion[p] : std::vector<Integer>{});
     homology.small.push_back(static_cast<std::uint32_t>(at(small, p)));
   }
@@ -163,65 +167,105 @@ Homology LiveEquivalence<R>::homology(std::size_t dimensions) {
 template <Ring R>
 typename LiveEquivalence<R>::Group LiveEquivalence<R>::group(int degree) const {
   const TorsionCore<R>& core = rewriter_.core();
-  std::vector<Symbol> columns;
-  std::set<Symbol> met;
-  for (const auto& [x, column] : core.columns()) {
-    if (rewriter_.degree(x) == degree + 1) {
-      columns.push_back(x);
-      for (const Term<R>& term : column) {
-        met.insert(term.index);
+  const auto columns_of = [&](int p) {
+    std::vector<Symbol> columns;
+    for (const auto& [x, column] : core.columns()) {
+      if (rewriter_.degree(x) == p) {
+        columns.push_back(x);
       }
     }
-  }
-  std::vector<Symbol> free;
-  Numbering bound;
-  for (const Symbol x : rewriter_.small(degree)) {
-    if (core.find(x) != nullptr) {
-      continue;  // its boundary is not zero, and the columns of the core are independent: it is in no cycle
-    }
-    if (met.contains(x)) {
-      bound.add(0, x);
-    } else {
-      free.push_back(x);
-    }
-  }
-  Matrix<R> matrix(ring_, static_cast<Index>(bound.position.size()), 0);
-  for (const Symbol x : columns) {
-    Terms<R> terms;
+    return columns;
+  };
+  const auto smith_of_nothing = [&] { return sparse::smith_form(Matrix<R>(ring_, 0, 0)); };
+  Group group{{}, {}, columns_of(degree), smith_of_nothing(), columns_of(degree + 1), smith_of_nothing()};
+  group.kernel = sparse::smith_form(core_matrix(group.lower));
+  std::set<Symbol> met;
+  for (const Symbol x : group.columns) {
     for (const Term<R>& term : *core.find(x)) {
-      terms.push_back({bound.position.at(term.index), term.coefficient});
+      met.insert(term.index);
     }
-    sparse::normalize(ring_, terms);
-    matrix.append_column(terms);
   }
-  return {std::move(free), bound.members.empty() ? std::vector<Symbol>{} : std::move(bound.members[0]),
-          std::move(columns), sparse::smith_form(matrix)};
+  for (const Symbol x : rewriter_.small(degree)) {
+    if (core.find(x) == nullptr) {
+      (met.contains(x) ? group.bound : group.free).push_back(x);
+    }
+  }
+  const std::size_t cycles = group.bound.size() + group.lower.size() - group.kernel.factors.size();
+  Matrix<R> boundaries(ring_, static_cast<Index>(cycles), 0);
+  for (const Symbol x : group.columns) {
+    boundaries.append_column(group.coordinates(ring_, *core.find(x)));
+  }
+  group.smith = sparse::smith_form(boundaries);
+  return group;
+}
+
+template <Ring R>
+Terms<R> LiveEquivalence<R>::Group::in_symbols(const R& ring, const Terms<R>& coordinates) const {
+  Terms<R> out;
+  const auto rank = static_cast<Index>(kernel.factors.size());
+  for (const Term<R>& term : coordinates) {
+    if (term.index < bound.size()) {
+      out.push_back({bound[term.index], term.coefficient});
+      continue;
+    }
+    const Index column = rank + term.index - static_cast<Index>(bound.size());
+    kernel.right.for_each_in_column(column, [&](const Term<R>& part) {
+      out.push_back({lower[part.index], ring.multiply(term.coefficient, part.coefficient)});
+    });
+  }
+  sparse::normalize(ring, out);
+  return out;
+}
+
+template <Ring R>
+Terms<R> LiveEquivalence<R>::Group::coordinates(const R& ring, const Terms<R>& cycle) const {
+  const auto position = [](const std::vector<Symbol>& symbols, Symbol x) -> std::optional<Index> {
+    const auto at = std::lower_bound(symbols.begin(), symbols.end(), x);
+    return at != symbols.end() && *at == x ? std::optional{static_cast<Index>(at - symbols.begin())} : std::nullopt;
+  };
+  Terms<R> out;
+  Terms<R> on_lower;
+  for (const Term<R>& term : cycle) {
+    if (const auto at = position(bound, term.index)) {
+      out.push_back({*at, term.coefficient});
+    } else {
+      const auto row = position(lower, term.index);
+      expects(row.has_value(), "a cycle is made of the small generators of its degree");
+      on_lower.push_back({*row, term.coefficient});
+    }
+  }
+  const auto rank = static_cast<Index>(kernel.factors.size());
+  for (const Term<R>& term : kernel.right_inverse.apply(on_lower)) {
+    expects(term.index >= rank, "the image of a cycle is a cycle of the small complex");
+    out.push_back({static_cast<Index>(bound.size()) + term.index - rank, term.coefficient});
+  }
+  sparse::normalize(ring, out);
+  return out;
 }
 
 template <Ring R>
 std::vector<Generator> LiveEquivalence<R>::generators(int degree) {
   const Group h = group(degree);
-  const auto in_symbols = [](const Terms<R>& terms, const std::vector<Symbol>& symbols) {
-    Terms<R> out;
-    for (const Term<R>& term : terms) {
-      out.push_back({symbols[term.index], term.coefficient});
+  const auto in_columns = [&h](Terms<R> terms) {
+    for (Term<R>& term : terms) {
+      term.index = h.columns[term.index];
     }
-    return out;
+    return terms;
   };
   const auto cells_of = [&](int p, const Terms<R>& chain_of_s) { return to_cells(p, rewriter_.lift(chain_of_s)); };
   std::vector<Generator> finite;
   std::vector<Generator> infinite;
-  for (Index k = 0; k < h.bound.size(); ++k) {
+  for (Index k = 0; k < h.cycles(); ++k) {
     const bool has_order = k < h.smith.factors.size();
     if (has_order && ring_.is_unit(h.smith.factors[k])) {
       continue;
     }
     Generator generator;
     generator.degree = degree;
-    generator.cycle = cells_of(degree, in_symbols(h.smith.left_inverse.column(k), h.bound));
+    generator.cycle = cells_of(degree, h.in_symbols(ring_, h.smith.left_inverse.column(k)));
     if (has_order) {
       generator.order = ring_.to_integer(h.smith.factors[k]);
-      generator.bounding = cells_of(degree + 1, in_symbols(h.smith.right.column(k), h.columns));
+      generator.bounding = cells_of(degree + 1, in_columns(h.smith.right.column(k)));
     }
     (has_order ? finite : infinite).push_back(std::move(generator));
   }
@@ -243,22 +287,18 @@ ClassAnswer LiveEquivalence<R>::classify(const CellChain& chain) {
   const Terms<R> image = rewriter_.rewrite(z);
   const Group h = group(chain.degree);
   // 1. The coordinates of F z: on the basis of the Smith form for what meets the core, on the free generators else.
-  Terms<R> in_bound;
+  Terms<R> in_core;
   std::vector<Integer> on_free(h.free.size());
   for (const Term<R>& term : image) {
     const auto at = std::lower_bound(h.free.begin(), h.free.end(), term.index);
     if (at != h.free.end() && *at == term.index) {
       on_free[static_cast<std::size_t>(at - h.free.begin())] = ring_.to_integer(term.coefficient);
     } else {
-      const auto row = std::lower_bound(h.bound.begin(), h.bound.end(), term.index);
-      expects(row != h.bound.end() && *row == term.index, "the image of a cycle is a cycle of the small complex");
-      in_bound.push_back({static_cast<Index>(row - h.bound.begin()), term.coefficient});
+      in_core.push_back(term);
     }
   }
-  sparse::normalize(ring_, in_bound);
-  const Terms<R> coordinates = h.smith.left.apply(in_bound);
-  std::vector<typename R::Element> dense(h.bound.size(), ring_.zero());
-  for (const Term<R>& term : coordinates) {
+  std::vector<typename R::Element> dense(h.cycles(), ring_.zero());
+  for (const Term<R>& term : h.smith.left.apply(h.coordinates(ring_, in_core))) {
     dense[term.index] = term.coefficient;
   }
   // 2. What is left of them modulo the orders, and the chain y of S with d y = the rest.

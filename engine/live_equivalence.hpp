@@ -40,12 +40,21 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] const BigComplex<R>& big() const { return big_; }
 
  private:
-  /// The groups of one degree, as read off the core's columns of the degree above.
+  /// The group of one degree p, as read off the core: its columns of degree p say what is a cycle, those of degree p +
+  /// 1 what is a boundary.
   struct Group {
-    std::vector<Symbol> free;     ///< cycles of S that meet no column of the core above
-    std::vector<Symbol> bound;    ///< cycles of S that do
+    std::vector<Symbol> free;     ///< generators of S without boundary that are in no column above
+    std::vector<Symbol> bound;    ///< generators of S without boundary that are
+    std::vector<Symbol> lower;    ///< generators of S with a boundary
+    sparse::SmithForm<R> kernel;  ///< of d on `lower`: the columns of `right` from the rank on are its cycles
     std::vector<Symbol> columns;  ///< the core's columns of the degree above
-    sparse::SmithForm<R> smith;   ///< of the core: bound x columns
+    sparse::SmithForm<R> smith;   ///< of those, as written in the basis of cycles: `bound`, then the cycles of `lower`
+
+    [[nodiscard]] Index cycles() const { return smith.left.rows(); }
+    /// A combination of the basis of cycles, in symbols.
+    [[nodiscard]] Terms<R> in_symbols(const R& ring, const Terms<R>& coordinates) const;
+    /// The coordinates of a cycle of S that has no part on `free`. Requires: it is a cycle.
+    [[nodiscard]] Terms<R> coordinates(const R& ring, const Terms<R>& cycle) const;
   };
   struct Mark {
     CellId cells;
@@ -57,10 +66,11 @@ class LiveEquivalence final : public HomologyTracker {
     std::uint64_t version = 0;
     bool filled = false;
     std::vector<std::vector<Integer>> torsion;
-    std::vector<std::uint32_t> columns;  ///< of the core, by degree
+    std::vector<std::uint32_t> ranks;  ///< of dS, by degree
   };
 
   const TorsionCache& torsion();
+  [[nodiscard]] sparse::Matrix<R> core_matrix(const std::vector<Symbol>& columns) const;
   [[nodiscard]] Group group(int degree) const;
   [[nodiscard]] Terms<R> g(const CellChain& chain) const;
   [[nodiscard]] CellChain to_cells(int degree, const Terms<R>& chain_of_b) const;

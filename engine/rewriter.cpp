@@ -9,6 +9,12 @@ namespace {
 
 constexpr std::uint32_t virtual_bit = 0x8000'0000U;
 
+// Over Z: what may be multiplied into other columns. Without these limits random complexes of loops and squares, whose
+// cores are dense, soon have coefficients of thousands of digits.
+constexpr int largest_of_mild_column = 3;
+constexpr int largest_of_combination = 100;
+constexpr int moves_per_generator = 200;
+
 bool is_virtual(std::uint32_t generator) { return (generator & virtual_bit) != 0; }
 
 }  // namespace
@@ -132,11 +138,12 @@ void Rewriter<R>::undo(const Mark& mark) {
     }
   }
   while (memo_writes_.size() > mark.memo_writes) {
-    const RuleId rule = memo_writes_.back();
-    memo_writes_.pop_back();
+    auto& [rule, before] = memo_writes_.back();
     if (rule < rules()) {
-      memos_[rule] = Memo{};
+      memos_[rule] = std::move(before);
+      memos_[rule].checked = 0;
     }
+    memo_writes_.pop_back();
   }
   ++version_;
   ++epoch_;
@@ -201,12 +208,13 @@ void Rewriter<R>::update_memo(RuleId rule) {
     add_rewritten(x, coefficient);
   }
   Memo& memo = memos_[rule];
+  if (memo.epoch != epoch_) {
+    memo_writes_.emplace_back(rule, std::move(memo));
+    memo = Memo{};
+    memo.epoch = epoch_;
+  }
   sum_.finish(memo.terms);
   memo.written = true;
-  if (memo.epoch != epoch_) {
-    memo.epoch = epoch_;
-    memo_writes_.push_back(rule);
-  }
 }
 
 template <Ring R>
@@ -241,19 +249,29 @@ void Rewriter<R>::append(int degree) {
   if (column_.empty()) {
     return;
   }
-  if (const TermType* unit = youngest_unit(ring_, column_)) {
+  if (const TermType* unit = mild_unit(column_)) {
     eliminate(unit->index, x, column_);
   } else {
     core_.set(x, column_);
     unsettled_.insert(x);
   }
-  settle();
+  if constexpr (!R::is_field) {
+    settle();
+  }
 }
 
+/// The youngest unit of a column that may be eliminated: over a field any, over Z when the other entries are small or
+/// at most one. Others would be multiplied into every column that they meet; the Smith form deals with such a column
+/// better.
 template <Ring R>
-const sparse::Term<R>* Rewriter<R>::youngest_unit(const R& ring, const Terms<R>& column) {
+const sparse::Term<R>* Rewriter<R>::mild_unit(const Terms<R>& column) const {
+  if constexpr (!R::is_field) {
+    if (column.size() > 2 && largest(column) > largest_of_mild_column) {
+      return nullptr;
+    }
+  }
   for (auto term = column.rbegin(); term != column.rend(); ++term) {
-    if (ring.is_unit(term->coefficient)) {
+    if (ring_.is_unit(term->coefficient)) {
       return &*term;
     }
   }
@@ -279,10 +297,10 @@ void Rewriter<R>::eliminate(Symbol a, Symbol b, const Terms<R>& column) {
   }
   push_rule(a, b, std::move(inverse), value);
   if constexpr (!R::is_field) {
-    // The columns of the core are independent, so cycles are made of symbols without a column: a has none, being part
-    // of a boundary, and b, which had one, is in no column.
+    core_.set(a, {});
     core_.set(b, {});
     substitute_row(a, value);
+    substitute_row(b, {});
   }
 }
 
@@ -304,6 +322,7 @@ void Rewriter<R>::substitute_row(Symbol row, std::span<const TermType> value) {
 
 template <Ring R>
 void Rewriter<R>::settle() {
+  moves_left_ = moves_per_generator;
   while (!unsettled_.empty()) {
     const Symbol x = *unsettled_.begin();
     unsettled_.erase(unsettled_.begin());
@@ -315,15 +334,17 @@ void Rewriter<R>::settle() {
 
 /// One move towards Hermite form: a unit is eliminated; a column of coprime entries is made to have one; a shared pivot
 /// is reduced by a step of Euclid's algorithm; an entry in another column's pivot row is brought below that pivot. What
-/// is changed is queued again.
+/// is changed is queued again. A column stays as it is when the move would make coefficients grow, or when this step
+/// has made all the moves that it may: nothing but speed and the size of S depends on them.
 template <Ring R>
 void Rewriter<R>::settle_column(Symbol x) {
   if (content(*core_.find(x)) == 1) {
-    while (youngest_unit(ring_, *core_.find(x)) == nullptr) {
-      reduce_rows(*core_.find(x));
+    while (mild_unit(*core_.find(x)) == nullptr && reduce_rows(x)) {
     }
     const Terms<R> column = *core_.find(x);
-    eliminate(youngest_unit(ring_, column)->index, x, column);
+    if (const TermType* unit = mild_unit(column)) {
+      eliminate(unit->index, x, column);
+    }
     return;
   }
   const Terms<R> column = *core_.find(x);
@@ -332,7 +353,7 @@ void Rewriter<R>::settle_column(Symbol x) {
     const Element q = ring_.quotient(pivot.coefficient, core_.find(y)->back().coefficient);
     if (!ring_.is_zero(q)) {
       combine(x, q, y);
-    } else {  // x has the smaller pivot: they change places
+    } else if (moves_left_-- > 0) {  // x has the smaller pivot: they change places
       core_.release_pivot(y);
       core_.own_pivot(x);
       unsettled_.insert(y);
@@ -346,18 +367,27 @@ void Rewriter<R>::settle_column(Symbol x) {
       continue;
     }
     const Element q = ring_.quotient(term->coefficient, core_.find(y)->back().coefficient);
-    if (!ring_.is_zero(q)) {
-      combine(x, q, y);
+    if (!ring_.is_zero(q) && combine(x, q, y)) {
       return;
     }
   }
   for (const Symbol z : core_.columns_with_row(pivot.index)) {
     const Terms<R>& other = *core_.find(z);
     const auto at = std::find_if(other.begin(), other.end(), [&](const TermType& t) { return t.index == pivot.index; });
-    if (z != x && !ring_.is_zero(ring_.quotient(at->coefficient, pivot.coefficient))) {
+    if (z != x && moves_left_ > 0 && !ring_.is_zero(ring_.quotient(at->coefficient, pivot.coefficient))) {
+      --moves_left_;
       unsettled_.insert(z);
     }
   }
+}
+
+template <Ring R>
+Integer Rewriter<R>::largest(const Terms<R>& column) const {
+  Integer most = 0;
+  for (const TermType& term : column) {
+    most = std::max(most, sparse::abs(ring_.to_integer(term.coefficient)));
+  }
+  return most;
 }
 
 template <Ring R>
@@ -370,42 +400,61 @@ Integer Rewriter<R>::content(const Terms<R>& column) const {
 }
 
 /// One step of Euclid's algorithm on the entries of a column, by a change of basis of its rows: m r + t s with t = q m
-/// + n becomes m r' + n s with r' = r + q s. Repeated on coprime entries it ends with a unit, and without it no unit
-/// might show: so every column that stays in the core has a common divisor, and the small complex has no generator
-/// above the dimension of the object, where the columns are a basis of a saturated lattice and hence coprime.
+/// + n becomes m r' + n s with r' = r + q s. Repeated on coprime entries it ends with a unit, which no move of columns
+/// might show. False when the step is not made.
 template <Ring R>
-void Rewriter<R>::reduce_rows(const Terms<R>& column) {
-  // `column` is the core's own and changes with the one combination that is made, which is the last thing done here.
+bool Rewriter<R>::reduce_rows(Symbol x) {
+  const Terms<R>& column = *core_.find(x);
   const auto size = [this](const TermType& term) { return sparse::abs(ring_.to_integer(term.coefficient)); };
   const TermType& least = *std::min_element(column.begin(), column.end(),
                                             [&](const TermType& a, const TermType& b) { return size(a) < size(b); });
   for (const TermType& term : column) {
     const Element q = ring_.quotient(term.coefficient, least.coefficient);
     if (!(ring_.multiply(q, least.coefficient) == term.coefficient)) {
-      combine(least.index, ring_.negate(q), term.index);
-      return;
+      return combine(least.index, ring_.negate(q), term.index);
     }
   }
+  return false;
 }
 
-/// The change of basis x' = x - q y: x -> x' + q y.
+/// The change of basis x' = x - q y: x -> x' + q y. False, and nothing is done, when a column of the core would get an
+/// entry larger than any it has and not small, or when this step has made all its moves.
 template <Ring R>
-void Rewriter<R>::combine(Symbol x, const Element& q, Symbol y) {
+bool Rewriter<R>::combine(Symbol x, const Element& q, Symbol y) {
+  if (moves_left_ <= 0) {
+    return false;
+  }
   const Terms<R>* column_x = core_.find(x);
   const Terms<R>* column_y = core_.find(y);
   Terms<R> column = column_x == nullptr ? Terms<R>{} : *column_x;
+  const Integer before = largest(column);
   if (column_y != nullptr) {
     sparse::add_multiple<R>(ring_, column, ring_.negate(q), *column_y);
   }
+  const auto grows = [&](const Integer& from, const Integer& to) { return to > from && to > largest_of_combination; };
+  if (grows(before, largest(column))) {
+    return false;
+  }
+  const auto combined = static_cast<Symbol>(state_.size());
+  const Terms<R> value{{y, q}, {combined, ring_.one()}};  // y is older than the symbol to be made: this is normal form
+  for (const Symbol z : core_.columns_with_row(x)) {
+    Terms<R> changed = *core_.find(z);
+    const auto at = std::find_if(changed.begin(), changed.end(), [x](const TermType& t) { return t.index == x; });
+    sparse::add_multiple<R>(ring_, changed, Element{at->coefficient}, value);
+    if (grows(largest(*core_.find(z)), largest(changed))) {
+      return false;
+    }
+  }
+  --moves_left_;
   const auto index = static_cast<std::uint32_t>(combinations_.size());
-  const Symbol combined = add_symbol(degree_[x], virtual_bit | index);
-  Terms<R> value{{y, q}, {combined, ring_.one()}};  // y is older than the symbol just made: this is normal form
+  add_symbol(degree_[x], virtual_bit | index);
   const RuleId rule = push_rule(x, no_symbol, ring_.zero(), value);
   combinations_.push_back({x, y, q, rule, column});
   core_.set(x, {});
   core_.set(combined, std::move(column));
   unsettled_.insert(combined);
   substitute_row(x, value);
+  return true;
 }
 
 // ------------------------------------------------------------------------------------------------- traces and lifts

@@ -33,7 +33,8 @@ using Trace = std::vector<std::pair<RuleId, typename R::Element>>;
 ///   change of basis x' = x - q y (over Z only):          x -> x' + q y
 ///
 /// Over a field b is paired with the youngest symbol of its rewritten boundary, and dS = 0. Over Z the boundaries
-/// without a unit are the TorsionCore, kept in Hermite form, so that units hidden in them appear and are eliminated.
+/// without a unit are the TorsionCore. They are brought towards Hermite form, so that units hidden in them appear and
+/// are eliminated, as far as coefficients stay small and within a number of moves for each generator: see LIVE_FORM.md.
 ///
 /// *Rewriting* a chain of B gives its image under f: B -> S. Results are memoised per rule and brought up to date when
 /// they are read. The homotopy h and the lift g: S -> B use the rules as they were made, through *traces*:
@@ -121,11 +122,12 @@ class Rewriter {
   void eliminate(Symbol a, Symbol b, const Terms<R>& column);
   void settle();
   void settle_column(Symbol x);
+  [[nodiscard]] const TermType* mild_unit(const Terms<R>& column) const;
+  [[nodiscard]] Integer largest(const Terms<R>& column) const;
   [[nodiscard]] Integer content(const Terms<R>& column) const;
-  void reduce_rows(const Terms<R>& column);
-  void combine(Symbol x, const Element& q, Symbol y);
+  bool reduce_rows(Symbol x);
+  bool combine(Symbol x, const Element& q, Symbol y);
   void substitute_row(Symbol row, std::span<const TermType> value);
-  static const TermType* youngest_unit(const R& ring, const Terms<R>& column);
 
   [[nodiscard]] std::span<const TermType> value(RuleId rule) const {
     return {values_.data() + rules_[rule].value_begin, rules_[rule].value_size};
@@ -159,14 +161,15 @@ class Rewriter {
   std::vector<Rule> rules_;
   std::vector<TermType> values_;
   std::vector<Memo> memos_;
-  std::vector<RuleId> memo_writes_;  ///< memos written, for undo: each once per epoch
-  std::uint64_t version_ = 1;        ///< grows with every rule made or undone
-  std::uint32_t epoch_ = 1;          ///< grows with every mark and undo
+  std::vector<std::pair<RuleId, Memo>> memo_writes_;  ///< memos as they were, for undo: each once per epoch
+  std::uint64_t version_ = 1;                         ///< grows with every rule made or undone
+  std::uint32_t epoch_ = 1;                           ///< grows with every mark and undo
 
   std::uint64_t terms_read_ = 0;
 
   TorsionCore<R> core_;
   std::set<Symbol> unsettled_;
+  int moves_left_ = 0;  ///< changes of basis that this step may still make
   Accumulator<R> sum_, traced_;
   Terms<R> column_;
   std::vector<RuleId> pending_;

@@ -33,7 +33,7 @@ void TorsionCore<R>::set(Symbol x, Column column) {
   if (before == nullptr ? column.empty() : *before == column) {
     return;
   }
-  journal_.push_back({x, before == nullptr ? Column{} : *before});
+  journal_.push_back({x, before == nullptr ? Column{} : *before, owns_pivot(x)});
   replace(x, std::move(column));
 }
 
@@ -42,7 +42,7 @@ void TorsionCore<R>::replace(Symbol x, Column column) {
   ++version_;
   if (const auto at = columns_.find(x); at != columns_.end()) {
     if (column.empty() || column.back().index != at->second.back().index) {
-      release_pivot(x);
+      set_ownership(x, false);
     }
     for (const auto& term : at->second) {
       std::vector<Symbol>& in_row = rows_[term.index];
@@ -62,32 +62,46 @@ void TorsionCore<R>::replace(Symbol x, Column column) {
 }
 
 template <Ring R>
+bool TorsionCore<R>::owns_pivot(Symbol x) const {
+  const Column* column = find(x);
+  return column != nullptr && pivot_owner(column->back().index) == x;
+}
+
+template <Ring R>
+void TorsionCore<R>::set_ownership(Symbol x, bool owns) {
+  if (owns) {
+    pivots_[find(x)->back().index] = x;
+  } else if (owns_pivot(x)) {
+    pivots_.erase(find(x)->back().index);
+  }
+}
+
+template <Ring R>
 void TorsionCore<R>::own_pivot(Symbol x) {
-  pivots_[find(x)->back().index] = x;
+  if (!owns_pivot(x)) {
+    journal_.push_back({x, std::nullopt, false});
+    set_ownership(x, true);
+  }
 }
 
 template <Ring R>
 void TorsionCore<R>::release_pivot(Symbol x) {
-  if (const Column* column = find(x)) {
-    if (const auto at = pivots_.find(column->back().index); at != pivots_.end() && at->second == x) {
-      pivots_.erase(at);
-    }
+  if (owns_pivot(x)) {
+    journal_.push_back({x, std::nullopt, true});
+    set_ownership(x, false);
   }
 }
 
 template <Ring R>
 void TorsionCore<R>::undo(std::size_t journal_size) {
-  std::vector<Symbol> restored;
   while (journal_.size() > journal_size) {
     Change change = std::move(journal_.back());
     journal_.pop_back();
-    restored.push_back(change.x);
-    replace(change.x, std::move(change.before));
-  }
-  // Between steps every column owns the pivot in its last row, and no two share one.
-  for (const Symbol x : restored) {
-    if (find(x) != nullptr) {
-      own_pivot(x);
+    if (change.before) {
+      replace(change.x, std::move(*change.before));
+    }
+    if (find(change.x) != nullptr) {
+      set_ownership(change.x, change.owned_pivot);
     }
   }
 }

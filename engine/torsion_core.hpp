@@ -20,8 +20,9 @@ using sparse::Terms;
 using Symbol = sparse::Index;
 inline constexpr Symbol no_symbol = UINT32_MAX;
 
-/// The nonzero columns of dS, by small generator, with an index of their rows and the pivots of their Hermite form.
-/// Every change is journaled, so that undo restores the columns as they were.
+/// The nonzero columns of dS, by small generator, with an index of their rows and the pivots of their Hermite form: a
+/// column that has been settled owns the pivot in its last row. Every change is journaled, so that undo restores
+/// columns and pivots as they were.
 template <Ring R>
 class TorsionCore {
  public:
@@ -38,6 +39,7 @@ class TorsionCore {
 
   /// Sets a column; an empty one is taken out. A pivot that it owned is released when its last row changes.
   void set(Symbol x, Column column);
+  /// Requires: x has a column. Whoever owned the pivot before has released it.
   void own_pivot(Symbol x);
   void release_pivot(Symbol x);
 
@@ -47,10 +49,13 @@ class TorsionCore {
 
  private:
   void replace(Symbol x, Column column);
+  [[nodiscard]] bool owns_pivot(Symbol x) const;
+  void set_ownership(Symbol x, bool owns);
 
   struct Change {
     Symbol x;
-    Column before;
+    std::optional<Column> before;  ///< the column, when it changed
+    bool owned_pivot;
   };
   std::map<Symbol, Column> columns_;
   std::unordered_map<Symbol, std::vector<Symbol>> rows_;  // unordered: columns_with_row sorts
