@@ -78,7 +78,7 @@ class HomologyTracker {
   HomologyTracker& operator=(const HomologyTracker&) = delete;
   virtual ~HomologyTracker() = default;
 
-  /// Takes in the cells and removals that the structure has gained since. Cost: that of the step.
+  /// Takes in the cells or the removals that the structure has gained since: those of one step. Cost: that of the step.
   virtual void extend() = 0;
   /// Remembers this moment; `undo_to_mark` goes back to the last one remembered and forgets it. The structure must have
   /// been truncated to the same moment first.

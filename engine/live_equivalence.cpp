@@ -77,6 +77,8 @@ LiveEquivalence<R>::LiveEquivalence(R ring, const Structure& structure)
 
 template <Ring R>
 void LiveEquivalence<R>::extend() {
+  expects(cells_ == structure_.created() || links_ == structure_.links(),
+          "one step at a time: cells that were made before a removal are taken in before it");
   for (; cells_ < structure_.created(); ++cells_) {
     rewriter_.append(big_.degree(big_.append_cell(cells_)));
   }

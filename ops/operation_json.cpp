@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <unordered_set>
 
 #include "ops/operation.hpp"
 
@@ -298,7 +299,8 @@ constexpr Reader readers[] = {{"simplex", read_simplex}, {"simploid", read_simpl
 Operation read_operation(const Json& object) {
   const auto op = object.find("op");
   if (op == object.end() || !op->is_string()) {
-    throw Wrong{"a step needs a field \"op\" that says which operation it is"};
+    throw Wrong{object.contains("sesame") ? "a script has one header, and this is another"
+                                          : "a step needs a field \"op\" that says which operation it is"};
   }
   const std::string word = op->get<std::string>();
   for (const Reader& reader : readers) {
@@ -325,7 +327,8 @@ Header read_header(const Json& object) {
   }
   Header header;
   if (!version->is_number_integer() || *version != 1) {
-    throw Wrong{fmt::format("this program reads version 1 of the format, but the header says {}", version->dump())};
+    throw Wrong{fmt::format("this program reads version 1 of the format, but the header says {}",
+                            version->is_number() ? version->dump() : std::string{kind(*version)})};
   }
   if (const Json* ring = in.find("ring")) {
     header.ring = text(in, "ring", *ring);
@@ -337,6 +340,21 @@ Header read_header(const Json& object) {
   return header;
 }
 
+/// Reads JSON, refusing a field that stands twice in one object: one of the two would be lost without a word.
+Json parse_object(std::string_view line) {
+  std::vector<std::unordered_set<std::string>> open_objects;
+  return Json::parse(line, [&](int, Json::parse_event_t event, Json& parsed) {
+    if (event == Json::parse_event_t::object_start) {
+      open_objects.emplace_back();
+    } else if (event == Json::parse_event_t::object_end) {
+      open_objects.pop_back();
+    } else if (event == Json::parse_event_t::key && !open_objects.back().insert(parsed.get<std::string>()).second) {
+      throw Wrong{fmt::format("the field \"{}\" stands twice in one object", parsed.get<std::string>())};
+    }
+    return true;
+  });
+}
+
 template <class Read>
 auto parse_line(std::string_view line, Read read) -> Result<decltype(read(Json{}))> {
   const std::size_t begin = line.find_first_not_of(" \t\r");
@@ -344,13 +362,16 @@ auto parse_line(std::string_view line, Read read) -> Result<decltype(read(Json{}
     return Error{Errc::bad_input, "a line should be one JSON object, {...}"};
   }
   try {
-    return read(Json::parse(line));
+    return read(parse_object(line));
   } catch (const Json::parse_error& e) {
     const auto column = e.byte;
     return Error{Errc::bad_input,
                  fmt::format("this is not a JSON object (at column {}): a line is one object, {{...}}", column)};
-  } catch (const Json::exception& e) {
-    return Error{Errc::bad_input, fmt::format("this object cannot be read: {}", e.what())};
+  } catch (const Json::exception&) {
+    // The only other complaint of the reader is about numbers beyond all machine numbers.
+    return Error{
+        Errc::bad_input,
+        "this object cannot be read: a number in it is out of range; write integers beyond 64 bits as strings"};
   } catch (Wrong& wrong) {
     return Error{Errc::bad_input, std::move(wrong.what)};
   }

@@ -3,11 +3,15 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 namespace sesame::tools {
 
 void add_replay_command(CLI::App& app, int& status);
 void add_import_command(CLI::App& app, int& status);
 void add_mesh_command(CLI::App& app, int& status);
+
+/// True when two paths name one existing file: what is read must not be written over.
+[[nodiscard]] bool is_same_file(const std::string& one, const std::string& other);
 
 }  // namespace sesame::tools

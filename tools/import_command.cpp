@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -45,6 +46,9 @@ int run_import(const Arguments& arguments) {
   }
   std::ofstream file;
   if (arguments.out != "-") {
+    if (is_same_file(arguments.mesh, arguments.out)) {
+      return fail("sesame import: -o would write over the mesh; give it another file", Outcome::wrong_usage);
+    }
     file.open(arguments.out, std::ios::trunc);
     if (!file) {
       return fail("sesame import: cannot write " + arguments.out, Outcome::wrong_usage);
@@ -73,6 +77,11 @@ int run_import(const Arguments& arguments) {
 }
 
 }  // namespace
+
+bool is_same_file(const std::string& one, const std::string& other) {
+  std::error_code missing;
+  return std::filesystem::equivalent(one, other, missing);
+}
 
 void add_import_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("import", "Make a construction script from a mesh (OFF, OBJ, PLY, STL)");

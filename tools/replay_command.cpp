@@ -63,6 +63,23 @@ struct Arguments {
   bool quiet = false;
 };
 
+/// A file that is emptied when the first thing is written to it: a script that turns out to be none costs no old log.
+class FreshFile final : public std::filebuf {
+ public:
+  explicit FreshFile(std::string path) : path_{std::move(path)} {}
+
+ protected:
+  int_type overflow(int_type c) override { return ensure_open() ? std::filebuf::overflow(c) : traits_type::eof(); }
+  std::streamsize xsputn(const char* text, std::streamsize size) override {
+    return ensure_open() ? std::filebuf::xsputn(text, size) : 0;
+  }
+
+ private:
+  bool ensure_open() { return is_open() || open(path_, std::ios::out | std::ios::trunc) != nullptr; }
+
+  std::string path_;
+};
+
 constexpr std::uint64_t most_steps_reported_by_default = 200;
 
 int wrong_usage(const std::string& what) {
@@ -107,10 +124,13 @@ int run_replay(const Arguments& arguments) {
     }
     file.clear();
   }
-  std::ofstream log;
+  FreshFile log_file(arguments.log);
+  std::ostream log(&log_file);
   if (!arguments.log.empty()) {
-    log.open(arguments.log, std::ios::trunc);
-    if (!log) {
+    if (is_same_file(arguments.file, arguments.log)) {
+      return wrong_usage("--log would write over the script; give it another file");
+    }
+    if (!std::ofstream(arguments.log, std::ios::app)) {
       return wrong_usage("cannot write " + arguments.log);
     }
     options.log = &log;

@@ -116,3 +116,32 @@ TEST_CASE("a step that does more costs more, and one that does nothing costs not
       work_of(engine, {R"({"op":"note","text":"nothing"})", R"({"op":"identify","pairs":[["a","a"]]})"});
   CHECK(nothing == std::vector<std::uint64_t>{0, 0});
 }
+
+TEST_CASE("doing a step again after taking it back costs the same after any history", "[engine]") {
+  const auto cost_of_redoing = [](int points) {
+    Engine engine;
+    ops::MakeComplex complex{"K", {}};
+    for (int k = 0; k < points; ++k) {
+      complex.cells.push_back({std::to_string(k), {}, {}, {}});
+    }
+    carry_out(engine, complex);
+    const auto glue = [points](int k) {
+      return ops::Identify{{{"K." + std::to_string(points - 1), "K." + std::to_string(k)}}};
+    };
+    for (int k = points - 2; k > 0; --k) {
+      carry_out(engine, glue(k));
+    }
+    std::uint64_t work = 0;
+    for (int again = 0; again < 5; ++again) {
+      const std::uint64_t before = total(engine.work());
+      carry_out(engine, glue(0));
+      work = total(engine.work()) - before;
+      carry_out(engine, ops::Undo{1});
+    }
+    CHECK(live_groups(engine) == std::vector<AbelianGroup>{group(2)});
+    return work;
+  };
+  const std::uint64_t few = cost_of_redoing(20);
+  CHECK(few > 0);
+  CHECK(cost_of_redoing(2000) == few);
+}

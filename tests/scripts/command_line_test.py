@@ -101,6 +101,9 @@ class Replay(unittest.TestCase):
             HEADER + TRIANGLE + '{"op":"identify","pairs":[["t","t.0"]]}\n': "same type",
             HEADER + TRIANGLE + '{"op":"identify","pairs":[["t.9","t.0"]]}\n': 'no cell "t.9"',
             HEADER + '{"op":"undo"}\n': "undo",
+            HEADER + '{"op":"note","text":"a","text":"b"}\n': '"text" stands twice',
+            HEADER + HEADER: "one header",
+            HEADER + '{"op":"simplex","name":"t","dim":0,"at":[[1e999,0]]}\n': "out of range",
             HEADER + '{"op":"simplex","name":"t",\n': "JSON",
         }
         for text, expected in cases.items():
@@ -137,6 +140,28 @@ class Replay(unittest.TestCase):
             strip = [[{k: v for k, v in json.loads(line).items() if k not in ("us", "seconds")}
                       for line in done.stdout.splitlines()] for done in (first, again)]
             self.assertEqual(strip[0], strip[1])
+
+    def test_nothing_that_is_read_is_written_over(self):
+        with tempfile.TemporaryDirectory() as directory:
+            script = pathlib.Path(directory, "script.jsonl")
+            script.write_text(HEADER + TRIANGLE, encoding="utf-8")
+            done = run("replay", script, "--log", script)
+            self.assertEqual(done.returncode, 1)
+            self.assertEqual(script.read_text(encoding="utf-8"), HEADER + TRIANGLE)
+            old, wrong = pathlib.Path(directory, "old.jsonl"), pathlib.Path(directory, "wrong.jsonl")
+            old.write_text("old log\n", encoding="utf-8")
+            wrong.write_text("no header\n", encoding="utf-8")
+            self.assertEqual(run("replay", wrong, "--log", old).returncode, 2)
+            self.assertEqual(old.read_text(encoding="utf-8"), "old log\n")
+            mesh = pathlib.Path(directory, "mesh.off")
+            mesh.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", encoding="utf-8")
+            self.assertEqual(run("import", mesh, "-o", mesh).returncode, 1)
+            self.assertTrue(mesh.read_text(encoding="utf-8").startswith("OFF"))
+
+    def test_deep_nesting_is_an_error_and_no_crash(self):
+        for text in ('{"sesame":' + "[" * 300000 + "]" * 300000 + "}\n",
+                     HEADER + '{"op":"note","text":' + "[" * 300000 + "]" * 300000 + "}\n"):
+            self.assertEqual(replay(text).returncode, 2)
 
     def test_long_scripts_report_progress_only(self):
         text = HEADER + "".join('{"op":"simplex","name":"t%d","dim":1}\n' % k for k in range(300))
