@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <numeric>
+#include <unordered_map>
 
 #include "sparse/contract.hpp"
 
@@ -55,55 +57,41 @@ std::vector<FaceLaw> face_laws(const CellType& type) {
   return laws;
 }
 
-using Subset = std::vector<int>;
+/// A face of a standard simploid: its vertex subsets as bit masks, one after the other from the lowest bits on.
+/// Types are so small (standard_cell_count) that 64 bits always suffice.
+using Mask = std::uint64_t;
 
-/// The non-empty subsets of {0..a}, lexicographically.
-std::vector<Subset> subsets(int a) {
-  std::vector<Subset> all;
-  const std::uint32_t end = std::uint32_t{1} << (a + 1);
-  for (std::uint32_t mask = 1; mask < end; ++mask) {
-    Subset s;
-    for (int v = 0; v <= a; ++v) {
-      if ((mask >> v & 1) != 0) {
-        s.push_back(v);
+/// The non-empty subsets of {0..a}, lexicographically as lists of vertices.
+std::vector<Mask> subsets(int a) {
+  std::vector<Mask> all;
+  for (int first = 0; first <= a; ++first) {
+    all.push_back(Mask{1} << first);
+    if (first < a) {
+      for (const Mask rest : subsets(a - first - 1)) {
+        all.push_back(Mask{1} << first | rest << (first + 1));
       }
     }
-    all.push_back(std::move(s));
   }
-  std::sort(all.begin(), all.end());
   return all;
 }
 
-using Tuple = std::vector<Subset>;
-
-int dimension_of(const Tuple& tuple) {
-  return std::accumulate(tuple.begin(), tuple.end(), 0,
-                         [](int sum, const Subset& s) { return sum + static_cast<int>(s.size()) - 1; });
-}
-
-std::vector<Tuple> all_tuples(const CellType& type) {
-  std::vector<Tuple> tuples{{}};
+/// All faces by dimension, then lexicographically in the subsets.
+std::vector<Mask> all_faces(const CellType& type) {
+  std::vector<Mask> faces{0};
+  int offset = 0;
   for (const int a : type) {
-    std::vector<Tuple> longer;
-    for (const Tuple& t : tuples) {
-      for (const Subset& s : subsets(a)) {
-        longer.push_back(t);
-        longer.back().push_back(s);
+    std::vector<Mask> longer;
+    const std::vector<Mask> choices = subsets(a);
+    for (const Mask face : faces) {
+      for (const Mask choice : choices) {
+        longer.push_back(face | choice << offset);
       }
     }
-    tuples = std::move(longer);
+    faces = std::move(longer);
+    offset += a + 1;
   }
-  std::stable_sort(tuples.begin(), tuples.end(),
-                   [](const Tuple& x, const Tuple& y) { return dimension_of(x) < dimension_of(y); });
-  return tuples;
-}
-
-std::string suffix_of(const Tuple& tuple) {
-  std::string text;
-  for (const Subset& s : tuple) {
-    text += fmt::format("{}{}", text.empty() ? "" : "x", fmt::join(s, "-"));
-  }
-  return text;
+  std::stable_sort(faces.begin(), faces.end(), [](Mask x, Mask y) { return std::popcount(x) < std::popcount(y); });
+  return faces;
 }
 
 }  // namespace
@@ -138,24 +126,34 @@ const StandardCell& TypeTable::standard(TypeId id) {
     return known->second;
   }
   StandardCell standard;
-  std::map<Tuple, std::uint32_t> position;
-  for (const Tuple& tuple : all_tuples(infos_[id].type)) {
+  const CellType& whole = infos_[id].type;
+  std::unordered_map<Mask, std::uint32_t> position;
+  for (const Mask mask : all_faces(whole)) {
     StandardFace cell;
     CellType type;
-    for (std::size_t i = 0; i < tuple.size(); ++i) {
-      if (tuple[i].size() == 1) {
-        continue;
+    int offset = 0;
+    for (const int a : whole) {
+      const Mask subset = mask >> offset & ((Mask{1} << (a + 1)) - 1);
+      const int size = std::popcount(subset);
+      if (size > 1) {
+        type.push_back(size - 1);
       }
-      type.push_back(static_cast<int>(tuple[i].size()) - 1);
-      for (std::size_t j = 0; j < tuple[i].size(); ++j) {
-        Tuple face = tuple;
-        face[i].erase(face[i].begin() + static_cast<std::ptrdiff_t>(j));
-        cell.faces.push_back(position.at(face));
+      cell.suffix += cell.suffix.empty() ? "" : "x";
+      const char* separator = "";
+      for (int v = 0; v <= a; ++v) {
+        if ((subset >> v & 1) == 0) {
+          continue;
+        }
+        cell.suffix += separator + std::to_string(v);
+        separator = "-";
+        if (size > 1) {
+          cell.faces.push_back(position.at(mask & ~(Mask{1} << (offset + v))));
+        }
       }
+      offset += a + 1;
     }
     cell.type = intern(type);
-    cell.suffix = suffix_of(tuple);
-    position.emplace(tuple, static_cast<std::uint32_t>(standard.cells.size()));
+    position.emplace(mask, static_cast<std::uint32_t>(standard.cells.size()));
     standard.cells.push_back(std::move(cell));
   }
   return standards_.emplace(id, std::move(standard)).first->second;
