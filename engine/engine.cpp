@@ -203,8 +203,8 @@ void Engine::push_history() {
 }
 
 void Engine::notify(const StepReport& report) const {
-  SPDLOG_DEBUG("step {} ({}): {} cells created, {} removed", report.step, report.op, report.after.created,
-               report.after.links);
+  spdlog::debug("step {} ({}): {} cells created, {} removed", report.step, report.op, report.after.created,
+                report.after.links);
   for (const Observer& observer : observers_) {
     observer(log_.back(), report);
   }

@@ -3,8 +3,8 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <new>
 
@@ -17,6 +17,10 @@ namespace {
 
 using sesame::replay::Outcome;
 
+std::function<bool(CLI::App*)> is_named(const std::string& name) {
+  return [name](CLI::App* command) { return command->get_name() == name; };
+}
+
 /// `sesame help [COMMAND]`, as everyone expects beside `--help`.
 void add_help_command(CLI::App& app) {
   CLI::App* help = app.add_subcommand("help", "Explain a command");
@@ -27,13 +31,11 @@ void add_help_command(CLI::App& app) {
       std::cout << app.help();
       return;
     }
-    const std::vector<CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
-    const auto found = std::find_if(commands.begin(), commands.end(),
-                                    [&](const CLI::App* command) { return command->get_name() == *topic; });
-    if (found == commands.end()) {
+    const std::vector<CLI::App*> found = app.get_subcommands(is_named(*topic));
+    if (found.empty()) {
       throw CLI::ValidationError("help", "there is no command \"" + *topic + "\"; see sesame --help");
     }
-    std::cout << (*found)->help(app.get_name());
+    std::cout << found.front()->help(app.get_name());
   });
 }
 
@@ -47,6 +49,10 @@ int run(int argc, char** argv) {
   sesame::tools::add_import_command(app, status);
   sesame::tools::add_mesh_command(app, status);
   add_help_command(app);
+  if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_named(argv[1])).empty()) {
+    std::cerr << "sesame: there is no command \"" << argv[1] << "\"; see sesame --help\n";
+    return static_cast<int>(Outcome::wrong_usage);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -1,12 +1,12 @@
 #include <chrono>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <optional>
 
 #include "replay/replay.hpp"
 #include "sparse/ring.hpp"
 #include "tools/commands.hpp"
+#include "tools/mesh_input.hpp"
 #include "tools/mesh_report.hpp"
 
 namespace sesame::tools {
@@ -15,10 +15,8 @@ namespace {
 using replay::Outcome;
 
 struct Arguments {
-  std::string mesh;
+  MeshInput mesh;
   std::string ring = "Z";
-  Format format = Format::automatic;
-  double weld = -1;
   std::optional<std::size_t> generators_limit;
   bool json = false;
 };
@@ -32,18 +30,13 @@ int run_mesh(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const Result<sparse::AnyRing> ring = sparse::parse_ring(arguments.ring);
   if (!ring) return fail("sesame mesh: --ring: " + ring.error().what, Outcome::wrong_usage);
-  ReadOptions reading{arguments.format, {}};
-  if (arguments.weld >= 0) reading.weld = arguments.weld;
-  const auto refused = [](const Error& error) {
-    return fail(error.what, error.code == Errc::io ? Outcome::wrong_usage : Outcome::wrong_script);
-  };
-  const Result<Mesh> mesh = read_mesh(arguments.mesh, reading);
-  if (!mesh) return refused(mesh.error());
-  const auto found = mesh_homology(*mesh, {arguments.mesh, *ring, arguments.generators_limit != std::size_t{0}});
-  if (!found) return refused(found.error());
+  const Result<Mesh> mesh = read(arguments.mesh);
+  if (!mesh) return refuse(mesh.error());
+  const auto found = mesh_homology(*mesh, {arguments.mesh.file, *ring, arguments.generators_limit != std::size_t{0}});
+  if (!found) return refuse(found.error());
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   const auto write = arguments.json ? write_json : write_text;
-  write(std::cout, *found, {arguments.mesh, arguments.generators_limit, took.count()});
+  write(std::cout, *found, {arguments.mesh.file, arguments.generators_limit, took.count()});
   std::cout << std::flush;
   return std::cout ? 0 : fail("sesame mesh: cannot write to standard output", Outcome::wrong_usage);
 }
@@ -54,19 +47,9 @@ void add_mesh_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("mesh", "Where are the tunnels? Validity, homology and short generators of a mesh");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("MESH", arguments->mesh, "The mesh file (OFF, OBJ, PLY, STL)")->required();
+  add_mesh_input(*command, arguments->mesh);
   command->add_flag("--json", arguments->json, "One JSON object on standard output");
   command->add_option("--ring", arguments->ring, "Compute over Z or Z/p")->capture_default_str();
-  command->add_option("--format", arguments->format, "The mesh format; default: by extension, else by content")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Format>{{"auto", Format::automatic},
-                                                                        {"off", Format::off},
-                                                                        {"obj", Format::obj},
-                                                                        {"ply", Format::ply},
-                                                                        {"stl", Format::stl}}));
-  command
-      ->add_option("--weld", arguments->weld,
-                   "Make one of points within this distance (STL: equal points are always welded)")
-      ->check(CLI::NonNegativeNumber);
   command
       ->add_option("--generators-limit", arguments->generators_limit,
                    "How many generators to list: of each group (default 20), or in all with --json (default: all); 0 "

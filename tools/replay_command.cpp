@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -36,9 +37,13 @@ void catch_interrupt() {
 
 /// Standard input that ends at Ctrl-C; std::cin would go on waiting.
 class StandardInput final : public std::streambuf {
+ public:
+  [[nodiscard]] bool is_unreadable() const { return is_unreadable_; }
+
  protected:
   int_type underflow() override {
     const ssize_t got = stop_requested.load() ? 0 : ::read(STDIN_FILENO, buffer_.data(), buffer_.size());
+    is_unreadable_ = is_unreadable_ || (got < 0 && errno != EINTR);
     if (got <= 0) {
       return traits_type::eof();
     }
@@ -47,6 +52,7 @@ class StandardInput final : public std::streambuf {
   }
 
  private:
+  bool is_unreadable_ = false;
   std::vector<char> buffer_ = std::vector<char>(1 << 16);
 };
 
@@ -170,6 +176,9 @@ int run_replay(const Arguments& arguments) {
                               arguments.follow ? wait_for_growth : std::function<bool()>{});
   const Outcome outcome = replay::replay(script, options, reporter.get(), std::cerr, progress.get());
   std::cout << std::flush;
+  if (standard_input.is_unreadable()) {
+    return wrong_usage("cannot read standard input");
+  }
   if (!std::cout) {
     return wrong_usage("cannot write to standard output");
   }
@@ -181,16 +190,27 @@ int run_replay(const Arguments& arguments) {
 
 }  // namespace
 
+CLI::Validator from_one_on() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        const bool is_number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+        return is_number && text.find_first_not_of('0') != std::string::npos
+                   ? std::string{}
+                   : "\"" + text + "\" should be a whole number from 1 on";
+      },
+      "");
+}
+
 void add_replay_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("replay", "Replay a construction script, with the homology after every step");
   auto arguments = std::make_shared<Arguments>();
   command->add_option("FILE", arguments->file, "The script, JSON Lines; - for standard input")->required();
   command->add_option("--ring", arguments->ring, "Compute over Z or Z/p instead of the ring that the script names");
-  command->add_option("--until", arguments->until, "Stop after that many steps")->check(CLI::PositiveNumber);
+  command->add_option("--until", arguments->until, "Stop after that many steps")->check(from_one_on());
   command
       ->add_option("--every", arguments->every,
                    "Report every N steps; default: every step of up to 200, else only answers to class")
-      ->check(CLI::PositiveNumber);
+      ->check(from_one_on());
   command->add_flag("--json", arguments->json, "One JSON object per reported step on standard output");
   command->add_flag("--generators", arguments->generators, "The generators of the homology groups at the end");
   command->add_flag("--verify", arguments->verify, "Check every law after every step (slow)");

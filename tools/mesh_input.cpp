@@ -1,0 +1,42 @@
+#include "tools/mesh_input.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <map>
+
+#include "replay/replay.hpp"
+
+namespace sesame::tools {
+
+void add_mesh_input(CLI::App& command, MeshInput& input) {
+  command.add_option("MESH", input.file, "The mesh file (OFF, OBJ, PLY, STL)")->required();
+  command.add_option("--format", input.format, "The mesh format; default: by extension, else by content")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Format>{{"auto", Format::automatic},
+                                                                        {"off", Format::off},
+                                                                        {"obj", Format::obj},
+                                                                        {"ply", Format::ply},
+                                                                        {"stl", Format::stl}}));
+  command.add_option("--weld", input.weld, "Make one of points within this distance (STL: equal points always are)");
+}
+
+Result<Mesh> read(const MeshInput& input) {
+  ReadOptions reading{input.format, {}};
+  if (!input.weld.empty()) {
+    double distance = 0;
+    const char* const end = input.weld.data() + input.weld.size();
+    const auto [stop, failed] = std::from_chars(input.weld.data(), end, distance);
+    if (failed != std::errc{} || stop != end || !std::isfinite(distance) || distance < 0) {
+      return Error{Errc::io, "--weld: \"" + input.weld + "\" should be a distance, a number from 0 on"};
+    }
+    reading.weld = distance;
+  }
+  return read_mesh(input.file, reading);
+}
+
+int refuse(const Error& error) {
+  std::cerr << error.what << '\n';
+  return static_cast<int>(error.code == Errc::io ? replay::Outcome::wrong_usage : replay::Outcome::wrong_script);
+}
+
+}  // namespace sesame::tools
