@@ -1,4 +1,4 @@
-// Memory that runs out in the middle of a step: the step has not happened, and the engine goes on.
+// Memory that runs out in the middle of a step: the log is the one before it, and the engine takes no further step.
 #include <cstdlib>
 #include <new>
 
@@ -25,6 +25,13 @@ void* allocated(std::size_t size) {
 }  // namespace
 
 void* operator new(std::size_t size) { return allocated(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  try {
+    return allocated(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
