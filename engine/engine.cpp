@@ -69,7 +69,9 @@ std::vector<Integer> integers(const From& numbers) {
 }  // namespace
 
 Engine::Engine(sparse::AnyRing ring, ops::Limits limits)
-    : ring_{ring}, planner_{structure_, limits}, tracker_{make_tracker(ring, structure_)} {}
+    : ring_{ring}, planner_{structure_, limits}, tracker_{make_tracker(ring, structure_)} {
+  spdlog::default_logger_raw();  // made now if need be, so that memory running out in a step is the step's own affair
+}
 
 Engine::~Engine() = default;
 
