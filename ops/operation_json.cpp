@@ -340,19 +340,49 @@ Header read_header(const Json& object) {
   return header;
 }
 
-/// Reads JSON, refusing a field that stands twice in one object: one of the two would be lost without a word.
-Json parse_object(std::string_view line) {
-  std::vector<std::unordered_set<std::string>> open_objects;
-  return Json::parse(line, [&](int, Json::parse_event_t event, Json& parsed) {
-    if (event == Json::parse_event_t::object_start) {
-      open_objects.emplace_back();
-    } else if (event == Json::parse_event_t::object_end) {
-      open_objects.pop_back();
-    } else if (event == Json::parse_event_t::key && !open_objects.back().insert(parsed.get<std::string>()).second) {
-      throw Wrong{fmt::format("the field \"{}\" stands twice in one object", parsed.get<std::string>())};
+/// Refuses a field that stands twice in one object: one of the two would be lost without a word. A pass of its own,
+/// because the parser's callbacks look through the whole list above each object that ends.
+class DoubledFields final : public nlohmann::json_sax<Json> {
+ public:
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+  bool start_object(std::size_t) override {
+    if (++depth_ > fields_.size()) {
+      fields_.emplace_back();
+    }
+    fields_[depth_ - 1].clear();
+    return true;
+  }
+  bool end_object() override {
+    --depth_;
+    return true;
+  }
+  bool key(string_t& field) override {
+    if (!fields_[depth_ - 1].insert(field).second) {
+      throw Wrong{fmt::format("the field \"{}\" stands twice in one object", field)};
     }
     return true;
-  });
+  }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+    return false;  // the parser proper says what is wrong
+  }
+
+ private:
+  std::vector<std::unordered_set<std::string>> fields_;  // per object that is open; kept for the next one
+  std::size_t depth_ = 0;
+};
+
+Json parse_object(std::string_view line) {
+  DoubledFields doubled;
+  Json::sax_parse(line, &doubled);
+  return Json::parse(line);
 }
 
 template <class Read>
