@@ -116,34 +116,30 @@ Result<StepReport> Engine::carry_out(const ops::Operation& operation) {
                     operation);
 }
 
-Result<ops::Plan> Engine::plan(const ops::Operation& operation) {
-  ops::Plan plan;
-  const Status status = std::visit(
+/// What an operation would do, written into `into`; nothing, for one that constructs nothing.
+Status Engine::plan_into(const ops::Operation& operation, ops::Plan& into) {
+  return std::visit(
       [&]<class Op>(const Op& op) -> Status {
-        if constexpr (requires { planner_.plan(op, plan); }) {
-          return planner_.plan(op, plan);
+        if constexpr (requires { planner_.plan(op, into); }) {
+          return planner_.plan(op, into);
         } else {
+          into.clear();
           return Done{};
         }
       },
       operation);
-  if (!status) {
+}
+
+Result<ops::Plan> Engine::plan(const ops::Operation& operation) {
+  ops::Plan plan;
+  if (Status status = plan_into(operation, plan); !status) {
     return status.error();
   }
   return plan;
 }
 
 Result<StepReport> Engine::construct(const ops::Operation& operation) {
-  const Status status = std::visit(
-      [&]<class Op>(const Op& op) -> Status {
-        if constexpr (requires { planner_.plan(op, plan_); }) {
-          return planner_.plan(op, plan_);
-        } else {
-          throw sparse::ContractViolation("only construction operations are planned");
-        }
-      },
-      operation);
-  if (!status) {
+  if (Status status = plan_into(operation, plan_); !status) {
     return status.error();
   }
   StepReport report = begin_report(operation);

@@ -123,6 +123,7 @@ class Engine {
 
  private:
   Result<StepReport> carry_out(const ops::Operation& operation);
+  Status plan_into(const ops::Operation& operation, ops::Plan& into);
   Result<StepReport> construct(const ops::Operation& operation);
   Status check(const ops::Expect& expected);
   Result<StepReport> take_back(const ops::Undo& operation);
