@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "ops/structure.hpp"
@@ -17,19 +19,31 @@ using sparse::Index;
 using sparse::Ring;
 using sparse::Terms;
 
+template <Ring R>
+class LazyMaps;
+
 /// The big complex. It has one generator per cell ever created and one per removal of a cell, so |B| <= 2 |cells|.
 ///
 ///   a cell c created with faces c_k     generator [c] of degree dim c,      boundary g(d c)
 ///   a cell x removed in favour of y     generator <x> of degree dim x + 1,  boundary g(y) - g(x)
+///   a cell x that became degenerate     generator <x> of degree dim x + 1,  boundary -g(x)
+///   a copy y of a cell x                generator e of degree dim x,        boundary: that of y - x in other copies
 ///
 /// This is the cone of iB: B0 -> B1 of the exact sequence of each step, [[dB1, iB], [0, -dB0]], grown in place: the new
-/// columns are appended, the old block is neither copied nor read. The left reduction is never stored as a matrix:
+/// columns are appended, the old block is neither copied nor read. A de-identification is the backward sequence: the
+/// boundaries of old generators gain terms in the e of its copies. The left reduction is never stored as a matrix:
 ///
-///   f [c] = the cell that c is now, f <x> = 0                       (the union-find forest of the structure)
-///   g c   = [c] + sum over faces k of sign_k P(c_k)                 (the identity, plus corrections)
-///   h [c] = -P(c), h <x> = 0
+///   f [c] = the cell that c is now or 0, f <x> = 0, f e = y - x       (the union-find forest of the structure)
+///   g c   = [c] + sum over faces k of sign_k P(c_k)                   (the identity, plus corrections)
+///   g y   = e + g x as it was when y was made, plus corrections since
+///   h [c] = -P(c), h <x> = 0, h e = P(x) - P(y)
 ///
-/// where P(x) is the sum of the generators <y> on the path of the forest from x to the cell that x is now.
+/// where P(x) is the sum of the generators <y> on the path of the forest from x to the cell that x is now. For a face
+/// that has moved, P runs along the path of what the face was until then, and along that of what it is since.
+///
+/// Lazy cells have no generators of their own. Those of a product have one for each pair of small generators of the
+/// factors, and g of a lazy cell is its image under the tensor product of the factors' maps; so for them this is the
+/// reduced big complex, and f and g are one half of a homological equivalence: see LazyMaps.
 ///
 /// Source: S. Peltier's habilitation (2023), section 3.3.3; see engine/LIVE_FORM.md.
 template <Ring R>
@@ -44,40 +58,71 @@ class BigComplex {
   [[nodiscard]] const sparse::Matrix<R>& boundary() const { return boundary_; }
   /// The number of generators of each degree, up to the largest that has one.
   [[nodiscard]] const std::vector<std::uint32_t>& counts() const { return counts_; }
+  /// The body whose cells a generator belongs to.
+  [[nodiscard]] ops::BodyId body_of(Index generator) const;
 
   /// The entries ever appended to the boundary, undone ones included.
   [[nodiscard]] std::uint64_t entries_appended() const { return entries_appended_; }
 
-  /// Appends the generator of the next cell, of the next removal. Cost O(faces of faces * log cells).
-  Index append_cell(CellId cell);
+  /// What gives the maps of lazy cells. Set once, before there are any.
+  void set_lazy_maps(LazyMaps<R>& maps) { lazy_maps_ = &maps; }
+
+  /// Appends the generator of the next cell (a lazy one, or one degenerate from the start, has none: then nothing), of
+  /// the next removal. Cost O(faces of faces * log cells).
+  std::optional<Index> append_cell(CellId cell);
   Index append_removal(LinkId link);
-  void truncate(Index size, CellId cells, LinkId links);
+  /// Appends a generator for a pair of small generators of a product's factors, with its boundary (in normal form).
+  Index append_pair(ops::FamilyId family, int degree, std::span<const sparse::Term<R>> boundary);
+  /// Appends the generator of the next cell, a copy.
+  Index append_copy(CellId copy);
+  /// The boundaries of old generators gain what the moves of a de-identification give them, in the generators from
+  /// `first` on, those of the copies. Returns the generators whose boundaries have changed.
+  std::vector<Index> split(Index first, std::span<const Structure::MadeMove> moves);
+
+  struct Mark {
+    Index generators = 0;
+    CellId cells = 0;
+    LinkId links = 0;
+    std::size_t changed = 0;
+  };
+  [[nodiscard]] Mark mark() const {
+    return {size(), static_cast<CellId>(of_cell_.size()), static_cast<LinkId>(of_link_.size()), changed_.size()};
+  }
+  void truncate(const Mark& mark);
 
   /// g of a current cell times a factor, added to `out` (not in normal form).
   void add_g(CellId cell, const typename R::Element& factor, Terms<R>& out) const;
-  /// P(x) times a factor, added to `out` (not in normal form).
-  void add_path(CellId x, const typename R::Element& factor, Terms<R>& out) const;
-  /// f of a generator: a current cell, or ops::none.
-  [[nodiscard]] CellId f(Index generator) const;
+  /// The lazy cells in g of a cell, as chains of the lazy families: for a lazy cell itself, with the factor.
+  void add_lazy_part(CellId cell, const typename R::Element& factor, Terms<R>& out) const;
+  /// P(x) times a factor, added to `out` (not in normal form); of the path up to a number of removals.
+  void add_path(CellId x, LinkId links, const typename R::Element& factor, Terms<R>& out) const;
+  /// f of a generator times a factor, added to `out`: current cells, not in normal form.
+  void add_f(Index generator, const typename R::Element& factor, Terms<R>& out) const;
   /// f of a chain of B, as a chain of current cells (indices are cell ids), in normal form.
   [[nodiscard]] Terms<R> f(std::span<const sparse::Term<R>> chain) const;
-  /// h of a generator, in normal form.
+  /// h of a generator, in normal form. Requires: there are no lazy families.
   [[nodiscard]] Terms<R> h(Index generator) const;
 
  private:
   static constexpr std::uint32_t removal = 0x8000'0000U;  ///< mark of <x> in origin_
+  static constexpr std::uint32_t pair = 0x4000'0000U;     ///< mark of a pair, with its family
 
   Index append(std::uint32_t origin, int degree);
+  void add_g_at(CellId cell, const ops::Moment& moment, const typename R::Element& factor, Terms<R>& out) const;
+  void add_cell(CellId node, const typename R::Element& factor, Terms<R>& out) const;
 
   R ring_;
   const Structure& structure_;
+  LazyMaps<R>* lazy_maps_ = nullptr;
   sparse::Matrix<R> boundary_;
-  std::vector<std::uint32_t> origin_;  ///< per generator: a cell, or removal | link
+  std::vector<std::uint32_t> origin_;  ///< per generator: a cell, or removal | link, or pair | family
   std::vector<std::uint8_t> degree_;
   std::vector<Index> of_cell_, of_link_;
   std::vector<std::uint32_t> counts_;
+  std::vector<Index> changed_;                           ///< generators whose boundaries gained terms, for undo
+  std::unordered_map<Index, Terms<R>> lazy_part_;        ///< of the boundary of a generator: lazy cells as created
   std::uint64_t entries_appended_ = 0;
-  Terms<R> column_;  ///< scratch
+  Terms<R> column_, lazy_column_;  ///< scratch
 };
 
 }  // namespace sesame::engine

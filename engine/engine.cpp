@@ -2,7 +2,9 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "engine/live_equivalence.hpp"
 #include "sparse/contract.hpp"
@@ -61,9 +63,13 @@ template <class From>
 std::vector<Integer> integers(const From& numbers) {
   std::vector<Integer> out;
   for (const auto n : numbers) {
-    out.emplace_back(std::int64_t{n});
+    out.emplace_back(static_cast<std::int64_t>(n));
   }
   return out;
+}
+
+std::uint64_t total(std::span<const std::uint64_t> counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
 }  // namespace
@@ -142,18 +148,42 @@ Result<StepReport> Engine::construct(const ops::Operation& operation) {
   if (Status status = plan_into(operation, plan_); !status) {
     return status.error();
   }
+  if (Status status = check_room(operation); !status) {
+    return status.error();
+  }
   StepReport report = begin_report(operation);
+  const std::uint64_t before = total(cells());
   push_history();
   structure_.apply(plan_);
   tracker_->extend();
   report.after = ops::now(structure_);
-  if (!plan_.changes_nothing()) {
-    const std::uint64_t before = report.before.created - report.before.links;
-    const std::uint64_t after = report.after.created - report.after.links;
-    report.sequence = plan_.merges.empty() ? SequenceSizes{ops::Direction::backward, before, after, after - before}
-                                           : SequenceSizes{ops::Direction::forward, before - after, before, after};
+  const std::uint64_t after = total(cells());
+  if (!plan_.merges.empty()) {
+    report.sequence = SequenceSizes{ops::Direction::forward, before - after, before, after};
+  } else if (!plan_.sources.empty()) {
+    report.sequence = SequenceSizes{ops::Direction::backward, after - before, after, before};
+  } else if (!plan_.changes_nothing() && !std::holds_alternative<ops::MakeProduct>(operation)) {
+    report.sequence = SequenceSizes{ops::Direction::backward, before, after, after - before};
   }
   return report;
+}
+
+/// A product has a small generator for each pair of those of its factors: not too many of them.
+Status Engine::check_room(const ops::Operation& operation) const {
+  const auto* product = std::get_if<ops::MakeProduct>(&operation);
+  if (product == nullptr) {
+    return Done{};
+  }
+  const std::uint64_t left = tracker_->small_of(plan_.family->bodies[0]);
+  const std::uint64_t right = tracker_->small_of(plan_.family->bodies[1]);
+  const auto limit = static_cast<std::uint64_t>(planner_.limits().cells_per_step);
+  if (right != 0 && left > limit / right) {
+    return Error{Errc::refused, "the small complexes of \"" + product->left + "\" and \"" + product->right + "\" have " +
+                                    std::to_string(left) + " and " + std::to_string(right) +
+                                    " generators: their product would have more than " + std::to_string(limit) +
+                                    ", the limit for one step"};
+  }
+  return Done{};
 }
 
 Status Engine::check(const ops::Expect& expected) {
@@ -211,8 +241,8 @@ void Engine::notify(const StepReport& report) const {
 std::int64_t Engine::euler_characteristic() const {
   std::int64_t sum = 0;
   std::int64_t sign = 1;
-  for (const std::uint32_t count : cells()) {
-    sum += sign * count;
+  for (const std::uint64_t count : cells()) {
+    sum += sign * static_cast<std::int64_t>(count);
     sign = -sign;
   }
   return sum;
@@ -220,34 +250,40 @@ std::int64_t Engine::euler_characteristic() const {
 
 Result<CellChain> Engine::chain(const std::vector<std::pair<Integer, std::string>>& terms) const {
   CellChain chain;
+  bool is_first = true;
   std::map<ops::CellId, Integer> coefficients;
   for (const auto& [coefficient, name] : terms) {
-    const Result<ops::CellId> cell = planner_.resolve(name);
-    if (!cell) {
-      return cell.error();
+    const Result<ops::CellId> node = planner_.resolve(name);
+    if (!node) {
+      return node.error();
     }
-    const int dimension = structure_.dimension(*cell);
-    if (coefficients.empty()) {
+    const int dimension = structure_.dimension(*node);
+    if (std::exchange(is_first, false)) {
       chain.degree = dimension;
     } else if (chain.degree != dimension) {
       return Error{Errc::bad_input, "a chain is made of cells of one dimension, but \"" + terms.front().second +
                                         "\" has dimension " + std::to_string(chain.degree) + " and \"" + name +
                                         "\" has dimension " + std::to_string(dimension)};
     }
-    coefficients[structure_.oldest(*cell)] += coefficient;
-  }
-  for (auto& [oldest, coefficient] : coefficients) {
-    if (!coefficient.is_zero()) {
-      chain.terms.push_back({std::move(coefficient), structure_.find(oldest)});
+    if (const ops::CellId cell = structure_.find(*node); cell != ops::none) {  // a degenerate one counts as 0
+      coefficients[cell] += coefficient;
     }
   }
+  for (auto& [cell, coefficient] : coefficients) {
+    if (!coefficient.is_zero()) {
+      chain.terms.push_back({std::move(coefficient), cell});
+    }
+  }
+  std::sort(chain.terms.begin(), chain.terms.end(), [this](const CellChain::Term& a, const CellChain::Term& b) {
+    return structure_.is_older(structure_.oldest(a.cell), structure_.oldest(b.cell));
+  });
   return chain;
 }
 
 ops::Moment Engine::before_step(std::uint64_t n) const {
   sparse::expects(n >= 1 && n <= history_.size(), "a step is one of those that are not undone");
   const ops::StructureMark& mark = history_[n - 1];
-  return {mark.cells, mark.links};
+  return {mark.cells, mark.links, mark.moves, mark.families};
 }
 
 std::optional<std::string> Engine::first_defect() {

@@ -81,7 +81,7 @@ class Engine {
   [[nodiscard]] const sparse::AnyRing& ring() const { return ring_; }
   [[nodiscard]] const ops::Structure& structure() const { return structure_; }
   /// The number of cells of each dimension, up to the largest that has one.
-  [[nodiscard]] std::span<const std::uint32_t> cells() const { return structure_.counts(); }
+  [[nodiscard]] std::span<const std::uint64_t> cells() const { return structure_.counts(); }
   [[nodiscard]] std::int64_t euler_characteristic() const;
   /// Betti numbers, torsion, sizes of the small and the big complex; an entry per dimension that has cells.
   [[nodiscard]] Homology homology() { return tracker_->homology(cells().size()); }
@@ -107,15 +107,12 @@ class Engine {
   // ---- the last step as an exact sequence, and the laws
   /// The moment before the step with this number among those not undone (1: the first). Requires: 1 <= n <= undoable().
   [[nodiscard]] ops::Moment before_step(std::uint64_t n) const;
-  /// The exact sequence of a step that is not undone; nothing when the step changed no cells. Cost: the size of the
-  /// object.
+  /// The exact sequence of a step that is not undone; nothing when the step changed no cells or was a
+  /// product. Cost: the size of the object.
   template <sparse::Ring R>
   [[nodiscard]] std::optional<ops::StepSequence<R>> sequence(std::uint64_t n, const R& ring) const {
     const ops::Moment before = before_step(n);
     const ops::Moment after = n == undoable() ? ops::now(structure_) : before_step(n + 1);
-    if (before == after) {
-      return std::nullopt;
-    }
     return ops::step_sequence(structure_, before, after, ring);
   }
   /// Checks every law of the present state. Slow. Returns the first that fails and where.
@@ -125,6 +122,7 @@ class Engine {
   Result<StepReport> carry_out(const ops::Operation& operation);
   Status plan_into(const ops::Operation& operation, ops::Plan& into);
   Result<StepReport> construct(const ops::Operation& operation);
+  Status check_room(const ops::Operation& operation) const;
   Status check(const ops::Expect& expected);
   Result<StepReport> take_back(const ops::Undo& operation);
   StepReport begin_report(const ops::Operation& operation) const;

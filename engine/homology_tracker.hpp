@@ -88,6 +88,8 @@ class HomologyTracker {
   /// Betti numbers, torsion and sizes, with an entry for each of the first `dimensions` degrees: those that have cells.
   /// Cost O(dimensions), plus a Smith form of the core when that changed.
   [[nodiscard]] virtual Homology homology(std::size_t dimensions) = 0;
+  /// The number of small generators of a body: a product has as many as those of its factors multiplied.
+  [[nodiscard]] virtual std::uint64_t small_of(ops::BodyId body) const = 0;
   /// The generators of H_p: those of finite order by increasing order, then the free ones.
   [[nodiscard]] virtual std::vector<Generator> generators(int degree) = 0;
   [[nodiscard]] virtual ClassAnswer classify(const CellChain& chain) = 0;

@@ -7,6 +7,7 @@
 
 #include "engine/big_complex.hpp"
 #include "engine/homology_tracker.hpp"
+#include "engine/lazy_maps.hpp"
 #include "engine/rewriter.hpp"
 #include "reductions/equivalence.hpp"
 #include "sparse/smith.hpp"
@@ -24,6 +25,7 @@ class LiveEquivalence final : public HomologyTracker {
   void undo_to_mark() override;
 
   [[nodiscard]] Homology homology(std::size_t dimensions) override;
+  [[nodiscard]] std::uint64_t small_of(ops::BodyId body) const override;
   [[nodiscard]] std::vector<Generator> generators(int degree) override;
   [[nodiscard]] ClassAnswer classify(const CellChain& chain) override;
   [[nodiscard]] SmallChain apply_F(const CellChain& chain) override;
@@ -35,7 +37,7 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] std::optional<std::string> first_defect(ops::Moment before_last_step) override;
 
   /// The whole equivalence as matrices. C's basis is that of ops::cells_at; B's and S's are their generators of each
-  /// degree, oldest first. Cost: the size of all maps written out.
+  /// degree, oldest first. Cost: the size of all maps written out. Requires: there are no lazy families.
   [[nodiscard]] reductions::Equivalence<R> matrices();
   [[nodiscard]] const BigComplex<R>& big() const { return big_; }
 
@@ -59,7 +61,10 @@ class LiveEquivalence final : public HomologyTracker {
   struct Mark {
     CellId cells;
     LinkId links;
-    Index generators;
+    std::uint32_t moves;
+    ops::FamilyId families;
+    typename BigComplex<R>::Mark big;
+    typename LazyMaps<R>::Mark lazy;
     typename Rewriter<R>::Mark rewriter;
   };
   struct TorsionCache {
@@ -73,6 +78,10 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] sparse::Matrix<R> core_matrix(const std::vector<Symbol>& columns) const;
   [[nodiscard]] Group group(int degree) const;
   [[nodiscard]] Terms<R> g(const CellChain& chain) const;
+  /// K z for the chain of B g z, plus f of a lift; with the trace of g z this is K, with a chain of S on top G y + K z.
+  [[nodiscard]] CellChain bounding(const CellChain& z, const Terms<R>& chain_of_s, const Trace<R>& trace);
+  [[nodiscard]] std::optional<std::string> defect_of_matrices();
+  [[nodiscard]] std::optional<std::string> defect_of_maps(const ops::CellBasis& cells);
   [[nodiscard]] CellChain to_cells(int degree, const Terms<R>& chain_of_b) const;
   [[nodiscard]] CellChain to_chain(int degree, const Terms<R>& cells) const;
   [[nodiscard]] SmallChain to_small(int degree, const Terms<R>& chain_of_s) const;
@@ -83,8 +92,11 @@ class LiveEquivalence final : public HomologyTracker {
   const Structure& structure_;
   BigComplex<R> big_;
   Rewriter<R> rewriter_;
+  LazyMaps<R> lazy_;
   CellId cells_ = 0;  ///< taken in so far
   LinkId links_ = 0;
+  std::uint32_t moves_ = 0;
+  ops::FamilyId families_ = 0;
   std::vector<Mark> marks_;
   TorsionCache torsion_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <queue>
+#include <tuple>
 
 namespace sesame::engine {
 namespace {
@@ -91,8 +92,30 @@ RuleId Rewriter<R>::push_rule(Symbol a, Symbol b, Element inverse, std::span<con
 }
 
 template <Ring R>
+void Rewriter<R>::consume(std::span<const Symbol> symbols) {
+  for (const Symbol x : symbols) {
+    push_rule(x, no_symbol, ring_.zero(), {});
+    state_[x] = no_rule;  // rewriting ends at it
+    if constexpr (!R::is_field) {
+      core_.set(x, {});
+    }
+  }
+}
+
+template <Ring R>
+Index Rewriter<R>::generator_in(Symbol x) const {
+  while (is_virtual(generator_[x])) {
+    x = combinations_[generator_[x] & ~virtual_bit].x;
+  }
+  return generator_[x];
+}
+
+template <Ring R>
 void Rewriter<R>::pop_rule() {
   const Rule& rule = rules_.back();
+  if (!changes_.empty()) {
+    changes_.erase(rules() - 1);
+  }
   if (rule.b != no_symbol) {
     relink(rule.b);
     state_[rule.b] = no_rule;
@@ -123,11 +146,15 @@ typename Rewriter<R>::Mark Rewriter<R>::mark() {
           static_cast<std::uint32_t>(symbol_of_.size()),
           values_.size(),
           memo_writes_.size(),
-          core_.journal_size()};
+          core_.journal_size(),
+          perturbation_steps_.size()};
 }
 
 template <Ring R>
 void Rewriter<R>::undo(const Mark& mark) {
+  while (perturbation_steps_.size() > mark.perturbations) {
+    undo_last_perturbation();
+  }
   core_.undo(mark.core_journal);
   while (rules_.size() > mark.rules || state_.size() > mark.symbols) {
     // A symbol was made after the last rule exactly when it was born at the present time.
@@ -175,6 +202,9 @@ std::span<const sparse::Term<R>> Rewriter<R>::memoised(RuleId rule) {
     bool is_current = memos_[top].checked == version_;
     bool waits = false;
     if (!is_current) {
+      if (memos_[top].perturbed != last_perturbation(top)) {
+        refresh_memo(top);
+      }
       is_current = true;
       terms_read_ += memo_terms(top).size();
       for (const TermType& term : memo_terms(top)) {
@@ -202,31 +232,61 @@ std::span<const sparse::Term<R>> Rewriter<R>::memoised(RuleId rule) {
   return memo_terms(rule);
 }
 
+/// The memo of a rule, to be written: as it was, it is remembered for undo.
+template <Ring R>
+typename Rewriter<R>::Memo& Rewriter<R>::writable_memo(RuleId rule) {
+  Memo& memo = memos_[rule];
+  if (memo.epoch != epoch_) {
+    memo_writes_.emplace_back(rule, std::move(memo));
+    memo = Memo{};
+    memo.perturbed = memo_writes_.back().second.perturbed;
+    memo.epoch = epoch_;
+  }
+  memo.written = true;
+  return memo;
+}
+
 template <Ring R>
 void Rewriter<R>::update_memo(RuleId rule) {
   for (const auto& [x, coefficient] : memo_terms(rule)) {
     add_rewritten(x, coefficient);
   }
-  Memo& memo = memos_[rule];
-  if (memo.epoch != epoch_) {
-    memo_writes_.emplace_back(rule, std::move(memo));
-    memo = Memo{};
-    memo.epoch = epoch_;
+  sum_.finish(writable_memo(rule).terms);
+}
+
+/// What a memo says of rules that have been perturbed since is void: it starts again from the value of its own rule.
+template <Ring R>
+void Rewriter<R>::refresh_memo(RuleId rule) {
+  take_in(rule);
+  const auto change = changes_.find(rule);
+  if (memos_[rule].written || (change != changes_.end() && !change->second.terms.empty())) {
+    Terms<R> terms;
+    for_each_in_value(rule, [&terms](Symbol x, const Element& coefficient) { terms.push_back({x, coefficient}); });
+    writable_memo(rule).terms = std::move(terms);
   }
-  sum_.finish(memo.terms);
-  memo.written = true;
+  memos_[rule].perturbed = last_perturbation(rule);
 }
 
 template <Ring R>
 Terms<R> Rewriter<R>::rewrite(std::span<const TermType> chain_of_b) {
-  // All memos first: bringing one up to date uses the same sum.
+  Terms<R> symbols;
+  symbols.reserve(chain_of_b.size());
   for (const TermType& term : chain_of_b) {
-    if (const Symbol x = symbol_of_[term.index]; is_eliminated_a(x)) {
-      memoised(state_[x]);
+    symbols.push_back({symbol_of_[term.index], term.coefficient});
+  }
+  return rewrite_symbols(symbols);
+}
+
+template <Ring R>
+Terms<R> Rewriter<R>::rewrite_symbols(std::span<const TermType> chain) {
+  // All memos first: bringing one up to date uses the same sum.
+  for (const TermType& term : chain) {
+    if (is_eliminated_a(term.index)) {
+      memoised(state_[term.index]);
     }
   }
-  for (const TermType& term : chain_of_b) {
-    add_rewritten(symbol_of_[term.index], term.coefficient);
+  for (const TermType& term : chain) {
+    add_rewritten(term.index, term.coefficient);
   }
   Terms<R> out;
   sum_.finish(out);
@@ -464,10 +524,14 @@ bool Rewriter<R>::combine(Symbol x, const Element& q, Symbol y) {
 template <Ring R>
 template <class Begin>
 Trace<R> Rewriter<R>::run_trace(RuleId before, Begin begin) {
+  if (traces_running_ == traced_.size()) {
+    traced_.emplace_back(ring_);
+  }
+  Accumulator<R>& traced = traced_[traces_running_++];
   std::priority_queue<RuleId, std::vector<RuleId>, std::greater<>> queue;
   const auto add = [&](Symbol x, const Element& factor, const Element& coefficient) {
     const RuleId rule = state_[x];
-    if (rule < before && rules_[rule].a == x && traced_.add_product(x, factor, coefficient)) {
+    if (rule < before && rules_[rule].a == x && traced.add_product(x, factor, coefficient)) {
       queue.push(rule);
     }
   };
@@ -476,18 +540,21 @@ Trace<R> Rewriter<R>::run_trace(RuleId before, Begin begin) {
   while (!queue.empty()) {
     const RuleId rule = queue.top();
     queue.pop();
-    const Element coefficient = traced_.take(rules_[rule].a);
+    const Element coefficient = traced.take(rules_[rule].a);
     if (ring_.is_zero(coefficient)) {
       continue;
     }
     if (rules_[rule].b != no_symbol) {
       trace.emplace_back(rule, ring_.multiply(rules_[rule].inverse, coefficient));
     }
-    for (const auto& [y, factor] : value(rule)) {
-      add(y, coefficient, factor);
+    if (perturbations_until(degree_[rules_[rule].a] + 1, before) > taken_in(rule)) {
+      take_in(rule);
     }
+    for_each_in_value(rule, [&](Symbol y, const Element& factor) { add(y, coefficient, factor); });
   }
-  traced_.finish(column_);  // all taken: this only clears
+  Terms<R> nothing;
+  traced.finish(nothing);  // all taken: this only clears
+  --traces_running_;
   return trace;
 }
 
@@ -515,42 +582,268 @@ Trace<R> Rewriter<R>::trace_of_boundary(Symbol x, RuleId before) {
   });
 }
 
+/// One step of writing a * V_time(x) in generators of B and in lifts of earlier times: `add(time, y, coefficient)` is told
+/// of those of a combination, `add_rule(rule, coefficient)` of those of the symbols b of rules.
+template <Ring R>
+template <class Add, class AddRule>
+void Rewriter<R>::expand(RuleId time, Symbol x, const Element& a, Terms<R>& generators, Add add, AddRule add_rule) {
+  if (is_virtual(generator_[x])) {
+    const Combination& combination = combinations_[generator_[x] & ~virtual_bit];
+    add(combination.rule, combination.x, a);
+    add(combination.rule, combination.y, ring_.negate(ring_.multiply(a, combination.q)));
+  } else {
+    generators.push_back({generator_[x], a});
+  }
+  const Element minus = ring_.negate(a);
+  for (const auto& [rule, factor] : trace_of_boundary(x, time)) {
+    add_rule(rule, ring_.multiply(minus, factor));
+  }
+}
+
 template <Ring R>
 Terms<R> Rewriter<R>::lift(std::span<const TermType> chain_of_s, const Trace<R>& trace) {
   // What is still to be expanded: V_t(x) with its coefficient, the latest t first. Expanding one leads to earlier ones
   // only, so equal ones have been added up by the time their turn comes.
   std::map<std::pair<RuleId, Symbol>, Element, std::greater<>> pending;
-  const auto add = [&](RuleId time, Symbol x, const Element& factor, const Element& coefficient) {
-    ring_.add_product(pending.try_emplace({time, x}, ring_.zero()).first->second, factor, coefficient);
+  const auto add = [&](RuleId time, Symbol x, const Element& coefficient) {
+    ring_.add_product(pending.try_emplace({time, x}, ring_.zero()).first->second, coefficient, ring_.one());
   };
+  const auto add_rule = [&](RuleId rule, const Element& coefficient) { add(rule, rules_[rule].b, coefficient); };
   for (const TermType& term : chain_of_s) {
-    add(rules(), term.index, term.coefficient, ring_.one());
+    add(rules(), term.index, term.coefficient);
   }
   for (const auto& [rule, coefficient] : trace) {
-    add(rule, rules_[rule].b, coefficient, ring_.one());
+    add_rule(rule, coefficient);
   }
   Terms<R> chain;
   while (!pending.empty()) {
     const auto node = pending.extract(pending.begin());
-    const auto [time, x] = node.key();
-    const Element& coefficient = node.mapped();
-    if (ring_.is_zero(coefficient)) {
-      continue;
-    }
-    if (is_virtual(generator_[x])) {
-      const Combination& combination = combinations_[generator_[x] & ~virtual_bit];
-      add(combination.rule, combination.x, coefficient, ring_.one());
-      add(combination.rule, combination.y, ring_.negate(coefficient), combination.q);
-    } else {
-      chain.push_back({generator_[x], coefficient});
-    }
-    const Element minus = ring_.negate(coefficient);
-    for (const auto& [rule, factor] : trace_of_boundary(x, time)) {
-      add(rule, rules_[rule].b, minus, factor);
+    if (!ring_.is_zero(node.mapped())) {
+      expand(node.key().first, node.key().second, node.mapped(), chain, add, add_rule);
     }
   }
   sparse::normalize(ring_, chain);
   return chain;
+}
+
+// ---------------------------------------------------------------------------------------------------- perturbations
+
+/// The value of a rule, with the changes that it has taken in: these are in younger symbols, so this is normal form.
+template <Ring R>
+template <class Visit>
+void Rewriter<R>::for_each_in_value(RuleId rule, Visit visit) const {
+  for (const TermType& term : value(rule)) {
+    visit(term.index, term.coefficient);
+  }
+  if (!changes_.empty()) {
+    if (const auto change = changes_.find(rule); change != changes_.end()) {
+      const Element factor = ring_.negate(rules_[rule].inverse);
+      for (const TermType& term : change->second.terms) {
+        visit(term.index, ring_.multiply(factor, term.coefficient));
+      }
+    }
+  }
+}
+
+/// The serial number of the last perturbation that concerns a rule, of those made before or after it; 0: none.
+template <Ring R>
+std::uint64_t Rewriter<R>::last_perturbation(RuleId rule) const {
+  const auto q = static_cast<std::size_t>(degree_[rules_[rule].a]) + 1;
+  return q < perturbations_.size() && !perturbations_[q].empty() ? perturbations_[q].back().serial : 0;
+}
+
+/// How many perturbations of generators of a degree there had been at a time.
+template <Ring R>
+std::size_t Rewriter<R>::perturbations_until(int degree, RuleId time) const {
+  const auto q = static_cast<std::size_t>(degree);
+  if (q >= perturbations_.size()) {
+    return 0;
+  }
+  const auto& all = perturbations_[q];
+  const auto after = std::upper_bound(all.begin(), all.end(), time,
+                                      [](RuleId t, const Perturbation& perturbation) { return t < perturbation.time; });
+  return static_cast<std::size_t>(after - all.begin());
+}
+
+template <Ring R>
+std::size_t Rewriter<R>::taken_in(RuleId rule) const {
+  const auto change = changes_.find(rule);
+  return change != changes_.end() ? change->second.taken_in
+                                  : perturbations_until(degree_[rules_[rule].a] + 1, rule);
+}
+
+template <Ring R>
+typename Rewriter<R>::Expansion Rewriter<R>::expansion(Symbol x, RuleId time) {
+  Expansion v;
+  std::vector<std::tuple<RuleId, Symbol, Element>> pending{{time, x, ring_.one()}};
+  while (!pending.empty()) {
+    const auto [t, y, coefficient] = pending.back();
+    pending.pop_back();
+    expand(
+        t, y, coefficient, v.generators,
+        [&](RuleId at, Symbol z, const Element& a) { pending.emplace_back(at, z, a); },
+        [&](RuleId rule, const Element& a) { v.trace.emplace_back(rule, ring_.negate(a)); });
+  }
+  return v;
+}
+
+/// delta(V), in symbols from `first` on. Requires: the rules of the trace have taken in all changes.
+template <Ring R>
+Terms<R> Rewriter<R>::change_of(const Expansion& v, Symbol first) const {
+  Terms<R> change;
+  for (const TermType& part : v.generators) {
+    boundary_.for_each_in_column(part.index, [&](const TermType& term) {
+      if (term.index > part.index && symbol_of_[term.index] >= first) {
+        change.push_back({symbol_of_[term.index], ring_.multiply(part.coefficient, term.coefficient)});
+      }
+    });
+  }
+  for (const auto& [rule, coefficient] : v.trace) {
+    if (const auto of_rule = changes_.find(rule); of_rule != changes_.end()) {
+      for (const TermType& term : of_rule->second.terms) {
+        if (term.index >= first) {
+          change.push_back({term.index, ring_.negate(ring_.multiply(coefficient, term.coefficient))});
+        }
+      }
+    }
+  }
+  sparse::normalize(ring_, change);
+  return change;
+}
+
+/// Brings the value of a rule up to date, and of all rules that it depends on; with a stack of its own, for chains of
+/// rules can be as long as the history.
+template <Ring R>
+void Rewriter<R>::take_in(RuleId rule) {
+  const auto all = [this](RuleId r) {
+    const auto q = static_cast<std::size_t>(degree_[rules_[r].a]) + 1;
+    return q < perturbations_.size() && rules_[r].b != no_symbol ? perturbations_[q].size() : 0;
+  };
+  if (taken_in(rule) >= all(rule)) {
+    return;
+  }
+  struct Frame {
+    RuleId rule;
+    Expansion lift;  // of its b
+    std::size_t next = 0;
+  };
+  std::vector<Frame> stack;
+  stack.push_back({rule, expansion(rules_[rule].b, rule)});
+  while (!stack.empty()) {
+    Frame& top = stack.back();
+    bool waits = false;
+    for (; top.next < top.lift.trace.size() && !waits; top.next += waits ? 0 : 1) {
+      const RuleId other = top.lift.trace[top.next].first;
+      waits = taken_in(other) < all(other);
+      if (waits) {
+        Frame frame{other, expansion(rules_[other].b, other)};
+        stack.push_back(std::move(frame));
+        break;
+      }
+    }
+    if (waits) {
+      continue;
+    }
+    const RuleId done = top.rule;
+    const std::size_t before = taken_in(done);
+    const auto q = static_cast<std::size_t>(degree_[rules_[done].a]) + 1;
+    if (before < perturbations_[q].size()) {
+      const Terms<R> change = change_of(top.lift, perturbations_[q][before].first);
+      Change& sum = changes_[done];
+      sum.terms.insert(sum.terms.end(), change.begin(), change.end());
+      sum.taken_in = perturbations_[q].size();
+      perturbation_steps_.back().rules.push_back(done);
+      terms_read_ += change.size() + top.lift.trace.size();
+    }
+    stack.pop_back();
+  }
+}
+
+template <Ring R>
+void Rewriter<R>::perturb(RuleId time, Index first, std::span<const Index> changed) {
+  std::set<int> degrees;
+  for (const Index generator : changed) {
+    degrees.insert(degree_[symbol_of_[generator]]);
+  }
+  const Symbol first_symbol = symbol_of_[first];
+  perturbation_steps_.push_back({first_symbol, {degrees.begin(), degrees.end()}, {}, {}});
+  ++version_;
+  for (const int degree : degrees) {
+    const auto q = static_cast<std::size_t>(degree);
+    perturbations_.resize(std::max(perturbations_.size(), q + 1));
+    perturbations_[q].push_back({time, first_symbol, ++last_serial_});
+  }
+  const auto change_at = [&](Symbol x, RuleId t) {
+    const Expansion v = expansion(x, t);
+    for (const auto& [rule, coefficient] : v.trace) {
+      take_in(rule);
+    }
+    return change_of(v, first_symbol);
+  };
+  for (std::uint32_t k = 0; k < combinations_.size(); ++k) {
+    const RuleId rule = combinations_[k].rule;
+    const auto x = static_cast<Symbol>(rules_[rule].value_size > 0 ? value(rule).back().index : no_symbol);
+    if (rule < time && degrees.contains(degree_[x])) {
+      const Terms<R> change = change_at(x, rule + 1);
+      if (!change.empty()) {
+        Terms<R>& column = combinations_[k].column;
+        column.insert(column.end(), change.begin(), change.end());
+        perturbation_steps_.back().combinations.push_back(k);
+      }
+    }
+  }
+  for (const int degree : degrees) {
+    for (const Symbol x : small(degree)) {
+      if (x >= first_symbol || state_[x] != no_rule) {
+        continue;
+      }
+      Terms<R> column = rewrite_symbols(change_at(x, rules()));
+      if (column.empty()) {
+        continue;
+      }
+      if constexpr (R::is_field) {
+        eliminate(mild_unit(column)->index, x, column);
+      } else {
+        if (const Terms<R>* before = core_.find(x)) {
+          sparse::add_multiple<R>(ring_, column, ring_.one(), *before);
+        }
+        core_.set(x, std::move(column));
+        unsettled_.insert(x);
+      }
+    }
+  }
+  if constexpr (!R::is_field) {
+    settle();
+  }
+}
+
+template <Ring R>
+void Rewriter<R>::undo_last_perturbation() {
+  const PerturbationStep step = std::move(perturbation_steps_.back());
+  perturbation_steps_.pop_back();
+  const auto strip = [&step](Terms<R>& terms) {
+    std::erase_if(terms, [&step](const TermType& term) { return term.index >= step.first; });
+  };
+  for (const int degree : step.degrees) {
+    perturbations_[static_cast<std::size_t>(degree)].pop_back();
+  }
+  for (const std::uint32_t k : step.combinations) {
+    strip(combinations_[k].column);
+  }
+  for (const RuleId rule : step.rules) {
+    const auto change = changes_.find(rule);
+    if (change == changes_.end()) {
+      continue;
+    }
+    strip(change->second.terms);
+    const auto q = static_cast<std::size_t>(degree_[rules_[rule].a]) + 1;
+    change->second.taken_in = std::min(change->second.taken_in, perturbations_[q].size());
+    if (perturbation_steps_.empty()) {
+      changes_.erase(change);
+    } else {
+      perturbation_steps_.back().rules.push_back(rule);
+    }
+  }
 }
 
 #define SESAME_INSTANTIATE(R) template class Rewriter<R>;

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <set>
 #include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -40,7 +42,12 @@ using Trace = std::vector<std::pair<RuleId, typename R::Element>>;
 /// they are read. The homotopy h and the lift g: S -> B use the rules as they were made, through *traces*:
 /// h(v) = sum trace[a] V(b_a), and V_t(x) = x - sum trace_t(d x)[a] V(b_a) with the rules made before t.
 ///
-/// Source: for rules, traces and lifts see engine/LIVE_FORM.md.
+/// *A perturbation* is what a de-identification does: boundaries of old generators b gain terms delta(b) in new
+/// generators e, the copies. Then the rule that b made has -e^-1 delta(V(b)) more, for the e are eliminated after it; and
+/// the boundary of a small x has delta(V(x)) more. The latter is worked out at once, the former when a rule is read:
+/// a rule keeps the sum of its changes and the number of perturbations that it has taken in.
+///
+/// Source: for rules, traces, lifts and perturbations see engine/LIVE_FORM.md.
 template <Ring R>
 class Rewriter {
  public:
@@ -48,11 +55,19 @@ class Rewriter {
   using TermType = sparse::Term<R>;
 
   /// `boundary` is dB; it grows outside, a column before the generator is announced here by `append`.
-  Rewriter(R ring, const sparse::Matrix<R>& boundary) : ring_{ring}, boundary_{boundary}, sum_{ring}, traced_{ring} {}
+  Rewriter(R ring, const sparse::Matrix<R>& boundary) : ring_{ring}, boundary_{boundary}, sum_{ring} {}
 
   /// Takes the next generator of B: rewrites its boundary, and eliminates or keeps it.
   /// Cost: the length of the vectors that are rewritten.
   void append(int degree);
+
+  /// Takes note that the boundaries of some old generators have gained terms in generators that were appended since
+  /// `time`, the first of them `first`: a de-identification. The boundaries of those must not have changed.
+  /// Cost: that of the lifts of the small generators whose degree is that of a changed one.
+  void perturb(RuleId time, Index first, std::span<const Index> changed);
+  /// Takes small generators out of S, with their boundaries: what they generate is no longer part of the object. They
+  /// stay what chains of B that have them are rewritten to.
+  void consume(std::span<const Symbol> symbols);
 
   /// f: the image in S of a chain of B, in symbols. Cost: amortised, the length of the memoised vectors that it reads.
   [[nodiscard]] Terms<R> rewrite(std::span<const TermType> chain_of_b);
@@ -69,6 +84,8 @@ class Rewriter {
   /// dS of a small generator, in symbols.
   [[nodiscard]] const TorsionCore<R>& core() const { return core_; }
   [[nodiscard]] int degree(Symbol x) const { return degree_[x]; }
+  /// The generator of B that a symbol is, or one of those that it is a combination of.
+  [[nodiscard]] Index generator_in(Symbol x) const;
   /// The terms ever read while rewriting: what rewriting has cost.
   [[nodiscard]] std::uint64_t terms_read() const { return terms_read_; }
   [[nodiscard]] RuleId rules() const { return static_cast<RuleId>(rules_.size()); }
@@ -81,6 +98,7 @@ class Rewriter {
     std::size_t values = 0;
     std::size_t memo_writes = 0;
     std::size_t core_journal = 0;
+    std::size_t perturbations = 0;
   };
   /// A mark to which `undo` can go back.
   [[nodiscard]] Mark mark();
@@ -90,7 +108,7 @@ class Rewriter {
  private:
   struct Rule {
     Symbol a;
-    Symbol b;         ///< no_symbol for a change of basis
+    Symbol b;         ///< no_symbol for a change of basis and for a symbol that was consumed
     Element inverse;  ///< e^-1; unused by a change of basis
     std::size_t value_begin;
     std::uint32_t value_size;
@@ -98,6 +116,7 @@ class Rewriter {
   struct Memo {
     Terms<R> terms;
     std::uint64_t checked = 0;  ///< the version at which it was known to be in small symbols only
+    std::uint64_t perturbed = 0;  ///< the serial number of the last perturbation that it takes into account
     std::uint32_t epoch = 0;    ///< in which it was last written
     bool written = false;       ///< else the value of the rule stands
   };
@@ -110,6 +129,29 @@ class Rewriter {
   };
   struct Neighbours {
     Symbol before, after;
+  };
+  /// A perturbation as one degree of changed generators sees it.
+  struct Perturbation {
+    RuleId time;
+    Symbol first;  ///< of the new generators
+    std::uint64_t serial;
+  };
+  /// A perturbation, for undo.
+  struct PerturbationStep {
+    Symbol first;
+    std::vector<int> degrees;
+    std::vector<RuleId> rules;                ///< that took it in while it was the last
+    std::vector<std::uint32_t> combinations;  ///< whose column it changed
+  };
+  /// The change of V(b)'s boundary for the b of a rule, and how many perturbations it takes into account.
+  struct Change {
+    Terms<R> terms;
+    std::size_t taken_in = 0;
+  };
+  /// V_t(x) = generators - sum trace[a] V(b_a).
+  struct Expansion {
+    Terms<R> generators;
+    Trace<R> trace;
   };
 
   Symbol add_symbol(int degree, std::uint32_t generator);
@@ -132,6 +174,18 @@ class Rewriter {
   [[nodiscard]] std::span<const TermType> value(RuleId rule) const {
     return {values_.data() + rules_[rule].value_begin, rules_[rule].value_size};
   }
+  template <class Visit>
+  void for_each_in_value(RuleId rule, Visit visit) const;
+  [[nodiscard]] std::uint64_t last_perturbation(RuleId rule) const;
+  [[nodiscard]] std::size_t perturbations_until(int degree, RuleId time) const;
+  [[nodiscard]] std::size_t taken_in(RuleId rule) const;
+  void take_in(RuleId rule);
+  [[nodiscard]] Expansion expansion(Symbol x, RuleId time);
+  [[nodiscard]] Terms<R> change_of(const Expansion& v, Symbol first) const;
+  void undo_last_perturbation();
+  [[nodiscard]] Terms<R> rewrite_symbols(std::span<const TermType> chain);
+  Memo& writable_memo(RuleId rule);
+  void refresh_memo(RuleId rule);
   std::span<const TermType> memoised(RuleId rule);
   [[nodiscard]] bool is_eliminated_a(Symbol x) const { return state_[x] != no_rule && rules_[state_[x]].a == x; }
   [[nodiscard]] std::span<const TermType> memo_terms(RuleId rule) const {
@@ -140,6 +194,8 @@ class Rewriter {
   void update_memo(RuleId rule);
   void add_rewritten(Symbol x, const Element& coefficient);
 
+  template <class Add, class AddRule>
+  void expand(RuleId time, Symbol x, const Element& coefficient, Terms<R>& generators, Add add, AddRule add_rule);
   template <class Begin>
   Trace<R> run_trace(RuleId before, Begin begin);
   Trace<R> trace_of_boundary(Symbol x, RuleId before);
@@ -170,7 +226,13 @@ class Rewriter {
   TorsionCore<R> core_;
   std::set<Symbol> unsettled_;
   int moves_left_ = 0;  ///< changes of basis that this step may still make
-  Accumulator<R> sum_, traced_;
+  std::vector<std::vector<Perturbation>> perturbations_;  ///< by the degree of the changed generators
+  std::vector<PerturbationStep> perturbation_steps_;
+  std::unordered_map<RuleId, Change> changes_;
+  std::uint64_t last_serial_ = 0;
+  Accumulator<R> sum_;
+  std::deque<Accumulator<R>> traced_;  ///< one for each trace that is running: taking in a change may start another
+  std::size_t traces_running_ = 0;
   Terms<R> column_;
   std::vector<RuleId> pending_;
 };

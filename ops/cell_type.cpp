@@ -121,6 +121,20 @@ TypeId TypeTable::intern(const CellType& type) {
   return id;
 }
 
+TypeId TypeTable::product(TypeId left, TypeId right) {
+  if (left == vertex() || right == vertex()) {
+    return left == vertex() ? right : left;
+  }
+  CellType type = infos_[left].type;
+  const CellType& more = infos_[right].type;
+  type.insert(type.end(), more.begin(), more.end());
+  return intern(type);
+}
+
+TypeId TypeTable::coned(TypeId base, bool by_edge) {
+  return by_edge ? product(base, simplex(1)) : simplex(infos_[base].dimension + 1);
+}
+
 const StandardCell& TypeTable::standard(TypeId id) {
   if (const auto known = standards_.find(id); known != standards_.end()) {
     return known->second;

@@ -61,6 +61,10 @@ class TypeTable {
   TypeId intern(const CellType& type);
   TypeId simplex(int dimension) { return dimension == 0 ? vertex() : intern({dimension}); }
   [[nodiscard]] TypeId vertex() const { return 0; }
+  /// The type of a product of cells of two types: the one after the other.
+  TypeId product(TypeId left, TypeId right);
+  /// The type of the cone over a cell: a simplex of one more dimension, or `by_edge` the product with an edge.
+  TypeId coned(TypeId base, bool by_edge);
   [[nodiscard]] const TypeInfo& info(TypeId id) const { return infos_[id]; }
   /// The standard cell of a type, made when first asked for. Cost then: the number of its faces times its dimension.
   const StandardCell& standard(TypeId id);

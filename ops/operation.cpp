@@ -9,6 +9,9 @@ struct Keyword {
   std::string_view operator()(const MakeComplex&) const { return "complex"; }
   std::string_view operator()(const MakeCone&) const { return "cone"; }
   std::string_view operator()(const Identify&) const { return "identify"; }
+  std::string_view operator()(const MakeProduct&) const { return "product"; }
+  std::string_view operator()(const Degenerate&) const { return "degenerate"; }
+  std::string_view operator()(const Deidentify&) const { return "deidentify"; }
   std::string_view operator()(const Expect&) const { return "expect"; }
   std::string_view operator()(const AskClass&) const { return "class"; }
   std::string_view operator()(const Undo&) const { return "undo"; }

@@ -58,6 +58,28 @@ struct Identify {
   std::vector<std::pair<std::string, std::string>> pairs;
 };
 
+/// Squashes a cell so that it becomes the degenerate s^i_j of its face d^i_j, and all that this entails.
+struct Degenerate {
+  std::string cell;
+  std::optional<int> component;  ///< i, counted from 1; may be left out for a simplex
+  int index = 0;                 ///< j
+};
+
+/// Splits cells: each gets a copy, to which the incidences listed go (face number k, in flattened order, of a cell).
+struct Deidentify {
+  struct Split {
+    std::string cell, copy;
+    std::vector<std::pair<std::string, std::int64_t>> moves;
+  };
+  std::vector<Split> splits;
+};
+
+/// Consumes two bodies, or one twice, and makes their product: of simploids, or triangulated.
+struct MakeProduct {
+  std::string name, left, right;
+  bool simplicial = false;
+};
+
 /// What the state should be; a field that is absent is not looked at.
 struct Expect {
   std::optional<std::vector<Integer>> betti;
@@ -81,7 +103,8 @@ struct Note {
 };
 
 using Operation =
-    std::variant<MakeSimplex, MakeSimploid, MakeComplex, MakeCone, Identify, Expect, AskClass, Undo, Note>;
+    std::variant<MakeSimplex, MakeSimploid, MakeComplex, MakeCone, MakeProduct, Identify, Degenerate, Deidentify,
+                 Expect, AskClass, Undo, Note>;
 
 /// The word that stands for an operation in a log: "simplex", "identify", ...
 [[nodiscard]] std::string_view keyword(const Operation& operation);

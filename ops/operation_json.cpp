@@ -239,6 +239,61 @@ Operation read_identify(Fields& in) {
   return op;
 }
 
+Operation read_degenerate(Fields& in) {
+  Degenerate op;
+  op.cell = text(in, "cell", in.need("cell"));
+  const Json& along = in.need("along");
+  if (along.is_array() && along.size() == 2) {
+    op.component = small(in, "along", along[0], 1);
+    op.index = small(in, "along", along[1], 0);
+  } else if (along.is_array()) {
+    in.wrong("along", "an index i for a simplex, or [i,j] for a simploid", along);
+  } else {
+    op.index = small(in, "along", along, 0);
+  }
+  return op;
+}
+
+Operation read_deidentify(Fields& in) {
+  Deidentify op;
+  op.splits = list(in, "split", in.need("split"), "a list of objects with \"cell\", \"as\" and \"moves\"",
+                   [&](const Json& item) {
+                     if (!item.is_object()) {
+                       in.wrong("split", "a list of objects with \"cell\", \"as\" and \"moves\"", item);
+                     }
+                     Fields fields(item, "a split");
+                     Deidentify::Split split;
+                     split.cell = text(fields, "cell", fields.need("cell"));
+                     split.copy = text(fields, "as", fields.need("as"));
+                     constexpr std::string_view expected = "a list of incidences, [[\"cell\",face number],...]";
+                     split.moves = list(fields, "moves", fields.need("moves"), expected, [&](const Json& move) {
+                       if (!move.is_array() || move.size() != 2) {
+                         fields.wrong("moves", expected, move);
+                       }
+                       return std::pair{text(fields, "moves", move[0]), std::int64_t{small(fields, "moves", move[1], 0)}};
+                     });
+                     fields.finish();
+                     return split;
+                   });
+  return op;
+}
+
+Operation read_product(Fields& in) {
+  MakeProduct op;
+  op.name = text(in, "name", in.need("name"));
+  op.left = text(in, "left", in.need("left"));
+  op.right = text(in, "right", in.need("right"));
+  if (const Json* kind_of_product = in.find("kind")) {
+    const std::string word = text(in, "kind", *kind_of_product);
+    if (word != "simploidal" && word != "simplicial") {
+      throw Wrong{fmt::format("field \"kind\" of a product should be \"simploidal\" or \"simplicial\", but is \"{}\"",
+                              word)};
+    }
+    op.simplicial = word == "simplicial";
+  }
+  return op;
+}
+
 std::vector<Integer> integers(Fields& in, const std::string& field, const Json& value) {
   return list(in, field, value, "a list of integers", [&](const Json& n) { return integer(in, field, n); });
 }
@@ -293,7 +348,8 @@ struct Reader {
   Operation (*read)(Fields&);
 };
 constexpr Reader readers[] = {{"simplex", read_simplex}, {"simploid", read_simploid}, {"complex", read_complex},
-                              {"cone", read_cone},       {"identify", read_identify}, {"expect", read_expect},
+                              {"cone", read_cone}, {"product", read_product}, {"identify", read_identify},
+                              {"degenerate", read_degenerate}, {"deidentify", read_deidentify}, {"expect", read_expect},
                               {"class", read_class},     {"undo", read_undo},         {"note", read_note}};
 
 Operation read_operation(const Json& object) {
@@ -472,6 +528,32 @@ struct Writer {
     Json& pairs = out["pairs"] = Json::array();
     for (const auto& [a, b] : op.pairs) {
       pairs.push_back(Json::array({a, b}));
+    }
+  }
+  void operator()(const MakeProduct& op) const {
+    out["name"] = op.name;
+    out["left"] = op.left;
+    out["right"] = op.right;
+    if (op.simplicial) {
+      out["kind"] = "simplicial";
+    }
+  }
+  void operator()(const Degenerate& op) const {
+    out["cell"] = op.cell;
+    if (op.component) {
+      out["along"] = {*op.component, op.index};
+    } else {
+      out["along"] = op.index;
+    }
+  }
+  void operator()(const Deidentify& op) const {
+    Json& splits = out["split"] = Json::array();
+    for (const Deidentify::Split& split : op.splits) {
+      Json moves = Json::array();
+      for (const auto& [cell, face] : split.moves) {
+        moves.push_back(Json::array({cell, face}));
+      }
+      splits.push_back(Json{{"cell", split.cell}, {"as", split.copy}, {"moves", std::move(moves)}});
     }
   }
   void operator()(const Expect& op) const {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <boost/locale/utf.hpp>
-#include <map>
+#include <numeric>
 #include <set>
 #include <unordered_set>
 
@@ -42,6 +42,20 @@ bool is_name(std::string_view name) {
 /// The text form cannot say such a type, but a program can.
 bool has_bad_entry(const CellType& type) {
   return std::any_of(type.begin(), type.end(), [](int a) { return a < 1; });
+}
+
+/// More cells than this are not counted; far below what 64 bits can say, so that sums of two are safe.
+constexpr std::uint64_t largest_count = std::uint64_t{1} << 60;
+
+/// Exact for n up to 62.
+std::uint64_t binomial(std::size_t n, std::size_t k) {
+  std::uint64_t result = 1;
+  k = std::min(k, n - k);
+  for (std::size_t j = 1; j <= k; ++j) {
+    const std::uint64_t common = std::gcd(result, j);  // divided first: the product need not fit
+    result = result / common * ((n - k + j) / (j / common));
+  }
+  return result;
 }
 
 /// Lays out the cells of a `complex` operation so that faces come before what they are faces of.
@@ -195,12 +209,33 @@ class ComplexPlanner {
 }  // namespace
 
 Result<CellId> Planner::resolve(const std::string& name) const {
-  if (const auto cell = structure_.lookup(name)) {
-    return structure_.find(*cell);
+  const auto node = structure_.lookup(name);
+  if (!node) {
+    return Error{Errc::unknown_name,
+                 fmt::format("there is no cell \"{}\"{}", name,
+                             structure_.lookup_body(name) ? ": this is the name of a body; name a cell of it" : "")};
   }
-  return Error{Errc::unknown_name,
-               fmt::format("there is no cell \"{}\"{}", name,
-                           structure_.lookup_body(name) ? ": this is the name of a body; name a cell of it" : "")};
+  if (structure_.is_consumed(*node)) {
+    const LazyFamily& product = structure_.family(structure_.consumed_by(structure_.body_of(*node)));
+    return Error{Errc::unknown_name,
+                 fmt::format("the cell \"{}\" went into the product \"{}\", whose cells have names such as \"{}.(a|b)\"",
+                             name, product.name, product.name)};
+  }
+  return *node;
+}
+
+Result<BodyId> Planner::resolve_body(const std::string& name) const {
+  const auto body = structure_.lookup_body(name);
+  if (!body) {
+    return Error{Errc::unknown_name,
+                 fmt::format("there is no body \"{}\"{}", name,
+                             structure_.lookup(name) ? ": this is a cell; name the body that it belongs to" : "")};
+  }
+  if (const FamilyId family = structure_.consumed_by(*body); family != none) {
+    return Error{Errc::unknown_name, fmt::format("the body \"{}\" went into the product \"{}\": it can be used no more",
+                                                 name, structure_.family(family).name)};
+  }
+  return *body;
 }
 
 Status Planner::check_new_name(const std::string& name) const {
@@ -210,6 +245,17 @@ Status Planner::check_new_name(const std::string& name) const {
   }
   if (structure_.is_name_taken(name)) {
     return bad_input(fmt::format("the name \"{}\" is in use: names are unique, choose another", name));
+  }
+  return Done{};
+}
+
+Status Planner::check_new_prefix(const std::string& name) const {
+  if (Status s = check_new_name(name); !s) {
+    return s;
+  }
+  if (structure_.is_prefix_taken(name)) {
+    return bad_input(fmt::format(
+        "there are names that begin with \"{0}*\" or \"{0}.(\", as those of the new cells would: choose another", name));
   }
   return Done{};
 }
@@ -313,97 +359,177 @@ Status Planner::plan(const MakeComplex& operation, Plan& plan) {
   return Done{};
 }
 
-Result<std::vector<CellId>> Planner::coned_cells(const MakeCone& operation) const {
-  std::vector<CellId> coned;
-  if (const auto* body_name = std::get_if<std::string>(&operation.over)) {
-    const auto body = structure_.lookup_body(*body_name);
+// -------------------------------------------------------------------------------------------------------------- cones
+
+Result<std::optional<std::vector<BodyId>>> Planner::coned_bodies(const MakeCone& operation) const {
+  std::optional<std::vector<BodyId>> bodies;
+  if (const auto* name = std::get_if<std::string>(&operation.over)) {
+    const auto body = resolve_body(*name);
     if (!body) {
-      return Error{Errc::unknown_name,
-                   fmt::format("there is no body \"{0}\"{1}", *body_name,
-                               structure_.lookup(*body_name)
-                                   ? fmt::format(": this is a cell; to cone over it give a list, [\"{}\"]", *body_name)
-                                   : "")};
+      return structure_.lookup(*name) && !structure_.lookup_body(*name)
+                 ? Error{Errc::unknown_name,
+                         fmt::format("there is no body \"{0}\": this is a cell; to cone over it give a list, [\"{0}\"]",
+                                     *name)}
+                 : body.error();
     }
-    coned = structure_.cells_of(*body);
-  } else if (const auto* names = std::get_if<std::vector<std::string>>(&operation.over)) {
-    std::unordered_set<CellId> seen;
-    std::vector<CellId> pending;
-    for (const std::string& name : *names) {
-      const Result<CellId> cell = resolve(name);
-      if (!cell) {
-        return cell.error();
+    bodies = std::vector<BodyId>{*body};
+  } else if (std::holds_alternative<std::monostate>(operation.over)) {
+    bodies = structure_.current_bodies();
+  }
+  return bodies;
+}
+
+Result<std::vector<CellId>> Planner::closure(const std::vector<std::string>& names) const {
+  std::vector<CellId> cells;
+  std::unordered_set<CellId> seen;
+  std::vector<CellId> pending;
+  for (const std::string& name : names) {
+    const Result<CellId> node = resolve(name);
+    if (!node) {
+      return node.error();
+    }
+    pending.push_back(structure_.value(*node).cell);
+  }
+  while (!pending.empty()) {
+    const CellId c = pending.back();
+    pending.pop_back();
+    if (seen.insert(c).second) {
+      cells.push_back(c);
+      for (const CellId face : structure_.faces(c)) {
+        pending.push_back(structure_.value(face).cell);
       }
-      pending.push_back(*cell);
-    }
-    while (!pending.empty()) {
-      const CellId c = pending.back();
-      pending.pop_back();
-      if (seen.insert(c).second) {
-        coned.push_back(c);
-        for (const CellId face : structure_.faces_as_created(c)) {
-          pending.push_back(structure_.find(face));
-        }
-      }
-    }
-  } else {
-    for (const BodyId body : structure_.current_bodies()) {
-      const std::vector<CellId> cells = structure_.cells_of(body);
-      coned.insert(coned.end(), cells.begin(), cells.end());
     }
   }
-  std::sort(coned.begin(), coned.end(), [this](CellId a, CellId b) {
-    const int p = structure_.dimension(a);
-    const int q = structure_.dimension(b);
-    return p != q ? p < q : structure_.oldest(a) < structure_.oldest(b);
-  });
-  return coned;
+  return cells;
 }
 
 Status Planner::plan(const MakeCone& operation, Plan& plan) {
   plan.clear();
-  if (const Status s = check_new_name(operation.apex); !s) {
+  if (Status s = check_new_name(operation.apex); !s) {
     return s;
   }
-  const Result<std::vector<CellId>> coned = coned_cells(operation);
-  if (!coned) {
-    return coned.error();
+  auto bodies = coned_bodies(operation);
+  if (!bodies) {
+    return bodies.error();
   }
-  if (const Status s = check_room(static_cast<std::int64_t>(coned->size()) + 1); !s) {
-    return s;
-  }
-  TypeTable& types = structure_.types();
-  const CellId apex = structure_.created();
-  plan.names = operation.apex;
-  add_cell(plan, types.vertex(), 0);
-  std::unordered_map<CellId, CellId> cone_of;
-  for (const CellId a : *coned) {
-    const TypeInfo& info = structure_.type(a);
-    if (!is_simplex(info.type)) {
-      return Error{Errc::refused, fmt::format("a cone is taken over simplices only, but \"{}\" is a {}",
-                                              structure_.name(a), describe(info.type))};
+  std::vector<CellId> coned;
+  if (bodies->has_value()) {
+    std::uint64_t cells = 0;
+    for (const BodyId body : **bodies) {
+      for (const std::uint64_t count : structure_.counts_of(body)) {
+        cells += count;
+      }
     }
-    if (const Status s = check_standard({info.dimension + 1}); !s) {
+    if (cells > static_cast<std::uint64_t>(limits_.cells_of_explicit_cone)) {
+      return plan_lazy_cone(operation, **bodies, plan);
+    }
+    for (const BodyId body : **bodies) {
+      const std::vector<CellId> of_body = structure_.cells_of(body);
+      coned.insert(coned.end(), of_body.begin(), of_body.end());
+    }
+  } else {
+    auto listed = closure(std::get<std::vector<std::string>>(operation.over));
+    if (!listed) {
+      return listed.error();
+    }
+    coned = std::move(*listed);
+  }
+  return plan_explicit_cone(operation, std::move(coned), plan);
+}
+
+namespace {
+
+/// Lays out the cells of a cone: the apex, then v*c for each coned cell, faces first.
+class ConePlanner {
+ public:
+  ConePlanner(const MakeCone& operation, const Structure& structure, bool by_edges, Plan& plan)
+      : structure_{structure}, by_edges_{by_edges}, base_{structure.created()}, plan_{plan} {
+    plan_.names = operation.apex;
+    add_cell(plan_, structure_.types().vertex(), 0);
+  }
+
+  /// `name` is that of v*c. Requires: the faces of c have been added.
+  void add(CellId c, const std::string& name) {
+    std::vector<CellId> faces;
+    const TypeId type = structure_.type_id(c);
+    const int p = structure_.dimension(c);
+    for (const CellId face : structure_.faces(c)) {
+      faces.push_back(coned_value(structure_.value(face)));
+    }
+    if (p == 0) {
+      faces.push_back(base_);
+    } else if (by_edges_) {  // the far end, squashed to the apex
+      faces.push_back(degenerate({base_, type, (Degeneracy{1} << p) - 1}));
+    }
+    faces.push_back(c);
+    cone_of_.emplace(c, next());
+    const std::size_t first_face = plan_.faces.size();
+    plan_.faces.insert(plan_.faces.end(), faces.begin(), faces.end());
+    plan_.names += name;
+    add_cell(plan_, structure_.types().coned(type, by_edges_), first_face);
+  }
+
+ private:
+  [[nodiscard]] CellId next() const { return base_ + static_cast<CellId>(plan_.cells.size()); }
+  /// v*c for a value c: degenerate in the same directions; the new one comes last.
+  CellId coned_value(const Value& v) {
+    const CellId cone = cone_of_.at(v.cell);
+    return v.is_degenerate() ? degenerate({cone, structure_.types().coned(v.type, by_edges_), v.collapsed}) : cone;
+  }
+  CellId degenerate(const Value& v) {
+    const auto [at, is_new] = degenerate_.emplace(v, next());
+    if (is_new) {
+      plan_.degenerate.emplace_back(static_cast<std::uint32_t>(plan_.cells.size()), v);
+      add_cell(plan_, v.type, plan_.faces.size());
+    }
+    return at->second;
+  }
+
+  const Structure& structure_;
+  bool by_edges_;
+  CellId base_;
+  Plan& plan_;
+  std::unordered_map<CellId, CellId> cone_of_;
+  std::unordered_map<Value, CellId, ValueHash> degenerate_;
+};
+
+}  // namespace
+
+Status Planner::plan_explicit_cone(const MakeCone& operation, std::vector<CellId> coned, Plan& plan) {
+  std::sort(coned.begin(), coned.end(), [this](CellId a, CellId b) {
+    const int p = structure_.dimension(a);
+    const int q = structure_.dimension(b);
+    return p != q ? p < q : structure_.is_older(structure_.oldest(a), structure_.oldest(b));
+  });
+  if (Status s = check_room(static_cast<std::int64_t>(coned.size()) + 1); !s) {
+    return s;
+  }
+  const bool by_edges = std::any_of(coned.begin(), coned.end(),
+                                    [this](CellId c) { return !is_simplex(structure_.type(c).type); });
+  // All that may make lazy cells comes first: the plan counts on ids.
+  std::vector<std::string> names;
+  for (const CellId c : coned) {
+    (void)structure_.faces(c);
+    CellType type = structure_.type(c).type;
+    if (by_edges || type.empty()) {
+      type.push_back(1);
+    } else {
+      ++type[0];
+    }
+    if (Status s = check_standard(type); !s) {
       return s;
     }
-    const std::string name = fmt::format("{}*{}", operation.apex, structure_.name(a));
+    const std::string name = fmt::format("{}*{}", operation.apex, structure_.name(c));
     if (structure_.is_name_taken(name)) {
       return bad_input(fmt::format("the name \"{}\" is in use: choose another apex", name));
     }
-    // The cone over a p-cell a: d_i is the cone over d_i a for i <= p, and d_{p+1} is a; over a vertex d_0 is the apex
-    // and d_1 the vertex, so that its boundary is v - a.
-    const std::size_t first_face = plan.faces.size();
-    if (info.dimension == 0) {
-      plan.faces.push_back(apex);
-    }
-    for (const CellId face : structure_.faces_as_created(a)) {
-      plan.faces.push_back(cone_of.at(structure_.find(face)));
-    }
-    plan.faces.push_back(a);
-    cone_of.emplace(a, apex + static_cast<CellId>(plan.cells.size()));
-    plan.names += name;
-    add_cell(plan, types.simplex(info.dimension + 1), first_face);
+    names.push_back(name);
   }
-  place_in_bodies(operation, *coned, plan);
+  ConePlanner cone(operation, structure_, by_edges, plan);
+  for (std::size_t k = 0; k < coned.size(); ++k) {
+    cone.add(coned[k], names[k]);
+  }
+  place_in_bodies(operation, coned, plan);
   return Done{};
 }
 
@@ -421,31 +547,221 @@ void Planner::place_in_bodies(const MakeCone& operation, const std::vector<CellI
   plan.joined_bodies.assign(std::next(bodies.begin()), bodies.end());
 }
 
-CellId Planner::overlay_find(CellId c) {
-  const auto [at, is_new] = overlay_.emplace(c, c);
-  if (is_new) {
-    touched_.push_back(c);
-    return c;
+Status Planner::plan_lazy_cone(const MakeCone& operation, const std::vector<BodyId>& bodies, Plan& plan) {
+  if (Status s = check_new_prefix(operation.apex); !s) {
+    return s;
   }
-  CellId root = at->second;
-  while (true) {
-    const CellId next = overlay_.find(root)->second;
-    if (next == root) {
-      break;
+  NewFamily cone{FamilyKind::cone, operation.apex, bodies, false, {}};
+  for (const BodyId body : bodies) {
+    const auto counts = structure_.counts_of(body);
+    cone.by_edges = cone.by_edges || !structure_.has_only_simplices(body);
+    cone.counts.resize(std::max(cone.counts.size(), counts.size() + 1), 0);
+    for (std::size_t p = 0; p < counts.size(); ++p) {
+      cone.counts[p] += counts[p];
+      cone.counts[p + 1] += counts[p];
     }
-    root = next;
+  }
+  if (Status s = check_family(cone); !s) {
+    return s;
+  }
+  plan.names = operation.apex;
+  add_cell(plan, structure_.types().vertex(), 0);
+  plan.family = std::move(cone);
+  return Done{};
+}
+
+// ----------------------------------------------------------------------------------------------------------- products
+
+Status Planner::check_family(const NewFamily& family) const {
+  if (static_cast<int>(family.counts.size()) - 1 > largest_dimension) {
+    return Error{Errc::refused, fmt::format("\"{}\" would have cells of dimension {}; the limit is {}", family.name,
+                                            family.counts.size() - 1, largest_dimension)};
+  }
+  std::uint64_t sum = 0;
+  for (const std::uint64_t count : family.counts) {
+    if (count > largest_count || (sum += count) > largest_count) {
+      return Error{Errc::refused,
+                   fmt::format("\"{}\" would have more than {} cells, the limit", family.name, largest_count)};
+    }
+  }
+  return Done{};
+}
+
+Status Planner::plan(const MakeProduct& operation, Plan& plan) {
+  plan.clear();
+  if (Status s = check_new_prefix(operation.name); !s) {
+    return s;
+  }
+  const auto left = resolve_body(operation.left);
+  const auto right = resolve_body(operation.right);
+  if (!left || !right) {
+    return left ? right.error() : left.error();
+  }
+  for (const auto& [body, name] : {std::pair{*left, operation.left}, std::pair{*right, operation.right}}) {
+    if (operation.simplicial && !structure_.has_only_simplices(body)) {
+      return Error{Errc::refused, fmt::format("the body \"{}\" has cells that are no simplices: a simplicial product "
+                                              "needs simplices, a simploidal one takes all",
+                                              name)};
+    }
+  }
+  NewFamily product{operation.simplicial ? FamilyKind::simplicial_product : FamilyKind::product, operation.name,
+                    {*left, *right}, false, {}};
+  const auto lefts = structure_.counts_of(*left);
+  const auto rights = structure_.counts_of(*right);
+  product.counts.assign(lefts.size() + rights.size(), 0);
+  for (std::size_t p = 0; p < lefts.size(); ++p) {
+    for (std::size_t q = 0; q < rights.size(); ++q) {
+      const auto add = [&](std::size_t n, std::uint64_t places, std::uint64_t choices) {
+        std::uint64_t cells = 0;
+        if (__builtin_mul_overflow(lefts[p], rights[q], &cells) || __builtin_mul_overflow(cells, places, &cells) ||
+            __builtin_mul_overflow(cells, choices, &cells) ||
+            __builtin_add_overflow(product.counts[n], cells, &product.counts[n])) {
+          product.counts[n] = largest_count + 1;
+        }
+      };
+      if (!operation.simplicial) {
+        add(p + q, 1, 1);
+        continue;
+      }
+      for (std::size_t n = std::max(p, q); n <= p + q; ++n) {  // n! / ((n - p)! (n - q)! (p + q - n)!) pairs
+        add(n, binomial(n, p), binomial(p, p + q - n));
+      }
+    }
+  }
+  while (!product.counts.empty() && product.counts.back() == 0) {
+    product.counts.pop_back();
+  }
+  if (Status s = check_family(product); !s) {
+    return s;
+  }
+  plan.new_body = operation.name;
+  plan.family = std::move(product);
+  return Done{};
+}
+
+// -------------------------------------------------------------------------------------- identification and degeneracy
+
+void Planner::touch(CellId c) {
+  if (overlay_.emplace(c, Overlay{c, {}}).second) {
+    touched_.push_back(c);
+  }
+}
+
+CellId Planner::overlay_root(CellId c) {
+  CellId root = c;
+  for (auto at = overlay_.find(root); at != overlay_.end() && at->second.parent != root && at->second.parent != none;
+       at = overlay_.find(root)) {
+    root = at->second.parent;
   }
   while (c != root) {
-    c = std::exchange(overlay_.find(c)->second, root);
+    c = std::exchange(overlay_.find(c)->second.parent, root);
   }
   return root;
 }
 
-Status Planner::plan(const Identify& operation, Plan& plan) {
-  plan.clear();
+Value Planner::overlay_value(Value v) {
+  v = structure_.normal_form(v);
+  while (true) {
+    v.cell = overlay_root(v.cell);
+    const auto at = overlay_.find(v.cell);
+    if (at == overlay_.end() || at->second.parent != none) {
+      return v;
+    }
+    v = {at->second.becomes.cell, v.type, compose(v.collapsed, at->second.becomes.collapsed)};
+  }
+}
+
+void Planner::add_restrictions(const Value& one, const Value& other,
+                               std::vector<std::pair<Value, Value>>& out) const {
+  for (const int section : {1, 0}) {  // vertex j + 1 goes for a collapsed direction j: the least section; j: the greatest
+    Value a = one;
+    Value b = other;
+    const CellType type = structure_.types().info(one.type).type;
+    for (int i = static_cast<int>(type.size()) - 1; i >= 0; --i) {
+      for (int j = type[static_cast<std::size_t>(i)] - 1; j >= 0; --j) {
+        if ((one.collapsed >> direction_number(type, i, j) & 1) != 0) {
+          const std::uint32_t k = face_number(structure_.types().info(a.type).type, i, j + section);
+          a = structure_.face(a, k);
+          b = structure_.face(b, k);
+        }
+      }
+    }
+    out.emplace_back(a, b);
+  }
+}
+
+/// Congruence closure. Closing under faces needs no look at cofaces, so its cost does not depend on the object. Cells of
+/// one type have faces of the same types in the same order, so nothing below can be refused. That two degenerate values
+/// are equal says, by the Eilenberg-Zilber lemma, no more and no less than what it says along sections of each.
+Status Planner::plan_equation(std::vector<std::pair<Value, Value>> pending, Plan& plan) {
   overlay_.clear();
   touched_.clear();
-  std::vector<std::pair<CellId, CellId>> pending;
+  while (!pending.empty()) {
+    Value a = overlay_value(pending.back().first);
+    Value b = overlay_value(pending.back().second);
+    pending.pop_back();
+    if (a == b) {
+      continue;
+    }
+    if (a.is_degenerate() && b.is_degenerate()) {
+      add_restrictions(a, b, pending);
+      add_restrictions(b, a, pending);
+      continue;
+    }
+    if (a.is_degenerate() || (!b.is_degenerate() && a.cell < b.cell)) {
+      std::swap(a, b);
+    }
+    touch(a.cell);
+    if (b.is_degenerate()) {
+      overlay_[a.cell] = {none, b};
+    } else {
+      touch(b.cell);
+      overlay_[a.cell].parent = b.cell;
+    }
+    const auto arity = static_cast<std::uint32_t>(structure_.type(a.cell).faces.size());
+    for (std::uint32_t k = 0; k < arity; ++k) {
+      pending.emplace_back(structure_.face(a, k), structure_.face(b, k));
+    }
+  }
+  plan.merges = merges_of_overlay();
+  return Done{};
+}
+
+std::vector<Merge> Planner::merges_of_overlay() {
+  // The survivor of a class is the cell that stands for the most cells (the oldest of those): with it every path of the
+  // union-find forest stays logarithmic without compression, which undo could not take back.
+  std::unordered_map<CellId, std::vector<CellId>> classes;
+  for (const CellId c : touched_) {
+    classes[overlay_root(c)].push_back(c);
+  }
+  std::vector<Merge> merges;
+  for (const CellId root : touched_) {
+    if (overlay_root(root) != root) {
+      continue;
+    }
+    std::vector<CellId>& cells = classes[root];
+    const auto before = [this](CellId a, CellId b) {
+      const std::uint32_t m = structure_.members(a);
+      const std::uint32_t n = structure_.members(b);
+      return m != n ? m > n : structure_.is_older(structure_.oldest(a), structure_.oldest(b));
+    };
+    std::sort(cells.begin(), cells.end(), before);
+    for (std::size_t k = 1; k < cells.size(); ++k) {
+      merges.push_back({cells[k], cells[0], {}});
+    }
+    if (const Overlay& entry = overlay_.at(root); entry.parent == none) {
+      merges.push_back({cells[0], none, entry.becomes});
+    }
+  }
+  std::stable_sort(merges.begin(), merges.end(), [this](const Merge& x, const Merge& y) {
+    return structure_.dimension(x.removed) < structure_.dimension(y.removed);
+  });
+  return merges;
+}
+
+Status Planner::plan(const Identify& operation, Plan& plan) {
+  plan.clear();
+  std::vector<std::pair<Value, Value>> equations;
   for (const auto& [one, other] : operation.pairs) {
     const Result<CellId> a = resolve(one);
     const Result<CellId> b = resolve(other);
@@ -457,52 +773,251 @@ Status Planner::plan(const Identify& operation, Plan& plan) {
                    fmt::format("\"{}\" is a {} and \"{}\" a {}: only cells of the same type can be identified", one,
                                describe(structure_.type(*a).type), other, describe(structure_.type(*b).type))};
     }
-    pending.emplace_back(*a, *b);
+    equations.emplace_back(structure_.value(*a), structure_.value(*b));
   }
-  // Closing under faces needs no look at cofaces, so its cost does not depend on the object. Cells of one type have
-  // faces of the same types in the same order: nothing below can be refused.
-  while (!pending.empty()) {
-    const auto [one, other] = pending.back();
-    pending.pop_back();
-    const CellId a = overlay_find(one);
-    const CellId b = overlay_find(other);
-    if (a == b) {
-      continue;
-    }
-    overlay_[std::max(a, b)] = std::min(a, b);
-    const auto faces_a = structure_.faces_as_created(a);
-    const auto faces_b = structure_.faces_as_created(b);
-    for (std::size_t k = 0; k < faces_a.size(); ++k) {
-      pending.emplace_back(structure_.find(faces_a[k]), structure_.find(faces_b[k]));
-    }
-  }
-  plan.merges = merges_of_overlay();
-  return Done{};
+  return plan_equation(std::move(equations), plan);
 }
 
-std::vector<Merge> Planner::merges_of_overlay() {
-  // The survivor of a class is the cell that stands for the most cells (the oldest of those): with it every path of the
-  // union-find forest stays logarithmic without compression, which undo could not take back.
-  std::map<CellId, std::vector<CellId>> classes;
-  for (const CellId c : touched_) {
-    classes[overlay_find(c)].push_back(c);
+Status Planner::plan(const Degenerate& operation, Plan& plan) {
+  plan.clear();
+  const Result<CellId> node = resolve(operation.cell);
+  if (!node) {
+    return node.error();
   }
-  std::vector<Merge> merges;
-  for (auto& [root, cells] : classes) {
-    const auto before = [this](CellId a, CellId b) {
-      const std::uint32_t m = structure_.members(a);
-      const std::uint32_t n = structure_.members(b);
-      return m != n ? m > n : structure_.oldest(a) < structure_.oldest(b);
+  const CellType& type = structure_.type(*node).type;
+  if (type.empty()) {
+    return bad_input(fmt::format("\"{}\" is a vertex, which has no face to be squashed onto", operation.cell));
+  }
+  if (!operation.component && type.size() > 1) {
+    return bad_input(fmt::format("\"{}\" is a {}: \"along\" should be [i,j], the component i counted from 1",
+                                 operation.cell, describe(type)));
+  }
+  const int component = operation.component.value_or(1) - 1;
+  if (component < 0 || component >= static_cast<int>(type.size())) {
+    return bad_input(fmt::format("\"{}\" is a {}: its components are 1 to {}", operation.cell, describe(type),
+                                 type.size()));
+  }
+  const int size = type[static_cast<std::size_t>(component)];
+  if (operation.index < 0 || operation.index >= size) {
+    return bad_input(fmt::format("\"{}\" is a {}: the index \"along\" which it is squashed should be from 0 to {}",
+                                 operation.cell, describe(type), size - 1));
+  }
+  const Value cell = structure_.value(*node);
+  const Value face = structure_.face(cell, face_number(type, component, operation.index));
+  const Degeneracy direction = Degeneracy{1} << direction_number(type, component, operation.index);
+  return plan_equation({{cell, {face.cell, cell.type, compose(direction, face.collapsed)}}}, plan);
+}
+
+// -------------------------------------------------------------------------------------------------- de-identification
+
+namespace {
+
+/// Works out a de-identification: copies under ids of their own, faces as they would be, and the laws between them.
+class SplitPlanner {
+ public:
+  SplitPlanner(const Deidentify& operation, const Planner& planner, const Structure& structure)
+      : operation_{operation}, planner_{planner}, structure_{structure} {}
+
+  Status run(Plan& plan) {
+    for (const Deidentify::Split& split : operation_.splits) {
+      if (Status s = add_copy(split); !s) {
+        return s;
+      }
+    }
+    for (std::size_t k = 0; k < operation_.splits.size(); ++k) {
+      for (const auto& [cell, face] : operation_.splits[k].moves) {
+        if (Status s = add_move(k, cell, face); !s) {
+          return s;
+        }
+      }
+    }
+    if (Status s = check_laws(); !s) {
+      return s;
+    }
+    write(plan);
+    return Done{};
+  }
+
+ private:
+  /// Ids of copies until the plan is written: laws are checked, which may make lazy cells, before ids are known.
+  static constexpr CellId first_copy = 0x8000'0000U;
+  struct NewCopy {
+    CellId source;
+    const std::string& name;
+  };
+
+  [[nodiscard]] static bool is_copy(CellId c) { return c >= first_copy; }
+  [[nodiscard]] CellId source_of(CellId c) const { return is_copy(c) ? copies_[c - first_copy].source : c; }
+  [[nodiscard]] std::string_view name_of(CellId c) const {
+    return is_copy(c) ? std::string_view{copies_[c - first_copy].name} : structure_.name(c);
+  }
+
+  Status add_copy(const Deidentify::Split& split) {
+    const Result<CellId> node = planner_.resolve(split.cell);
+    if (!node) {
+      return node.error();
+    }
+    const CellId cell = structure_.find(*node);
+    if (cell == none) {
+      return Error{Errc::refused, fmt::format("\"{}\" is degenerate: only a cell that is not can be split", split.cell)};
+    }
+    const auto id = first_copy + static_cast<CellId>(copies_.size());
+    if (!copy_names_.emplace(split.copy, id).second) {
+      return bad_input(fmt::format("the name \"{}\" is given to two copies: names are unique", split.copy));
+    }
+    copies_.push_back({cell, split.copy});
+    faces_of(id);
+    return Done{};
+  }
+
+  Status add_move(std::size_t split, const std::string& name, std::int64_t face) {
+    CellId cell = none;
+    if (const auto copy = copy_names_.find(name); copy != copy_names_.end()) {
+      cell = copy->second;
+    } else {
+      const Result<CellId> node = planner_.resolve(name);
+      if (!node) {
+        return node.error();
+      }
+      cell = structure_.find(*node);
+      if (cell == none) {
+        return Error{Errc::refused, fmt::format("\"{}\" is degenerate: its faces cannot move", name)};
+      }
+    }
+    const CellId source = copies_[split].source;
+    std::vector<Value>& faces = faces_of(cell);
+    if (face >= static_cast<std::int64_t>(faces.size())) {
+      return bad_input(fmt::format("\"{}\" has {} faces, counted from 0: there is no face {}", name, faces.size(), face));
+    }
+    Value& value = faces[static_cast<std::size_t>(face)];
+    if (value.is_degenerate() || value.cell != source) {
+      return bad_input(fmt::format("face {} of \"{}\" is {}\"{}\", not \"{}\": it cannot go to the copy \"{}\"", face, name,
+                                   value.is_degenerate() ? "degenerate over " : "", name_of(value.cell),
+                                   operation_.splits[split].cell, operation_.splits[split].copy));
+    }
+    value.cell = first_copy + static_cast<CellId>(split);
+    if (!is_copy(cell)) {
+      moves_.push_back({cell, static_cast<std::uint32_t>(face), value.cell});
+    }
+    return Done{};
+  }
+
+  /// The faces of a cell that is split or whose incidences move; kept, in the order in which they were asked for.
+  std::vector<Value>& faces_of(CellId c) {
+    const auto [at, is_new] = faces_.try_emplace(c);
+    if (is_new) {
+      changed_.push_back(c);
+      for (const CellId face : structure_.faces(source_of(c))) {
+        at->second.push_back(structure_.value(face));
+      }
+    }
+    return at->second;
+  }
+
+  [[nodiscard]] Value face(const Value& v, std::uint32_t k) const {
+    const auto of_cell = [this](CellId c, std::uint32_t number) {
+      const auto changed = faces_.find(c);
+      return changed != faces_.end() ? changed->second[number] : structure_.value(structure_.faces(c)[number]);
     };
-    std::sort(cells.begin(), cells.end(), before);
-    for (std::size_t k = 1; k < cells.size(); ++k) {
-      merges.push_back({cells[k], cells[0]});
+    if (!v.is_degenerate()) {
+      return of_cell(v.cell, k);
+    }
+    const DegenerateFace step = face_of_degenerate(structure_.types().info(v.type), v.collapsed, k);
+    if (step.of_cell == DegenerateFace::itself) {
+      return {v.cell, step.type, step.collapsed};
+    }
+    const Value under = of_cell(v.cell, step.of_cell);
+    return {under.cell, step.type, compose(step.collapsed, under.collapsed)};
+  }
+
+  Status check_laws() const {
+    std::vector<CellId> cells = changed_;
+    std::unordered_set<CellId> seen(cells.begin(), cells.end());
+    for (const CellId c : changed_) {
+      if (is_copy(c)) {
+        continue;  // what has a copy as a face is among the changed cells
+      }
+      for (const CellId coface : structure_.cofaces(c)) {
+        if (seen.insert(coface).second) {
+          cells.push_back(coface);
+        }
+      }
+    }
+    for (const CellId c : cells) {
+      const TypeId type = structure_.type_id(source_of(c));
+      const Value cell{c, type, 0};
+      for (const FaceLaw& law : structure_.types().info(type).laws) {
+        const Value one = face(face(cell, law.first), law.second);
+        const Value other = face(face(cell, law.other_first), law.other_second);
+        if (!(one == other)) {
+          return Error{Errc::refused,
+                       fmt::format("after this split \"{}\" would break a face law: face {} of its face {} would be \"{}\", and "
+                                   "face {} of its face {} \"{}\", but they must be one cell: split more, or move more",
+                                   name_of(c), law.second, law.first, name_of(one.cell), law.other_second,
+                                   law.other_first, name_of(other.cell))};
+        }
+      }
+    }
+    return Done{};
+  }
+
+  /// Copies by dimension, so that faces come before what they are faces of.
+  void write(Plan& plan) const {
+    std::vector<std::size_t> order(copies_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+      return structure_.dimension(copies_[a].source) < structure_.dimension(copies_[b].source);
+    });
+    std::vector<std::vector<CellId>> nodes;
+    for (const std::size_t k : order) {
+      std::vector<CellId>& faces = nodes.emplace_back();
+      for (const Value& v : faces_.at(first_copy + static_cast<CellId>(k))) {
+        faces.push_back(is_copy(v.cell) ? v.cell : structure_.node_of(v));  // this may make nodes: so ids come later
+      }
+    }
+    std::vector<CellId> id(copies_.size());
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      id[order[k]] = structure_.created() + static_cast<CellId>(k);
+    }
+    const auto final_id = [&](CellId c) { return is_copy(c) ? id[c - first_copy] : c; };
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      const NewCopy& copy = copies_[order[k]];
+      const std::size_t first_face = plan.faces.size();
+      for (const CellId face : nodes[k]) {
+        plan.faces.push_back(final_id(face));
+      }
+      plan.names += copy.name;
+      plan.sources.push_back(copy.source);
+      add_cell(plan, structure_.type_id(copy.source), first_face);
+    }
+    for (const Move& move : moves_) {
+      plan.moves.push_back({move.cell, move.slot, final_id(move.to)});
     }
   }
-  std::stable_sort(merges.begin(), merges.end(), [this](const Merge& x, const Merge& y) {
-    return structure_.dimension(x.removed) < structure_.dimension(y.removed);
-  });
-  return merges;
+
+  const Deidentify& operation_;
+  const Planner& planner_;
+  const Structure& structure_;
+  std::vector<NewCopy> copies_;
+  std::unordered_map<std::string_view, CellId> copy_names_;
+  std::unordered_map<CellId, std::vector<Value>> faces_;  // references into it stay valid
+  std::vector<CellId> changed_;                           // its keys
+  std::vector<Move> moves_;
+};
+
+}  // namespace
+
+Status Planner::plan(const Deidentify& operation, Plan& plan) {
+  plan.clear();
+  for (const Deidentify::Split& split : operation.splits) {
+    if (Status s = check_new_name(split.copy); !s) {
+      return s;
+    }
+  }
+  if (Status s = check_room(static_cast<std::int64_t>(operation.splits.size())); !s) {
+    return s;
+  }
+  return SplitPlanner(operation, *this, structure_).run(plan);
 }
 
 }  // namespace sesame::ops

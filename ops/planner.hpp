@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -16,6 +18,7 @@ namespace sesame::ops {
 struct Limits {
   std::int64_t cells_of_standard = std::int64_t{1} << 20;  ///< of one simplex or simploid with its faces
   std::int64_t cells_per_step = 50'000'000;
+  std::int64_t cells_of_explicit_cone = 4096;  ///< a cone over whole bodies of more cells is a lazy family
   std::int64_t cells = 1'000'000'000;  ///< ids of cells and of removals share 32 bits in the big complex
 };
 
@@ -33,26 +36,50 @@ class Planner {
   Status plan(const MakeSimploid& operation, Plan& plan);
   Status plan(const MakeComplex& operation, Plan& plan);
   Status plan(const MakeCone& operation, Plan& plan);
+  Status plan(const MakeProduct& operation, Plan& plan);
   Status plan(const Identify& operation, Plan& plan);
+  Status plan(const Degenerate& operation, Plan& plan);
+  Status plan(const Deidentify& operation, Plan& plan);
 
-  /// The current cell that a name denotes, or unknown_name with what would be right.
-  Result<CellId> resolve(const std::string& name) const;
+  [[nodiscard]] const Limits& limits() const { return limits_; }
+  /// The node that a name denotes, of a cell of the object, or unknown_name with what would be right.
+  [[nodiscard]] Result<CellId> resolve(const std::string& name) const;
 
  private:
   Status check_new_name(const std::string& name) const;
+  /// The name of a lazy family, whose cells' names begin with it.
+  Status check_new_prefix(const std::string& name) const;
   Status check_room(std::int64_t new_cells) const;
   Status check_standard(const CellType& type) const;
   Status plan_standard(const std::string& name, TypeId type, Plan& plan);
-  /// The current cells that a cone is taken over, by dimension and then in the order of creation.
-  Result<std::vector<CellId>> coned_cells(const MakeCone& operation) const;
+
+  [[nodiscard]] Result<BodyId> resolve_body(const std::string& name) const;
+  /// The bodies that a cone is taken over wholly, or nothing when it is taken over listed cells.
+  [[nodiscard]] Result<std::optional<std::vector<BodyId>>> coned_bodies(const MakeCone& operation) const;
+  /// The closure of the listed cells.
+  [[nodiscard]] Result<std::vector<CellId>> closure(const std::vector<std::string>& names) const;
+  Status plan_explicit_cone(const MakeCone& operation, std::vector<CellId> coned, Plan& plan);
+  Status plan_lazy_cone(const MakeCone& operation, const std::vector<BodyId>& bodies, Plan& plan);
+  Status check_family(const NewFamily& family) const;
   void place_in_bodies(const MakeCone& operation, const std::vector<CellId>& coned, Plan& plan) const;
-  CellId overlay_find(CellId c);
-  std::vector<Merge> merges_of_overlay();
+
+  /// Makes two values of one type equal, with all that this entails, and writes the merges.
+  Status plan_equation(std::vector<std::pair<Value, Value>> equations, Plan& plan);
+  CellId overlay_root(CellId c);
+  [[nodiscard]] Value overlay_value(Value v);
+  void touch(CellId c);
+  /// The equation of two degenerate values, restricted to sections of the degeneracies of the first.
+  void add_restrictions(const Value& one, const Value& other, std::vector<std::pair<Value, Value>>& out) const;
+  [[nodiscard]] std::vector<Merge> merges_of_overlay();
 
   const Structure& structure_;
   Limits limits_;
-  std::unordered_map<CellId, CellId> overlay_;  // union-find over the current cells that an identification touches
-  std::vector<CellId> touched_;                 // its keys in the order in which they came
+  struct Overlay {
+    CellId parent;  ///< itself, or none: it becomes degenerate
+    Value becomes;
+  };
+  std::unordered_map<CellId, Overlay> overlay_;  // union-find over the current cells that a step touches
+  std::vector<CellId> touched_;                  // its keys in the order in which they came
 };
 
 }  // namespace sesame::ops

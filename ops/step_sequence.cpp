@@ -15,10 +15,6 @@ using sparse::Rest;
 using sparse::Ring;
 using sparse::Terms;
 
-bool was_current(const Structure& structure, CellId c, Moment moment) {
-  return c < moment.created && structure.find_at(c, moment.links) == c;
-}
-
 Index size_at(const std::vector<Index>& sizes, std::size_t p) { return p < sizes.size() ? sizes[p] : 0; }
 
 /// A map of degree 0 whose columns are `rest` but for those that `column(p, cell)` gives for the cells of `stored`.
@@ -43,17 +39,41 @@ GradedMap<R> map_with_columns(const R& ring, const CellBasis& source, const Cell
 }
 
 template <Ring R>
+Terms<R> unit(const R& ring, const CellBasis& basis, CellId c) {
+  return {{basis.index(c), ring.one()}};
+}
+
+/// The node that a cell of the object is after a step: itself, but for the cells that a lazy cone was taken over.
+CellId after_step(const Structure& structure, CellId c, Moment after) {
+  const FamilyId family = structure.families() == 0 ? none : structure.consumed_by(structure.body_of(c));
+  return family < after.families ? structure.lazy_cell(family, LazyPart::base, {c, structure.type_id(c), 0}) : c;
+}
+
+template <Ring R>
 StepSequence<R> added(const Structure& structure, Moment before, Moment after, const R& ring) {
   CellBasis old_cells = cells_at(structure, before);
-  CellBasis all = old_cells;
+  CellBasis all;
   CellBasis fresh;
-  for (CellId c = before.created; c < after.created; ++c) {
-    all.add(structure.dimension(c), c);
-    fresh.add(structure.dimension(c), c);
+  std::unordered_map<CellId, CellId> before_step;
+  for (const auto& cells : old_cells.cells()) {
+    for (const CellId c : cells) {
+      const CellId now = after_step(structure, c, after);
+      before_step.emplace(now, c);
+      all.add(structure.dimension(c), now);
+    }
+  }
+  const CellBasis now_cells = cells_at(structure, after);
+  for (const auto& cells : now_cells.cells()) {
+    for (const CellId c : cells) {
+      if (!before_step.contains(c)) {
+        all.add(structure.dimension(c), c);
+        fresh.add(structure.dimension(c), c);
+      }
+    }
   }
   const CellBasis none_stored;
   const auto itself_in = [&ring](const CellBasis& basis) {
-    return [&ring, &basis](CellId c) { return Terms<R>{{basis.index(c), ring.one()}}; };
+    return [&ring, &basis](CellId c) { return unit(ring, basis, c); };
   };
   auto i = map_with_columns(ring, old_cells, all, Rest::identity, none_stored, itself_in(all));
   auto r = map_with_columns(ring, all, old_cells, Rest::identity, none_stored, itself_in(all));
@@ -67,8 +87,19 @@ StepSequence<R> added(const Structure& structure, Moment before, Moment after, c
           std::move(fresh)};
 }
 
+/// d0 = r d1 i.
 template <Ring R>
-StepSequence<R> identified(const Structure& structure, Moment before, Moment after, const R& ring) {
+ChainComplex<R> kernel_complex(const R& ring, const CellBasis& basis, const ChainComplex<R>& c1, const GradedMap<R>& i,
+                               const GradedMap<R>& r) {
+  std::vector<Matrix<R>> d0;
+  for (int p = 0; p < static_cast<int>(basis.cells().size()); ++p) {
+    d0.push_back(r.at(p - 1) * c1.boundary(p) * i.at(p));
+  }
+  return ChainComplex<R>(ring, basis.sizes(), std::move(d0));
+}
+
+template <Ring R>
+StepSequence<R> removed_cells(const Structure& structure, Moment before, Moment after, const R& ring) {
   CellBasis kept = cells_at(structure, after);
   CellBasis all = kept;
   CellBasis removed;
@@ -77,33 +108,63 @@ StepSequence<R> identified(const Structure& structure, Moment before, Moment aft
     all.add(structure.dimension(c), c);
     removed.add(structure.dimension(c), c);
   }
-  const auto survivor = [&](CellId c) { return structure.find_at(c, after.links); };
   const auto minus_one = ring.negate(ring.one());
+  /// The cell that c became, or 0 when that is degenerate.
+  const auto became = [&](const CellBasis& basis, CellId c) {
+    const CellId survivor = structure.find_at(c, after.links);
+    return survivor == none ? Terms<R>{} : unit(ring, basis, survivor);
+  };
   const CellBasis none_stored;
   auto i = map_with_columns(ring, removed, all, Rest::zero, removed, [&](CellId c) {
-    return Terms<R>{{all.index(survivor(c)), ring.one()}, {all.index(c), minus_one}};
+    Terms<R> terms = became(all, c);
+    terms.push_back({all.index(c), minus_one});
+    return terms;
   });
   auto r = map_with_columns(ring, all, removed, Rest::zero, removed, [&](CellId c) {
     return Terms<R>{{removed.index(c), minus_one}};
   });
-  auto j = map_with_columns(ring, all, kept, Rest::identity, removed, [&](CellId c) {
-    return Terms<R>{{kept.index(survivor(c)), ring.one()}};
-  });
-  auto s = map_with_columns(ring, kept, all, Rest::identity, none_stored, [&](CellId c) {
-    return Terms<R>{{all.index(c), ring.one()}};
-  });
+  auto j = map_with_columns(ring, all, kept, Rest::identity, removed, [&](CellId c) { return became(kept, c); });
+  auto s = map_with_columns(ring, kept, all, Rest::identity, none_stored,
+                            [&](CellId c) { return unit(ring, all, c); });
   ChainComplex<R> c1 = chain_complex(structure, all, before, ring);
-  std::vector<Matrix<R>> d0;
-  for (int p = 0; p < static_cast<int>(removed.cells().size()); ++p) {
-    d0.push_back(r.at(p - 1) * c1.boundary(p) * i.at(p));
-  }
-  ChainComplex<R> c0(ring, removed.sizes(), std::move(d0));
+  ChainComplex<R> c0 = kernel_complex(ring, removed, c1, i, r);
   return {Direction::forward,
           {std::move(c0), std::move(c1), chain_complex(structure, kept, after, ring), std::move(i), std::move(j),
            std::move(r), std::move(s)},
           std::move(removed),
           std::move(all),
           std::move(kept)};
+}
+
+template <Ring R>
+StepSequence<R> split_cells(const Structure& structure, Moment before, Moment after, const R& ring) {
+  CellBasis old_cells = cells_at(structure, before);
+  CellBasis all = old_cells;
+  CellBasis copies;
+  for (CellId c = before.created; c < after.created; ++c) {
+    if (structure.copy(c) != nullptr) {
+      all.add(structure.dimension(c), c);
+      copies.add(structure.dimension(c), c);
+    }
+  }
+  const auto source = [&](CellId c) { return structure.copy(c)->source; };
+  const CellBasis none_stored;
+  auto i = map_with_columns(ring, copies, all, Rest::zero, copies, [&](CellId c) {
+    return Terms<R>{{all.index(c), ring.one()}, {all.index(source(c)), ring.negate(ring.one())}};
+  });
+  auto r = map_with_columns(ring, all, copies, Rest::zero, copies, [&](CellId c) { return unit(ring, copies, c); });
+  auto j = map_with_columns(ring, all, old_cells, Rest::identity, copies,
+                            [&](CellId c) { return unit(ring, old_cells, source(c)); });
+  auto s = map_with_columns(ring, old_cells, all, Rest::identity, none_stored,
+                            [&](CellId c) { return unit(ring, all, c); });
+  ChainComplex<R> c1 = chain_complex(structure, all, after, ring);
+  ChainComplex<R> c0 = kernel_complex(ring, copies, c1, i, r);
+  return {Direction::backward,
+          {std::move(c0), std::move(c1), chain_complex(structure, old_cells, before, ring), std::move(i), std::move(j),
+           std::move(r), std::move(s)},
+          std::move(copies),
+          std::move(all),
+          std::move(old_cells)};
 }
 
 }  // namespace
@@ -127,8 +188,9 @@ std::vector<Index> CellBasis::sizes() const {
 
 CellBasis cells_at(const Structure& structure, Moment moment) {
   CellBasis basis;
-  for (CellId c = 0; c < moment.created; ++c) {
-    if (was_current(structure, c, moment)) {
+  structure.make_all_lazy_cells();
+  for (CellId c = 0; c < structure.created(); ++c) {
+    if (structure.was_current(c, moment)) {
       basis.add(structure.dimension(c), c);
     }
   }
@@ -143,11 +205,11 @@ ChainComplex<R> chain_complex(const Structure& structure, const CellBasis& basis
     Matrix<R> boundary(ring, p == 0 ? 0 : sizes[p - 1], 0);
     for (const CellId cell : basis.cells()[p]) {
       Terms<R> terms;
-      const auto faces = structure.faces_as_created(cell);
-      for (std::size_t k = 0; k < faces.size(); ++k) {
-        const CellId face = structure.find_at(faces[k], moment.links);
-        if (basis.contains(face)) {
-          terms.push_back({basis.index(face), ring.from(structure.type(cell).faces[k].sign)});
+      const std::vector<FaceOperator>& operators = structure.type(cell).faces;
+      for (std::uint32_t k = 0; k < operators.size(); ++k) {
+        const CellId face = structure.find_at(structure.face_at(cell, k, moment), moment.links);
+        if (face != none && basis.contains(face)) {
+          terms.push_back({basis.index(face), ring.from(operators[k].sign)});
         }
       }
       sparse::normalize(ring, terms);
@@ -159,16 +221,22 @@ ChainComplex<R> chain_complex(const Structure& structure, const CellBasis& basis
 }
 
 template <Ring R>
-StepSequence<R> step_sequence(const Structure& structure, Moment before, Moment after, const R& ring) {
-  const bool adds = after.created > before.created;
-  const bool removes = after.links > before.links;
-  sparse::expects(!(adds && removes), "a step adds cells or removes cells, not both");
-  return removes ? identified(structure, before, after, ring) : added(structure, before, after, ring);
+std::optional<StepSequence<R>> step_sequence(const Structure& structure, Moment before, Moment after, const R& ring) {
+  if (after.links > before.links) {
+    return removed_cells(structure, before, after, ring);
+  }
+  const bool is_product =
+      after.families > before.families && structure.family(before.families).kind != FamilyKind::cone;
+  if (is_product || (after.created == before.created && after.families == before.families)) {
+    return std::nullopt;
+  }
+  const bool is_split = after.families == before.families && structure.copy(after.created - 1) != nullptr;
+  return is_split ? split_cells(structure, before, after, ring) : added(structure, before, after, ring);
 }
 
 #define SESAME_INSTANTIATE(R)                                                                   \
   template ChainComplex<R> chain_complex(const Structure&, const CellBasis&, Moment, const R&); \
-  template StepSequence<R> step_sequence(const Structure&, Moment, Moment, const R&);
+  template std::optional<StepSequence<R>> step_sequence(const Structure&, Moment, Moment, const R&);
 SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
 #undef SESAME_INSTANTIATE
 

@@ -3,6 +3,7 @@
 /// cells at any moment of the history.
 #pragma once
 
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -11,13 +12,7 @@
 
 namespace sesame::ops {
 
-/// A moment of the history: how many cells had been created, and how many removed.
-struct Moment {
-  CellId created = 0;
-  LinkId links = 0;
-  friend bool operator==(const Moment&, const Moment&) = default;
-};
-[[nodiscard]] inline Moment now(const Structure& structure) { return {structure.created(), structure.links()}; }
+[[nodiscard]] inline Moment now(const Structure& structure) { return structure.now(); }
 
 /// The cells that generate a chain complex: cells[p][k] is generator k of degree p.
 class CellBasis {
@@ -44,18 +39,22 @@ template <sparse::Ring R>
 
 /// Which of its three complexes a sequence makes from the other two.
 enum class Direction : std::uint8_t {
-  forward,   ///< C2 from C0 and C1: identification
-  backward,  ///< C1 from C0 and C2: adding cells
+  forward,   ///< C2 from C0 and C1: identification, degeneracy
+  backward,  ///< C1 from C0 and C2: adding cells, cones, de-identification
 };
 
 /// A step as an effective short exact sequence 0 -> C0 -i-> C1 -j-> C2 -> 0 with retractions r and s.
 ///
-/// Identification (forward): C1 is the object before, C2 after, C0 = the removed cells; for a cell x removed in favour
-/// of y: i(x) = y - x, r(x) = -x, j(x) = y, s(y) = y, and d0 = r d1 i. C1 lists the cells that stay first, in the order
-/// of C2: so s and the rest of j are implicit identities, and only the removed cells have stored columns.
+/// Identification and degeneracy (forward): C1 is the object before, C2 after, C0 = the removed cells; for a cell x
+/// removed in favour of y, or of y = 0 when it became degenerate: i(x) = y - x, r(x) = -x, j(x) = y, s(y) = y, and
+/// d0 = r d1 i. C1 lists the cells that stay first, in the order of C2: so s and the rest of j are implicit identities,
+/// and only the removed cells have stored columns.
 ///
-/// Adding cells (backward): C0 is the object before, C1 after, C2 = the new cells modulo the old ones; i and r are
-/// implicit identities, and only the new cells have stored columns.
+/// Adding cells, cones (backward): C0 is the object before, C1 after, C2 = the new cells modulo the old ones; i and r
+/// are implicit identities, and only the new cells have stored columns.
+///
+/// De-identification (backward): C2 is the object before, C1 after, C0 is spanned by the copies as differences; for a
+/// copy y of x: i(y) = y - x, r(y) = y, j(y) = x, s the identity of the old cells, d0 = r d1 i.
 ///
 /// Source: S. Peltier's habilitation (2023), section 3.3.3; W. Rharbaoui's thesis (2022).
 template <sparse::Ring R>
@@ -65,9 +64,11 @@ struct StepSequence {
   CellBasis basis0, basis1, basis2;
 };
 
-/// The sequence of the step that led from one moment to another: either cells were added, or cells were removed.
+/// The sequence of the step that led from one moment to the next; none for a step that changed no cells, and for a
+/// product, which is a tensor product and no sequence.
 /// Cost: the size of the object (the complexes are written out); the maps store only what the step touched.
 template <sparse::Ring R>
-[[nodiscard]] StepSequence<R> step_sequence(const Structure& structure, Moment before, Moment after, const R& ring);
+[[nodiscard]] std::optional<StepSequence<R>> step_sequence(const Structure& structure, Moment before, Moment after,
+                                                           const R& ring);
 
 }  // namespace sesame::ops

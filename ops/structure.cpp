@@ -1,6 +1,10 @@
 #include "ops/structure.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <bit>
+#include <utility>
 
 #include "sparse/contract.hpp"
 
@@ -14,14 +18,113 @@ void Plan::clear() {
   names.clear();
   aliases.clear();
   merges.clear();
+  degenerate.clear();
+  sources.clear();
+  moves.clear();
+  family.reset();
   new_body.reset();
   into_body.reset();
   joined_bodies.clear();
 }
 
-Structure::Structure() : types_{std::make_unique<TypeTable>()} {}
+Structure::Structure() : types_{std::make_unique<TypeTable>()}, nodes_{std::make_unique<Nodes>()} {}
+Structure::~Structure() = default;
 
-std::span<const std::uint32_t> Structure::counts() const {
+// ------------------------------------------------------------------------------------------------------------- cells
+
+std::span<const CellId> Structure::faces_as_created(CellId c) const {
+  if (!families_.empty() && nodes_->lazy[c] != none) {
+    LazyCell& lazy = nodes_->lazy_cells[nodes_->lazy[c]];
+    if (!lazy.is_expanded) {
+      lazy.faces = faces_of_lazy(lazy.key);
+      lazy.is_expanded = true;
+      nodes_->expanded.push_back(c);
+    }
+    return lazy.faces;
+  }
+  return {nodes_->faces.data() + nodes_->first_face[c], type(c).faces.size()};
+}
+
+std::span<const CellId> Structure::faces(CellId c) const {
+  if (!moved_.empty()) {
+    if (const auto moved = moved_.find(c); moved != moved_.end()) {
+      return moved->second.faces;
+    }
+  }
+  return faces_as_created(c);
+}
+
+CellId Structure::face_at(CellId c, std::uint32_t k, const Moment& moment) const {
+  CellId face = none;
+  for_each_face_of_history(c, k, moment, [&face](CellId node, LinkId) { face = node; });
+  return face;
+}
+
+CellId Structure::find_at(CellId c, LinkId links) const {
+  while (c != none && nodes_->parent[c] != c && nodes_->link_of[c] < links) {
+    c = nodes_->parent[c];
+  }
+  // A node that was degenerate from the start has no link.
+  return c != none && nodes_->parent[c] == none && nodes_->link_of[c] == none ? none : c;
+}
+
+CellId Structure::last_root(CellId c) const {
+  const std::vector<CellId>& parent = nodes_->parent;
+  while (parent[c] != c && parent[c] != none) {
+    c = parent[c];
+  }
+  return c;
+}
+
+bool Structure::was_current(CellId c, const Moment& moment) const {
+  const LazyCell* lazy = lazy_of(c);
+  if (lazy != nullptr ? lazy->key.family >= moment.families : c >= moment.created) {
+    return false;
+  }
+  if (!families_.empty() && consumed_by(nodes_->body[c]) < moment.families) {  // none is more than any
+    return false;
+  }
+  return find_at(c, moment.links) == c;
+}
+
+Value Structure::value(CellId c) const { return normal_form({c, nodes_->type[c], 0}); }
+
+Value Structure::normal_form(Value v) const {
+  v.cell = last_root(v.cell);
+  while (nodes_->parent[v.cell] == none) {
+    const Value& becomes = nodes_->squashed.at(v.cell);
+    v.collapsed = compose(v.collapsed, becomes.collapsed);
+    v.cell = last_root(becomes.cell);
+  }
+  return v;
+}
+
+Value Structure::face(const Value& v, std::uint32_t k) const {
+  if (!v.is_degenerate()) {
+    return value(faces(v.cell)[k]);
+  }
+  const DegenerateFace step = face_of_degenerate(types_->info(v.type), v.collapsed, k);
+  if (step.of_cell == DegenerateFace::itself) {
+    return {v.cell, step.type, step.collapsed};
+  }
+  const Value under = value(faces(v.cell)[step.of_cell]);
+  return {under.cell, step.type, compose(step.collapsed, under.collapsed)};
+}
+
+CellId Structure::node_of(const Value& v) const {
+  if (!v.is_degenerate()) {
+    return v.cell;
+  }
+  if (const auto known = nodes_->degenerate_index.find(v); known != nodes_->degenerate_index.end()) {
+    return known->second;
+  }
+  const CellId node = add_node(v.type, none, none, nodes_->body[v.cell]);
+  squash(node, v);
+  nodes_->degenerate_index.emplace(v, node);
+  return node;
+}
+
+std::span<const std::uint64_t> Structure::counts() const {
   std::size_t used = counts_.size();
   while (used > 0 && counts_[used - 1] == 0) {
     --used;
@@ -29,14 +132,466 @@ std::span<const std::uint32_t> Structure::counts() const {
   return {counts_.data(), used};
 }
 
-std::optional<CellId> Structure::lookup(std::string_view name) const {
-  const NameTable::Name* found = names_.find(name);
-  return found == nullptr || found->cell == none ? std::nullopt : std::optional{found->cell};
+const Structure::Copy* Structure::copy(CellId c) const {
+  if (copies_.empty()) {
+    return nullptr;
+  }
+  const auto at = copy_index_.find(c);
+  return at == copy_index_.end() ? nullptr : &copies_[at->second];
 }
+
+std::span<const CellId> Structure::copies_of(CellId source) const {
+  const auto at = copies_of_.find(source);
+  return at == copies_of_.end() ? std::span<const CellId>{} : at->second;
+}
+
+// ---------------------------------------------------------------------------------------------------------- cofaces
+
+/// The node whose faces contain an entry of the list of all faces.
+CellId Structure::owner_of(std::uint32_t entry) const {
+  const auto& first = nodes_->first_face;
+  return static_cast<CellId>(std::upper_bound(first.begin(), first.end(), entry) - first.begin() - 1);
+}
+
+void Structure::add_cofaces(CellId current, std::vector<CellId>& out) const {
+  std::vector<CellId> pending{current};  // and what is degenerate over it
+  while (!pending.empty()) {
+    const CellId root = pending.back();
+    pending.pop_back();
+    for_each_member(root, [&](CellId node) {
+      for (std::uint32_t entry = nodes_->first_incidence[node]; entry != none; entry = nodes_->next_incidence[entry]) {
+        out.push_back(owner_of(entry));
+      }
+      if (const auto onto = moved_onto_.find(node); onto != moved_onto_.end()) {
+        for (const std::uint32_t number : onto->second) {
+          out.push_back(moves_[number].cell);
+        }
+      }
+      if (const auto over = nodes_->squashed_onto.find(node); over != nodes_->squashed_onto.end()) {
+        pending.insert(pending.end(), over->second.begin(), over->second.end());
+      }
+      if (const LazyCell* lazy = lazy_of(node)) {
+        add_lazy_cofaces(lazy->key, node, out);
+      }
+    });
+  }
+}
+
+std::vector<CellId> Structure::cofaces(CellId current) const {
+  std::vector<CellId> candidates;
+  add_cofaces(current, candidates);
+  std::vector<CellId> cells;
+  for (const CellId candidate : candidates) {
+    const CellId c = find(candidate);
+    if (c == none) {
+      continue;
+    }
+    const auto nodes = faces(c);
+    if (std::any_of(nodes.begin(), nodes.end(), [&](CellId node) { return value(node).cell == current; })) {
+      cells.push_back(c);
+    }
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  std::sort(cells.begin(), cells.end(), [this](CellId a, CellId b) { return is_older(oldest(a), oldest(b)); });
+  return cells;
+}
+
+/// Candidates for the cofaces, within its family, of a lazy cell.
+void Structure::add_lazy_cofaces(const LazyKey& key, CellId cell, std::vector<CellId>& out) const {
+  const LazyFamily& family = families_[key.family];
+  const auto as_value = [this](CellId c) { return Value{c, nodes_->type[c], 0}; };
+  if (family.kind == FamilyKind::cone) {
+    for (const CellId coface : cofaces(key.left.cell)) {
+      out.push_back(lazy_cell(key.family, key.part, as_value(coface)));
+    }
+    if (key.part == LazyPart::base) {
+      out.push_back(lazy_cell(key.family, LazyPart::coned, key.left));
+    }
+    return;
+  }
+  if (family.kind == FamilyKind::product) {
+    for (const CellId coface : cofaces(key.left.cell)) {
+      out.push_back(lazy_cell(key.family, LazyPart::pair, as_value(coface), key.right));
+    }
+    for (const CellId coface : cofaces(key.right.cell)) {
+      out.push_back(lazy_cell(key.family, LazyPart::pair, key.left, as_value(coface)));
+    }
+    return;
+  }
+  std::vector<CellId> lefts = cofaces(key.left.cell);
+  std::vector<CellId> rights = cofaces(key.right.cell);
+  lefts.push_back(key.left.cell);
+  rights.push_back(key.right.cell);
+  const int n = dimension(cell) + 1;
+  for (const CellId left : lefts) {
+    for (const CellId right : rights) {
+      for_each_pair_of_degeneracies(n, dimension(left), dimension(right), [&](Degeneracy l, Degeneracy r) {
+        const TypeId type = types_->simplex(n);
+        out.push_back(lazy_cell(key.family, LazyPart::pair, {left, type, l}, {right, type, r}));
+      });
+    }
+  }
+}
+
+// -------------------------------------------------------------------------------------------------------- lazy cells
+
+CellId Structure::lazy_cell(FamilyId family, LazyPart part, const Value& left, const Value& right) const {
+  const LazyFamily& f = families_[family];
+  LazyKey key{family, part, left, right};
+  Value made;  // the value that the cell has: collapsed directions of its own
+  if (part == LazyPart::pair && f.kind == FamilyKind::simplicial_product) {
+    made.type = left.type;
+    made.collapsed = left.collapsed & right.collapsed;
+    const Degeneracy common = made.collapsed;
+    const TypeId type = types_->simplex(types_->info(left.type).dimension - std::popcount(common));
+    key.left = {left.cell, type, without(left.collapsed, common)};
+    key.right = {right.cell, type, without(right.collapsed, common)};
+    made.cell = type;  // for now: the type of the cell underneath
+  } else {
+    key.left = {left.cell, nodes_->type[left.cell], 0};
+    made.type = left.type;
+    made.collapsed = left.collapsed;
+    made.cell = key.left.type;
+    if (part == LazyPart::pair) {
+      key.right = {right.cell, nodes_->type[right.cell], 0};
+      made.type = types_->product(left.type, right.type);
+      made.collapsed |= right.collapsed << types_->info(left.type).dimension;
+      made.cell = types_->product(key.left.type, key.right.type);
+    } else if (part == LazyPart::coned) {
+      made.type = types_->coned(left.type, f.by_edges);
+      made.cell = types_->coned(key.left.type, f.by_edges);
+    }
+  }
+  const TypeId type = std::exchange(made.cell, none);
+  if (const auto known = nodes_->lazy_index.find(key); known != nodes_->lazy_index.end()) {
+    made.cell = known->second;
+  } else {
+    made.cell = add_node(type, none, static_cast<std::uint32_t>(nodes_->lazy_cells.size()), f.body);
+    nodes_->lazy_cells.push_back({key});
+    nodes_->lazy_index.emplace(key, made.cell);
+    nodes_->lazy_made[family].push_back(made.cell);
+  }
+  return made.is_degenerate() ? node_of(normal_form(made)) : made.cell;
+}
+
+std::optional<CellId> Structure::known_lazy_cell(const LazyKey& key) const {
+  const auto known = nodes_->lazy_index.find(key);
+  return known == nodes_->lazy_index.end() ? std::nullopt : std::optional{known->second};
+}
+
+std::vector<CellId> Structure::faces_of_lazy(const LazyKey& key) const {
+  const LazyFamily& family = families_[key.family];
+  const auto arity = [this](const Value& v) { return static_cast<std::uint32_t>(types_->info(v.type).faces.size()); };
+  std::vector<CellId> faces;
+  switch (key.part) {
+    case LazyPart::pair:
+      if (family.kind == FamilyKind::simplicial_product) {
+        for (std::uint32_t k = 0; k < arity(key.left); ++k) {
+          faces.push_back(lazy_cell(key.family, key.part, face(key.left, k), face(key.right, k)));
+        }
+        break;
+      }
+      for (std::uint32_t k = 0; k < arity(key.left); ++k) {
+        faces.push_back(lazy_cell(key.family, key.part, face(key.left, k), key.right));
+      }
+      for (std::uint32_t k = 0; k < arity(key.right); ++k) {
+        faces.push_back(lazy_cell(key.family, key.part, key.left, face(key.right, k)));
+      }
+      break;
+    case LazyPart::base:
+      for (std::uint32_t k = 0; k < arity(key.left); ++k) {
+        faces.push_back(lazy_cell(key.family, key.part, face(key.left, k)));
+      }
+      break;
+    case LazyPart::coned:
+      for (std::uint32_t k = 0; k < arity(key.left); ++k) {
+        faces.push_back(lazy_cell(key.family, key.part, face(key.left, k)));
+      }
+      if (const int p = dimension(key.left.cell); p == 0) {
+        faces.push_back(family.apex);
+      } else if (family.by_edges) {
+        faces.push_back(node_of(normal_form({family.apex, key.left.type, (Degeneracy{1} << p) - 1})));
+      }
+      faces.push_back(lazy_cell(key.family, LazyPart::base, key.left));
+      break;
+  }
+  return faces;
+}
+
+void Structure::make_all_cells_of(FamilyId id) const {
+  const LazyFamily& family = families_[id];
+  const auto as_value = [this](CellId c) { return Value{c, nodes_->type[c], 0}; };
+  if (family.kind == FamilyKind::cone) {
+    for (const BodyId body : family.bodies) {
+      for (const CellId c : cells_of(body)) {
+        (void)lazy_cell(id, LazyPart::base, as_value(c));
+        (void)lazy_cell(id, LazyPart::coned, as_value(c));
+      }
+    }
+    return;
+  }
+  const std::vector<CellId> lefts = cells_of(family.bodies[0]);
+  const std::vector<CellId> rights = cells_of(family.bodies[1]);
+  for (const CellId left : lefts) {
+    for (const CellId right : rights) {
+      if (family.kind == FamilyKind::product) {
+        (void)lazy_cell(id, LazyPart::pair, as_value(left), as_value(right));
+        continue;
+      }
+      const int p = dimension(left);
+      const int q = dimension(right);
+      for (int n = std::max(p, q); n <= p + q; ++n) {
+        for_each_pair_of_degeneracies(n, p, q, [&](Degeneracy l, Degeneracy r) {
+          const TypeId type = types_->simplex(n);
+          (void)lazy_cell(id, LazyPart::pair, {left, type, l}, {right, type, r});
+        });
+      }
+    }
+  }
+}
+
+void Structure::make_all_lazy_cells() const {
+  for (FamilyId f = 0; f < families(); ++f) {
+    make_all_cells_of(f);
+  }
+}
+
+// ------------------------------------------------------------------------------------------------------------- names
+
+std::string_view Structure::own_name(CellId c) const {
+  if (nodes_->name[c] != none) {
+    return names_[nodes_->name[c]].text;
+  }
+  if (families_.empty() || nodes_->lazy[c] == none) {
+    return "(degenerate)";  // a node that no name can denote
+  }
+  LazyCell& lazy = nodes_->lazy_cells[nodes_->lazy[c]];
+  if (lazy.name.empty()) {
+    lazy.name = lazy_name(lazy.key);
+  }
+  return lazy.name;
+}
+
+std::string Structure::lazy_name(const LazyKey& key) const {
+  const LazyFamily& family = families_[key.family];
+  const auto written = [this](const Value& v) {
+    std::string text{name(v.cell)};
+    const char* separator = "^";
+    for (int d = 0; d <= largest_dimension; ++d) {
+      if ((v.collapsed >> d & 1) != 0) {
+        text += separator + std::to_string(d);
+        separator = ",";
+      }
+    }
+    return text;
+  };
+  switch (key.part) {
+    case LazyPart::base:
+      return written(key.left);
+    case LazyPart::coned:
+      return fmt::format("{}*{}", family.name, written(key.left));
+    case LazyPart::pair:
+      break;
+  }
+  return fmt::format("{}.({}|{})", family.name, written(key.left), written(key.right));
+}
+
+namespace {
+
+/// "a^0,2" as ("a", {0, 2}); nothing when the text does not end that way.
+std::optional<std::pair<std::string_view, Degeneracy>> split_degeneracy(std::string_view text) {
+  const std::size_t mark = text.rfind('^');
+  if (mark == std::string_view::npos || mark + 1 == text.size()) {
+    return std::nullopt;
+  }
+  Degeneracy collapsed = 0;
+  int number = -1;
+  for (const char c : text.substr(mark + 1)) {
+    if (c >= '0' && c <= '9') {
+      number = std::max(number, 0) * 10 + (c - '0');
+      if (number > largest_dimension) {
+        return std::nullopt;
+      }
+      continue;
+    }
+    if (c != ',' || number < 0) {
+      return std::nullopt;
+    }
+    collapsed |= Degeneracy{1} << number;
+    number = -1;
+  }
+  if (number < 0) {
+    return std::nullopt;
+  }
+  return std::pair{text.substr(0, mark), collapsed | Degeneracy{1} << number};
+}
+
+/// The parts of a name before which a family's name may end: before each "*", and before each ".(".
+template <class Visit>
+void for_each_prefix(std::string_view name, Visit visit) {
+  for (std::size_t k = 1; k < name.size(); ++k) {
+    if (name[k] == '*' || (name[k] == '.' && k + 1 < name.size() && name[k + 1] == '(')) {
+      visit(name.substr(0, k), name.substr(k));
+    }
+  }
+}
+
+}  // namespace
+
+/// The node of a name, whatever has become of its body.
+std::optional<CellId> Structure::lookup_any(std::string_view name) const {
+  if (const NameTable::Name* found = names_.find(name); found != nullptr && found->cell != none) {
+    return found->cell;
+  }
+  std::optional<CellId> cell;
+  if (families_.empty()) {
+    return cell;
+  }
+  for_each_prefix(name, [&](std::string_view prefix, std::string_view rest) {
+    const auto at = family_names_.find(std::string{prefix});
+    if (cell || at == family_names_.end()) {
+      return;
+    }
+    const LazyFamily& family = families_[at->second];
+    if (rest.front() == '*' && family.kind == FamilyKind::cone) {
+      if (const auto base = lookup_in(rest.substr(1), family.bodies)) {
+        cell = lazy_cell(at->second, LazyPart::coned, *base);
+      }
+    } else if (rest.front() == '.' && family.kind != FamilyKind::cone && rest.back() == ')') {
+      cell = lookup_pair(at->second, rest.substr(2, rest.size() - 3));
+    }
+  });
+  return cell;
+}
+
+/// The cell of a product whose name has "left|right" in its parentheses.
+std::optional<CellId> Structure::lookup_pair(FamilyId id, std::string_view inside) const {
+  const LazyFamily& family = families_[id];
+  const bool is_simplicial = family.kind == FamilyKind::simplicial_product;
+  const auto part = [&](std::string_view text, BodyId body) -> std::optional<Value> {
+    const BodyId bodies[] = {body};
+    if (auto found = lookup_in(text, bodies)) {
+      return found;
+    }
+    const auto split = split_degeneracy(text);
+    if (!is_simplicial || !split) {
+      return std::nullopt;
+    }
+    auto found = lookup_in(split->first, bodies);
+    if (found) {
+      const int n = types_->info(found->type).dimension + std::popcount(split->second);
+      if (n > largest_dimension || split->second >> n != 0) {
+        return std::nullopt;
+      }
+      *found = {found->cell, types_->simplex(n), compose(split->second, found->collapsed)};
+    }
+    return found;
+  };
+  for (std::size_t k = inside.find('|'); k != std::string_view::npos; k = inside.find('|', k + 1)) {
+    const auto left = part(inside.substr(0, k), family.bodies[0]);
+    const auto right = left ? part(inside.substr(k + 1), family.bodies[1]) : std::nullopt;
+    if (right && (!is_simplicial || left->type == right->type)) {
+      return lazy_cell(id, LazyPart::pair, *left, *right);
+    }
+  }
+  return std::nullopt;
+}
+
+/// What a name denotes among the cells of some frozen bodies.
+std::optional<Value> Structure::lookup_in(std::string_view name, std::span<const BodyId> bodies) const {
+  const auto node = lookup_any(name);
+  if (!node) {
+    return std::nullopt;
+  }
+  for (Value v = value(*node);;) {
+    const BodyId body = body_of(v.cell);
+    if (std::find(bodies.begin(), bodies.end(), body) != bodies.end()) {
+      return v;
+    }
+    const FamilyId family = bodies_[body].consumed_by;
+    if (family == none || families_[family].kind != FamilyKind::cone) {
+      return std::nullopt;
+    }
+    v = value(lazy_cell(family, LazyPart::base, v));
+  }
+}
+
+std::optional<CellId> Structure::lookup(std::string_view name) const {
+  auto node = lookup_any(name);
+  while (node && is_consumed(*node)) {
+    const FamilyId family = consumed_by(nodes_->body[*node]);
+    if (families_[family].kind != FamilyKind::cone) {
+      break;
+    }
+    node = lazy_cell(family, LazyPart::base, value(*node));
+  }
+  return node;
+}
+
+bool Structure::is_name_taken(std::string_view name) const {
+  return names_.find(name) != nullptr || (!families_.empty() && lookup_any(name).has_value());
+}
+
+bool Structure::is_prefix_taken(std::string_view prefix) const {
+  const auto at = prefixes_.find(std::string{prefix});
+  return at != prefixes_.end() && at->second > 0;
+}
+
+void Structure::add_name(std::string_view text, CellId cell, BodyId body) {
+  names_.add(text, cell, body);
+  for_each_prefix(text, [this](std::string_view prefix, std::string_view) { ++prefixes_[std::string{prefix}]; });
+}
+
+/// Negative when a is older, positive when b is.
+int Structure::compare_age(CellId a, CellId b) const {
+  const LazyCell* x = lazy_of(a);
+  const LazyCell* y = lazy_of(b);
+  while (x != nullptr && x->key.part == LazyPart::base) {
+    a = oldest(x->key.left.cell);
+    x = lazy_of(a);
+  }
+  while (y != nullptr && y->key.part == LazyPart::base) {
+    b = oldest(y->key.left.cell);
+    y = lazy_of(b);
+  }
+  const auto compare = [](auto m, auto n) { return m < n ? -1 : m > n ? 1 : 0; };
+  const auto created = [this](CellId c, const LazyCell* lazy) {
+    return lazy == nullptr ? 2 * std::uint64_t{c} + 1 : 2 * std::uint64_t{families_[lazy->key.family].first};
+  };
+  if (const int order = compare(created(a, x), created(b, y)); order != 0 || x == nullptr || y == nullptr) {
+    return order;
+  }
+  if (const int order = compare(x->key.family, y->key.family); order != 0) {
+    return order;
+  }
+  if (x->key.part == LazyPart::coned) {
+    if (const int order = compare(dimension(a), dimension(b)); order != 0) {
+      return order;
+    }
+  }
+  if (x->key.left.cell != y->key.left.cell) {
+    return compare_age(oldest(x->key.left.cell), oldest(y->key.left.cell));
+  }
+  if (x->key.right.cell != y->key.right.cell) {
+    return compare_age(oldest(x->key.right.cell), oldest(y->key.right.cell));
+  }
+  const int order = compare(x->key.left.collapsed, y->key.left.collapsed);
+  return order != 0 ? order : compare(x->key.right.collapsed, y->key.right.collapsed);
+}
+
+// ------------------------------------------------------------------------------------------------------------ bodies
 
 std::optional<BodyId> Structure::lookup_body(std::string_view name) const {
   const NameTable::Name* found = names_.find(name);
-  return found == nullptr || found->body == none ? std::nullopt : std::optional{find_body(found->body)};
+  if (found == nullptr || found->body == none) {
+    return std::nullopt;
+  }
+  BodyId body = find_body(found->body);
+  while (bodies_[body].consumed_by != none && families_[bodies_[body].consumed_by].kind == FamilyKind::cone) {
+    body = find_body(families_[bodies_[body].consumed_by].body);
+  }
+  return body;
 }
 
 BodyId Structure::find_body(BodyId b) const {
@@ -49,7 +604,7 @@ BodyId Structure::find_body(BodyId b) const {
 std::vector<BodyId> Structure::current_bodies() const {
   std::vector<BodyId> current;
   for (BodyId b = 0; b < bodies_.size(); ++b) {
-    if (bodies_[b].parent == b) {
+    if (bodies_[b].parent == b && bodies_[b].consumed_by == none) {
       current.push_back(b);
     }
   }
@@ -72,80 +627,266 @@ std::vector<CellId> Structure::cells_of(BodyId body) const {
         }
       }
     }
+    if (b.family != none) {
+      make_all_cells_of(b.family);
+      const std::vector<CellId>& made = nodes_->lazy_made[b.family];
+      std::copy_if(made.begin(), made.end(), std::back_inserter(cells), [this](CellId c) { return is_current(c); });
+    }
   }
-  std::sort(cells.begin(), cells.end());
+  std::sort(cells.begin(), cells.end(), [this](CellId a, CellId b) { return is_older(a, b); });
   return cells;
 }
 
+bool Structure::has_only_simplices(BodyId body) const {
+  bool is_certain = true;
+  std::vector<BodyId> pending{find_body(body)};
+  while (!pending.empty() && is_certain) {
+    const Body& b = bodies_[pending.back()];
+    pending.pop_back();
+    pending.insert(pending.end(), b.children.begin(), b.children.end());
+    is_certain = !b.has_simploids;
+  }
+  if (is_certain) {
+    return true;
+  }
+  const std::vector<CellId> cells = cells_of(body);
+  return std::all_of(cells.begin(), cells.end(), [this](CellId c) { return is_simplex(type(c).type); });
+}
+
+// ------------------------------------------------------------------------------------------------------------ change
+
 StructureMark Structure::mark() const {
-  return {created(), links(), names_.size(), static_cast<std::uint32_t>(bodies_.size()),
-          static_cast<std::uint32_t>(body_links_.size())};
+  return {created(),
+          links(),
+          names_.size(),
+          static_cast<std::uint32_t>(bodies_.size()),
+          static_cast<std::uint32_t>(body_links_.size()),
+          static_cast<std::uint32_t>(moves_.size()),
+          copies(),
+          families(),
+          static_cast<std::uint32_t>(nodes_->expanded.size())};
 }
 
 void Structure::apply(const Plan& plan) {
   const CellId first = created();
-  const auto new_body = plan.new_body ? static_cast<BodyId>(bodies_.size()) : none;
-  if (plan.new_body) {
-    bodies_.push_back({none, new_body, new_body, {}, {}, 1});
+  const auto new_body = plan.new_body || plan.family ? static_cast<BodyId>(bodies_.size()) : none;
+  if (new_body != none) {
+    bodies_.emplace_back();
+    bodies_.back().name = none;
+    bodies_.back().parent = bodies_.back().oldest = new_body;
   }
   add_cells(plan, new_body);
-  if (!plan.cells.empty()) {
-    const BodyId body = plan.new_body ? new_body : plan.into_body.value();
-    body_.resize(type_.size(), body);
-    bodies_[body].made.push_back({first, created()});
+  if (plan.family) {
+    add_family(*plan.family, new_body);
+  }
+  if (created() > first && plan.sources.empty()) {
+    bodies_[new_body != none ? new_body : plan.into_body.value()].made.push_back({first, created()});
   }
   for (const BodyId joined : plan.joined_bodies) {
     join_bodies(plan.into_body.value(), joined);
   }
+  for (const Move& move : plan.moves) {
+    make_move(move);
+  }
   for (const Merge& merge : plan.merges) {
     link(merge);
-    join_bodies(body_of(merge.survivor), body_of(merge.removed));
+    if (merge.survivor != none) {
+      join_bodies(body_of(merge.survivor), body_of(merge.removed));
+    } else {
+      join_bodies(body_of(merge.becomes.cell), body_of(merge.removed));
+    }
   }
+}
+
+CellId Structure::add_node(TypeId type, std::uint32_t name, std::uint32_t lazy, BodyId body) const {
+  Nodes& n = *nodes_;
+  const CellId id = created();
+  n.type.push_back(type);
+  n.first_face.push_back(n.faces.size());
+  n.first_incidence.push_back(none);
+  n.parent.push_back(id);
+  n.oldest.push_back(id);
+  n.size.push_back(1);
+  n.link_of.push_back(none);
+  n.last_child.push_back(none);
+  n.name.push_back(name);
+  n.lazy.push_back(lazy);
+  n.body.push_back(body);
+  return id;
+}
+
+void Structure::squash(CellId node, const Value& becomes) const {
+  nodes_->parent[node] = none;
+  nodes_->squashed.emplace(node, becomes);
+  nodes_->squashed_onto[becomes.cell].push_back(node);
+}
+
+/// Requires: the node was squashed last of those that are still degenerate over the same node.
+void Structure::unsquash(CellId node) const {
+  const auto squashed = nodes_->squashed.find(node);
+  nodes_->squashed_onto.at(squashed->second.cell).pop_back();
+  nodes_->squashed.erase(squashed);
+  nodes_->parent[node] = node;
 }
 
 void Structure::add_cells(const Plan& plan, BodyId new_body) {
   std::size_t name_begin = 0;
-  for (const Plan::NewCell& cell : plan.cells) {
-    const CellId id = created();
-    const std::size_t arity = types_->info(cell.type).faces.size();
-    type_.push_back(cell.type);
-    first_face_.push_back(faces_.size());
-    const auto face = plan.faces.begin() + cell.first_face;
-    faces_.insert(faces_.end(), face, face + static_cast<std::ptrdiff_t>(arity));
-    parent_.push_back(id);
-    oldest_.push_back(id);
-    size_.push_back(1);
-    link_of_.push_back(none);
-    name_of_.push_back(names_.size());
+  auto next_degenerate = plan.degenerate.begin();
+  for (std::size_t k = 0; k < plan.cells.size(); ++k) {
+    const Plan::NewCell& cell = plan.cells[k];
+    if (next_degenerate != plan.degenerate.end() && next_degenerate->first == k) {
+      (void)node_of(next_degenerate->second);
+      ++next_degenerate;
+      continue;
+    }
+    const TypeInfo& type = types_->info(cell.type);
+    const CellId source = plan.sources.empty() ? none : plan.sources[k];
+    const BodyId body = source != none     ? body_of(source)
+                        : new_body != none ? new_body
+                                           : plan.into_body.value();
+    const CellId id = add_node(cell.type, names_.size(), none, body);
+    for (std::size_t f = 0; f < type.faces.size(); ++f) {
+      const CellId face = plan.faces[cell.first_face + f];
+      const auto entry = static_cast<std::uint32_t>(nodes_->faces.size());
+      nodes_->faces.push_back(face);
+      nodes_->next_incidence.push_back(std::exchange(nodes_->first_incidence[face], entry));
+    }
     const std::string_view name = std::string_view{plan.names}.substr(name_begin, cell.name_end - name_begin);
     if (plan.new_body && name == *plan.new_body) {  // the name of the whole, or of the first vertex, is the body's too
       bodies_[new_body].name = names_.size();
-      names_.add(name, id, new_body);
+      add_name(name, id, new_body);
     } else {
-      names_.add(name, id, none);
+      add_name(name, id, none);
     }
     name_begin = cell.name_end;
     count(id, 1);
+    if (source != none) {
+      bodies_[body].made.push_back({id, id + 1});
+      copy_index_.emplace(id, copies());
+      copies_.push_back(
+          {id, source, {id - static_cast<CellId>(k), links(), static_cast<std::uint32_t>(moves_.size()), families()}});
+      copies_of_[source].push_back(id);
+    }
+    if (!is_simplex(type.type)) {
+      bodies_[body].has_simploids = true;
+    }
   }
   for (const auto& [name, cell] : plan.aliases) {
-    names_.add(name, cell, none);
+    add_name(name, cell, none);
   }
   if (plan.new_body && bodies_[new_body].name == none) {
     bodies_[new_body].name = names_.size();
-    names_.add(*plan.new_body, none, new_body);
+    add_name(*plan.new_body, none, new_body);
   }
 }
 
+void Structure::add_family(const NewFamily& family, BodyId body) {
+  const auto id = families();
+  families_.push_back({family.kind, family.name, family.bodies, family.by_edges,
+                       family.kind == FamilyKind::cone ? created() - 1 : none, created(), links(),
+                       static_cast<std::uint32_t>(body_links_.size()), body, family.counts});
+  nodes_->lazy_made.emplace_back();
+  family_names_.emplace(family.name, id);
+  Body& made = bodies_[body];
+  made.family = id;
+  made.has_simploids = family.by_edges;
+  for (const BodyId b : family.bodies) {
+    made.has_simploids = made.has_simploids || bodies_[b].has_simploids || !has_only_simplices(b);
+    if (bodies_[b].consumed_by == none) {  // a factor may be there twice
+      bodies_[b].consumed_by = id;
+      add_counts(bodies_[b].counts, counts_, true);
+    }
+    if (family.kind == FamilyKind::cone) {
+      made.oldest = std::min(made.oldest, bodies_[b].oldest);
+    }
+  }
+  if (family.kind == FamilyKind::product) {
+    const auto has_edges = [this](BodyId b) { return bodies_[b].counts.size() > 1; };
+    made.has_simploids = made.has_simploids || (has_edges(family.bodies[0]) && has_edges(family.bodies[1]));
+  }
+  add_counts(family.counts, made.counts, false);
+  add_counts(family.counts, counts_, false);
+}
+
+void Structure::undo_last_family() {
+  const LazyFamily& family = families_.back();
+  add_counts(family.counts, counts_, true);
+  add_counts(family.counts, bodies_[family.body].counts, true);
+  for (const BodyId b : family.bodies) {
+    if (bodies_[b].consumed_by != none) {
+      bodies_[b].consumed_by = none;
+      add_counts(bodies_[b].counts, counts_, false);
+    }
+  }
+  family_names_.erase(family.name);
+  nodes_->lazy_made.pop_back();
+  families_.pop_back();
+}
+
 void Structure::link(const Merge& merge) {
-  const auto [removed, survivor] = merge;
-  expects(is_current(removed) && is_current(survivor) && removed != survivor, "a merge joins two current cells");
-  link_of_[removed] = links();
-  removed_.push_back(removed);
-  oldest_before_.push_back(oldest_[survivor]);
-  parent_[removed] = survivor;
-  size_[survivor] += size_[removed];
-  oldest_[survivor] = std::min(oldest_[survivor], oldest_[removed]);
+  const auto& [removed, survivor, becomes] = merge;
+  expects(is_current(removed) && removed != survivor && (survivor == none || is_current(survivor)),
+          "a merge joins two current cells");
+  Nodes& n = *nodes_;
+  n.link_of[removed] = links();
   count(removed, -1);
+  if (survivor == none) {
+    links_.push_back({removed, none, none, created()});
+    squash(removed, becomes);
+    return;
+  }
+  links_.push_back({removed, n.oldest[survivor], n.last_child[survivor], created()});
+  n.last_child[survivor] = links() - 1;
+  n.parent[removed] = survivor;
+  n.size[survivor] += n.size[removed];
+  if (is_older(n.oldest[removed], n.oldest[survivor])) {
+    n.oldest[survivor] = n.oldest[removed];
+  }
+}
+
+void Structure::undo_last_link() {
+  Nodes& n = *nodes_;
+  const Link link = links_.back();
+  links_.pop_back();
+  const CellId survivor = n.parent[link.removed];
+  if (survivor == none) {
+    unsquash(link.removed);
+  } else {
+    n.size[survivor] -= n.size[link.removed];
+    n.oldest[survivor] = link.oldest_before;
+    n.last_child[survivor] = link.previous_child;
+    n.parent[link.removed] = link.removed;
+  }
+  n.link_of[link.removed] = none;
+  count(link.removed, 1);
+}
+
+void Structure::make_move(const Move& move) {
+  const auto number = static_cast<std::uint32_t>(moves_.size());
+  MovedFaces& moved = moved_[move.cell];
+  if (moved.faces.empty()) {
+    const auto faces = faces_as_created(move.cell);
+    moved.faces.assign(faces.begin(), faces.end());
+  }
+  moved.history.push_back(number);
+  moves_.push_back({move.cell, move.slot, std::exchange(moved.faces[move.slot], move.to), move.to, links()});
+  moved_onto_[move.to].push_back(number);
+}
+
+void Structure::undo_last_move() {
+  const MadeMove& made = moves_.back();
+  const auto moved = moved_.find(made.cell);
+  moved->second.faces[made.slot] = made.before;
+  moved->second.history.pop_back();
+  if (moved->second.history.empty()) {
+    moved_.erase(moved);
+  }
+  const auto onto = moved_onto_.find(made.after);
+  onto->second.pop_back();
+  if (onto->second.empty()) {
+    moved_onto_.erase(onto);
+  }
+  moves_.pop_back();
 }
 
 void Structure::join_bodies(BodyId a, BodyId b) {
@@ -157,58 +898,120 @@ void Structure::join_bodies(BodyId a, BodyId b) {
   if (bodies_[a].size < bodies_[b].size) {
     std::swap(a, b);
   }
-  body_links_.push_back({b, bodies_[a].oldest});
+  body_links_.push_back({b, bodies_[a].oldest, created(), links()});
   bodies_[b].parent = a;
   bodies_[a].children.push_back(b);
   bodies_[a].size += bodies_[b].size;
   bodies_[a].oldest = std::min(bodies_[a].oldest, bodies_[b].oldest);
+  add_counts(bodies_[b].counts, bodies_[a].counts, false);
+}
+
+void Structure::undo_last_body_link() {
+  const BodyLink link = body_links_.back();
+  body_links_.pop_back();
+  Body& child = bodies_[link.child];
+  Body& above = bodies_[child.parent];
+  add_counts(child.counts, above.counts, true);
+  above.children.pop_back();
+  above.size -= child.size;
+  above.oldest = link.oldest_before;
+  child.parent = link.child;
 }
 
 void Structure::count(CellId c, int change) {
   const auto p = static_cast<std::size_t>(dimension(c));
-  if (p >= counts_.size()) {
-    counts_.resize(p + 1, 0);
+  for (std::vector<std::uint64_t>* counts : {&counts_, &bodies_[body_of(c)].counts}) {
+    if (p >= counts->size()) {
+      counts->resize(p + 1, 0);
+    }
+    (*counts)[p] += static_cast<std::uint64_t>(static_cast<std::int64_t>(change));
   }
-  counts_[p] += static_cast<std::uint32_t>(change);
+}
+
+void Structure::add_counts(std::span<const std::uint64_t> from, std::vector<std::uint64_t>& to, bool subtract) {
+  if (to.size() < from.size()) {
+    to.resize(from.size(), 0);
+  }
+  for (std::size_t p = 0; p < from.size(); ++p) {
+    to[p] = subtract ? to[p] - from[p] : to[p] + from[p];
+  }
+}
+
+void Structure::drop_last_node() {
+  Nodes& n = *nodes_;
+  const CellId c = created() - 1;
+  if (std::vector<Range>& made = bodies_[n.body[c]].made; !made.empty() && made.back().last == c + 1) {
+    made.back().last = c;
+    if (made.back().first == c) {
+      made.pop_back();
+    }
+  }
+  if (n.lazy[c] != none) {
+    const LazyKey& key = n.lazy_cells.back().key;
+    n.lazy_index.erase(key);
+    n.lazy_made[key.family].pop_back();
+    n.lazy_cells.pop_back();
+  } else if (n.parent[c] == none) {  // degenerate from the start
+    n.degenerate_index.erase(n.squashed.at(c));
+    unsquash(c);
+  } else {
+    count(c, -1);
+    while (n.faces.size() > n.first_face[c]) {
+      n.first_incidence[n.faces.back()] = n.next_incidence.back();
+      n.faces.pop_back();
+      n.next_incidence.pop_back();
+    }
+    if (const auto at = copy_index_.find(c); !copies_.empty() && at != copy_index_.end()) {
+      const auto of = copies_of_.find(copies_[at->second].source);
+      of->second.pop_back();
+      if (of->second.empty()) {
+        copies_of_.erase(of);
+      }
+      copy_index_.erase(at);
+      copies_.pop_back();
+    }
+  }
+  for (auto* column :
+       {&n.type, &n.first_incidence, &n.parent, &n.oldest, &n.size, &n.link_of, &n.last_child, &n.name, &n.lazy, &n.body}) {
+    column->pop_back();
+  }
+  n.first_face.pop_back();
 }
 
 void Structure::truncate(const StructureMark& mark) {
-  while (body_links_.size() > mark.body_links) {
-    const auto [child, oldest_before] = body_links_.back();
-    body_links_.pop_back();
-    Body& above = bodies_[bodies_[child].parent];
-    above.children.pop_back();
-    above.size -= bodies_[child].size;
-    above.oldest = oldest_before;
-    bodies_[child].parent = child;
+  while (moves_.size() > mark.moves) {
+    undo_last_move();
   }
-  while (links() > mark.links) {
-    const CellId removed = removed_.back();
-    const CellId survivor = parent_[removed];
-    size_[survivor] -= size_[removed];
-    oldest_[survivor] = oldest_before_.back();
-    parent_[removed] = removed;
-    link_of_[removed] = none;
-    count(removed, 1);
-    removed_.pop_back();
-    oldest_before_.pop_back();
+  // Faces of older lazy cells that were asked for since may be nodes that go.
+  while (nodes_->expanded.size() > mark.expansions) {
+    LazyCell& lazy = nodes_->lazy_cells[nodes_->lazy[nodes_->expanded.back()]];
+    lazy.faces.clear();
+    lazy.is_expanded = false;
+    nodes_->expanded.pop_back();
+  }
+  // The last event first: a body link, a removal or a family that was made when there were as many nodes as there are.
+  while (true) {
+    if (families() > mark.families && families_.back().first == created() && families_.back().links == links() &&
+        families_.back().body_links == body_links_.size()) {
+      undo_last_family();
+    } else if (body_links_.size() > mark.body_links && body_links_.back().created == created() &&
+               body_links_.back().links == links()) {
+      undo_last_body_link();
+    } else if (links() > mark.links && links_.back().created == created()) {
+      undo_last_link();
+    } else if (created() > mark.cells) {
+      drop_last_node();
+    } else {
+      break;
+    }
   }
   while (names_.size() > mark.names) {
-    names_.pop_back();
-  }
-  if (created() > mark.cells) {
-    for (CellId c = mark.cells; c < created(); ++c) {
-      count(c, -1);
-      std::vector<Range>& made = bodies_[body_[c]].made;
-      if (!made.empty() && made.back().first >= mark.cells) {
-        made.pop_back();
+    for_each_prefix(names_[names_.size() - 1].text, [this](std::string_view prefix, std::string_view) {
+      if (const auto at = prefixes_.find(std::string{prefix}); --at->second == 0) {
+        prefixes_.erase(at);
       }
-    }
-    faces_.resize(first_face_[mark.cells]);
-    for (auto* column : {&type_, &parent_, &oldest_, &size_, &link_of_, &name_of_, &body_}) {
-      column->resize(mark.cells);
-    }
-    first_face_.resize(mark.cells);
+    });
+    names_.pop_back();
   }
   bodies_.erase(bodies_.begin() + mark.bodies, bodies_.end());
 }

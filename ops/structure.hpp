@@ -1,6 +1,7 @@
 /// \file
-/// The cell structure under construction: simploids with faces, names, bodies, and the union-find of identifications.
-/// Append-only; undo is truncation.
+/// The cell structure under construction: simploids with faces, names, bodies, the union-find of identifications and
+/// degeneracies, copies made by de-identification, and families of cells that are made when they are asked for.
+/// Append-only but for undo, which is truncation.
 #pragma once
 
 #include <cstdint>
@@ -10,24 +11,29 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "ops/cell_type.hpp"
+#include "ops/degeneracy.hpp"
+#include "ops/lazy_family.hpp"
 #include "ops/name_table.hpp"
 
 namespace sesame::ops {
 
-/// A cell as it was created; ids count creations from 0. The *current* cell that it is now is `Structure::find(id)`.
-using CellId = std::uint32_t;
-/// A removal of a cell in favour of another, counted from 0 in the order in which they happened.
-using LinkId = std::uint32_t;
-using BodyId = std::uint32_t;
-inline constexpr std::uint32_t none = UINT32_MAX;
-
-/// `removed` becomes the cell `survivor`; both are current cells of one type whose boundaries agree by then.
+/// `removed` becomes the cell `survivor`: two current cells of one type whose boundaries agree by then. Or, with
+/// survivor = none, it becomes degenerate: the value `becomes`, whose boundary is 0 by then.
 struct Merge {
   CellId removed;
   CellId survivor;
+  Value becomes;
+};
+
+/// Face number `slot` of a current cell becomes the cell `to`.
+struct Move {
+  CellId cell;
+  std::uint32_t slot;
+  CellId to;
 };
 
 /// What an operation would do, as a value: worked out by the planner without touching the structure, then applied
@@ -43,12 +49,25 @@ struct Plan {
   std::string names;
   std::vector<std::pair<std::string, CellId>> aliases;  ///< further names of new cells
   std::vector<Merge> merges;            ///< by dimension, so that boundaries agree when their turn comes
+  std::vector<std::pair<std::uint32_t, Value>> degenerate;  ///< new cells, by position, that are degenerate: no names
+  std::vector<CellId> sources;          ///< empty, or per new cell: the cell that it is a copy of
+  std::vector<Move> moves;              ///< incidences that go to a copy
+  std::optional<NewFamily> family;      ///< bodies become a product or a cone
   std::optional<std::string> new_body;  ///< the new cells make a body of this name
   std::optional<BodyId> into_body;      ///< the new cells join this body
   std::vector<BodyId> joined_bodies;    ///< become one with `into_body` (the older name stays)
 
   void clear();
-  [[nodiscard]] bool changes_nothing() const { return cells.empty() && merges.empty(); }
+  [[nodiscard]] bool changes_nothing() const { return cells.empty() && merges.empty() && !family; }
+};
+
+/// A moment of the history: how many cells had been created and removed, incidences moved, and lazy families made.
+struct Moment {
+  CellId created = 0;
+  LinkId links = 0;
+  std::uint32_t moves = 0;
+  FamilyId families = 0;
+  friend bool operator==(const Moment&, const Moment&) = default;
 };
 
 /// How much of everything there was at some moment: all that undo needs.
@@ -58,74 +77,158 @@ struct StructureMark {
   std::uint32_t names = 0;
   std::uint32_t bodies = 0;
   std::uint32_t body_links = 0;
+  std::uint32_t moves = 0;
+  std::uint32_t copies = 0;
+  FamilyId families = 0;
+  std::uint32_t expansions = 0;
   friend bool operator==(const StructureMark&, const StructureMark&) = default;
 };
 
 /// The cells of all bodies. Cost of every lookup below: O(1) or O(log cells).
+///
+/// A *node* is a cell as it was created; the *current cell* that it is now is `find(node)`, or none when it has become
+/// degenerate; its *value* is its normal form in either case.
+///
+/// Cells of products and of cones over whole bodies are *lazy*: they get an id, their faces and their name when
+/// something first asks for them. That is knowledge, not state: it happens inside queries too, and nothing that the
+/// structure says depends on it but ids.
 class Structure {
  public:
   Structure();
+  ~Structure();
 
   // ---- cells
   [[nodiscard]] TypeTable& types() const { return *types_; }
-  /// The number of cells ever created (and not undone).
-  [[nodiscard]] CellId created() const { return static_cast<CellId>(type_.size()); }
-  [[nodiscard]] TypeId type_id(CellId c) const { return type_[c]; }
-  [[nodiscard]] const TypeInfo& type(CellId c) const { return types_->info(type_[c]); }
+  /// The number of nodes ever created (and not undone), lazy ones counted when they were asked for.
+  [[nodiscard]] CellId created() const { return static_cast<CellId>(nodes_->type.size()); }
+  [[nodiscard]] TypeId type_id(CellId c) const { return nodes_->type[c]; }
+  [[nodiscard]] const TypeInfo& type(CellId c) const { return types_->info(nodes_->type[c]); }
   [[nodiscard]] int dimension(CellId c) const { return type(c).dimension; }
   /// The faces as they were given at creation, in flattened order: not yet looked up by `find`.
-  [[nodiscard]] std::span<const CellId> faces_as_created(CellId c) const {
-    return {faces_.data() + first_face_[c], type(c).faces.size()};
-  }
-  /// The current cell that c is now.
+  [[nodiscard]] std::span<const CellId> faces_as_created(CellId c) const;
+  /// The nodes that the faces are now: those given at creation, but for the incidences that have moved since.
+  [[nodiscard]] std::span<const CellId> faces(CellId c) const;
+  /// The node that face k was at a moment.
+  [[nodiscard]] CellId face_at(CellId c, std::uint32_t k, const Moment& moment) const;
+  /// The current cell that c is now, or none when it is degenerate.
   [[nodiscard]] CellId find(CellId c) const {
-    while (parent_[c] != c) {
-      c = parent_[c];
+    const std::vector<CellId>& parent = nodes_->parent;
+    while (c != none && parent[c] != c) {
+      c = parent[c];
     }
     return c;
   }
-  /// The cell that c was when there had been only `links` removals.
-  [[nodiscard]] CellId find_at(CellId c, LinkId links) const {
-    while (parent_[c] != c && link_of_[c] < links) {
-      c = parent_[c];
-    }
-    return c;
-  }
-  [[nodiscard]] bool is_current(CellId c) const { return parent_[c] == c; }
+  /// The cell that c was (or none) when there had been only `links` removals.
+  [[nodiscard]] CellId find_at(CellId c, LinkId links) const;
+  /// The normal form of what c is now.
+  [[nodiscard]] Value value(CellId c) const;
+  /// The same for a value whose cell is any node.
+  [[nodiscard]] Value normal_form(Value v) const;
+  /// Face k of a value in normal form, in normal form. Cost O(dimension), amortised.
+  [[nodiscard]] Value face(const Value& v, std::uint32_t k) const;
+  /// The node of a value: a cell itself, or a node that is degenerate from the start.
+  [[nodiscard]] CellId node_of(const Value& v) const;
+  [[nodiscard]] bool is_current(CellId c) const { return nodes_->parent[c] == c; }
   /// The number of current cells of each dimension, up to the largest that has one.
-  [[nodiscard]] std::span<const std::uint32_t> counts() const;
+  [[nodiscard]] std::span<const std::uint64_t> counts() const;
+  [[nodiscard]] Moment now() const {
+    return {created(), links(), static_cast<std::uint32_t>(moves_.size()), families()};
+  }
+  /// Whether c was a current cell of the object at a moment.
+  [[nodiscard]] bool was_current(CellId c, const Moment& moment) const;
 
   // ---- the union-find forest: one link per removed cell, each tree at most log2(cells) deep
-  [[nodiscard]] LinkId links() const { return static_cast<LinkId>(removed_.size()); }
-  [[nodiscard]] CellId removed(LinkId link) const { return removed_[link]; }
-  [[nodiscard]] CellId parent(CellId c) const { return parent_[c]; }
+  [[nodiscard]] LinkId links() const { return static_cast<LinkId>(links_.size()); }
+  [[nodiscard]] CellId removed(LinkId link) const { return links_[link].removed; }
+  /// What c was removed in favour of: a node, or none when it became degenerate; c itself when it is current.
+  [[nodiscard]] CellId parent(CellId c) const { return nodes_->parent[c]; }
   /// The link by which c was removed, or `none`.
-  [[nodiscard]] LinkId link_of(CellId c) const { return link_of_[c]; }
-  /// The number of created cells that a current cell stands for.
-  [[nodiscard]] std::uint32_t members(CellId current) const { return size_[current]; }
+  [[nodiscard]] LinkId link_of(CellId c) const { return nodes_->link_of[c]; }
+  /// The number of nodes that a current cell stands for.
+  [[nodiscard]] std::uint32_t members(CellId current) const { return nodes_->size[current]; }
+  /// Calls visit(node) for each node that a current cell stands for. Cost: their number.
+  template <class Visit>
+  void for_each_member(CellId current, Visit&& visit) const;
+
+  // ---- de-identification
+  /// A copy: made of `source` at a moment.
+  struct Copy {
+    CellId copy, source;
+    Moment moment;
+  };
+  [[nodiscard]] std::uint32_t copies() const { return static_cast<std::uint32_t>(copies_.size()); }
+  /// What c is a copy of, or null.
+  [[nodiscard]] const Copy* copy(CellId c) const;
+  /// The copies that were made of a node itself.
+  [[nodiscard]] std::span<const CellId> copies_of(CellId source) const;
+  /// A move as it happened: face `slot` of `cell` was `before` and became `after` when there were `links` removals.
+  struct MadeMove {
+    CellId cell;
+    std::uint32_t slot;
+    CellId before, after;
+    LinkId links;
+  };
+  [[nodiscard]] std::span<const MadeMove> moves() const { return moves_; }
+  /// Calls visit(node, links) for what face k of a cell was, one after the other, up to a moment: each node with the
+  /// number of links at which it was given up for the next.
+  template <class Visit>
+  void for_each_face_of_history(CellId c, std::uint32_t k, const Moment& moment, Visit&& visit) const;
+  /// The current cells that have a face which is a given current cell or degenerate over it, oldest first.
+  /// Cost: the incidences that its members were created with; for a lazy cell also those of the factors' cells.
+  [[nodiscard]] std::vector<CellId> cofaces(CellId current) const;
 
   // ---- names
-  /// The cell of a name (as created: see `find`), or empty.
+  /// The node of a name, or empty. Cells of bodies that a cone was taken over are those of the cone.
   [[nodiscard]] std::optional<CellId> lookup(std::string_view name) const;
-  /// The canonical name of the cell that c is now: that of its member created first.
-  [[nodiscard]] std::string_view name(CellId c) const { return names_[name_of_[oldest(c)]].text; }
+  /// The canonical name of the cell that c is now: that of its oldest member.
+  [[nodiscard]] std::string_view name(CellId c) const { return own_name(oldest(c)); }
   /// The name that c was created with.
-  [[nodiscard]] std::string_view own_name(CellId c) const { return names_[name_of_[c]].text; }
-  /// The member created first of the cell that c is now.
-  [[nodiscard]] CellId oldest(CellId c) const { return oldest_[find(c)]; }
-  [[nodiscard]] bool is_name_taken(std::string_view name) const { return names_.find(name) != nullptr; }
+  [[nodiscard]] std::string_view own_name(CellId c) const;
+  /// The oldest member of the class of c: of the cell that it is now, or was last before it became degenerate.
+  [[nodiscard]] CellId oldest(CellId c) const { return nodes_->oldest[last_root(c)]; }
+  /// Whether a was created before b. Cells of one lazy family are as old as what they are made of.
+  [[nodiscard]] bool is_older(CellId a, CellId b) const {
+    return families_.empty() ? a < b : compare_age(a, b) < 0;
+  }
+  [[nodiscard]] bool is_name_taken(std::string_view name) const;
+  /// True when some name begins with this and goes on with "*" or ".(": the prefix of a lazy family would be ambiguous.
+  [[nodiscard]] bool is_prefix_taken(std::string_view prefix) const;
 
   // ---- bodies
+  /// The current body of a name, or empty. A body that became part of a cone is that cone's body.
   [[nodiscard]] std::optional<BodyId> lookup_body(std::string_view name) const;
   [[nodiscard]] BodyId find_body(BodyId b) const;
-  [[nodiscard]] BodyId body_of(CellId c) const { return find_body(body_[c]); }
+  [[nodiscard]] BodyId body_of(CellId c) const { return find_body(nodes_->body[c]); }
+  /// The family whose factor a current body has become, or none: its cells are no longer cells of the object.
+  [[nodiscard]] FamilyId consumed_by(BodyId b) const { return bodies_[find_body(b)].consumed_by; }
+  [[nodiscard]] bool is_consumed(CellId c) const { return !families_.empty() && consumed_by(nodes_->body[c]) != none; }
   [[nodiscard]] std::string_view body_name(BodyId b) const {
     return names_[bodies_[bodies_[find_body(b)].oldest].name].text;
   }
   /// Current bodies, oldest name first.
   [[nodiscard]] std::vector<BodyId> current_bodies() const;
-  /// The current cells of a body by increasing id. Cost: the cells ever created in it.
+  /// The number of current cells of a body, by dimension.
+  [[nodiscard]] std::span<const std::uint64_t> counts_of(BodyId body) const { return bodies_[find_body(body)].counts; }
+  /// The current cells of a body, oldest first. Cost: the cells ever created in it; makes all its lazy cells.
   [[nodiscard]] std::vector<CellId> cells_of(BodyId body) const;
+  /// True when all cells of a body are simplices: vertices or of a type of length 1. Cost: when the body has ever had
+  /// other cells, those ever created in it; else its parts.
+  [[nodiscard]] bool has_only_simplices(BodyId body) const;
+
+  // ---- lazy families: products, and cones over whole bodies
+  [[nodiscard]] FamilyId families() const { return static_cast<FamilyId>(families_.size()); }
+  [[nodiscard]] const LazyFamily& family(FamilyId f) const { return families_[f]; }
+  [[nodiscard]] bool is_lazy(CellId c) const { return lazy_of(c) != nullptr; }
+  /// What a lazy cell is made of, or null for others.
+  [[nodiscard]] const LazyCell* lazy_of(CellId c) const {
+    return families_.empty() || nodes_->lazy[c] == none ? nullptr : &nodes_->lazy_cells[nodes_->lazy[c]];
+  }
+  /// The node of a lazy cell, made if need be; of a degenerate one too. The parts are values in normal form.
+  [[nodiscard]] CellId lazy_cell(FamilyId family, LazyPart part, const Value& left, const Value& right = {}) const;
+  /// The same, but only if it has been asked for before.
+  [[nodiscard]] std::optional<CellId> known_lazy_cell(const LazyKey& key) const;
+  /// Makes all lazy cells of the object: for looking at the whole of it. Cost: the cells of all families.
+  void make_all_lazy_cells() const;
 
   // ---- change
   [[nodiscard]] StructureMark mark() const;
@@ -135,6 +238,33 @@ class Structure {
   void truncate(const StructureMark& mark);
 
  private:
+  /// One entry per node. Behind a pointer, as lazy nodes are added by queries.
+  struct Nodes {
+    std::vector<TypeId> type;
+    std::vector<std::uint64_t> first_face;
+    std::vector<CellId> faces;
+    std::vector<std::uint32_t> next_incidence;   ///< per entry of `faces`: the next one with the same face
+    std::vector<std::uint32_t> first_incidence;  ///< per node: the entry of `faces` that named it last
+    std::vector<CellId> parent, oldest;
+    std::vector<std::uint32_t> size;
+    std::vector<LinkId> link_of;
+    std::vector<LinkId> last_child;  ///< the last link that ends at this node
+    std::vector<std::uint32_t> name;
+    std::vector<std::uint32_t> lazy;
+    std::vector<BodyId> body;
+    std::unordered_map<CellId, Value> squashed;  ///< what a node that became degenerate is
+    std::unordered_map<CellId, std::vector<CellId>> squashed_onto;  ///< per node: those that became degenerate over it
+    std::deque<LazyCell> lazy_cells;
+    std::unordered_map<LazyKey, CellId, LazyKeyHash> lazy_index;
+    std::unordered_map<Value, CellId, ValueHash> degenerate_index;
+    std::vector<std::vector<CellId>> lazy_made;  ///< per family: those asked for, in that order
+    std::vector<CellId> expanded;                ///< lazy nodes whose faces have been asked for, in that order
+  };
+  struct Link {
+    CellId removed, oldest_before;
+    LinkId previous_child;  ///< the link that ended at the same node before
+    CellId created;         ///< nodes, when it was made: undo goes back through the events in their order
+  };
   struct Range {
     CellId first, last;
   };
@@ -144,33 +274,96 @@ class Structure {
     std::vector<Range> made;       ///< creations that joined this very body
     std::vector<BodyId> children;  ///< bodies linked below it
     std::uint32_t size = 1;
+    std::vector<std::uint64_t> counts;  ///< current cells by dimension, those of the bodies below it included
+    FamilyId family = none;             ///< that it was made as
+    FamilyId consumed_by = none;
+    bool has_simploids = false;  ///< some cell made here was no simplex
   };
-
-  void add_cells(const Plan& plan, BodyId new_body);
-  void link(const Merge& merge);
-  void join_bodies(BodyId a, BodyId b);
-  void count(CellId c, int change);
-
-  std::unique_ptr<TypeTable> types_;  // behind a pointer: planning interns types, and that changes no state
-  std::vector<TypeId> type_;
-  std::vector<std::uint64_t> first_face_;
-  std::vector<CellId> faces_;
-  std::vector<CellId> parent_, oldest_;
-  std::vector<std::uint32_t> size_;
-  std::vector<LinkId> link_of_;
-  std::vector<CellId> removed_;
-  std::vector<CellId> oldest_before_;  // of the survivor, per link: what undo restores
-  std::vector<std::uint32_t> counts_;
-
-  NameTable names_;
-  std::vector<std::uint32_t> name_of_;
-
-  std::deque<Body> bodies_;
-  std::vector<BodyId> body_;
   struct BodyLink {
     BodyId child, oldest_before;
+    CellId created;
+    LinkId links;
   };
+
+  CellId add_node(TypeId type, std::uint32_t name, std::uint32_t lazy, BodyId body) const;
+  void squash(CellId node, const Value& becomes) const;
+  void unsquash(CellId node) const;
+  void drop_last_node();
+  void add_cells(const Plan& plan, BodyId new_body);
+  void add_family(const NewFamily& family, BodyId body);
+  void link(const Merge& merge);
+  void undo_last_link();
+  void undo_last_body_link();
+  void undo_last_family();
+  void undo_last_move();
+  void make_move(const Move& move);
+  void join_bodies(BodyId a, BodyId b);
+  void count(CellId c, int change);
+  static void add_counts(std::span<const std::uint64_t> from, std::vector<std::uint64_t>& to, bool subtract);
+  void add_name(std::string_view text, CellId cell, BodyId body);
+  [[nodiscard]] CellId last_root(CellId c) const;
+  [[nodiscard]] int compare_age(CellId a, CellId b) const;
+  [[nodiscard]] std::vector<CellId> faces_of_lazy(const LazyKey& key) const;
+  void make_all_cells_of(FamilyId family) const;
+  [[nodiscard]] std::optional<CellId> lookup_any(std::string_view name) const;
+  [[nodiscard]] std::optional<Value> lookup_in(std::string_view name, std::span<const BodyId> bodies) const;
+  [[nodiscard]] std::optional<CellId> lookup_pair(FamilyId family, std::string_view inside) const;
+  [[nodiscard]] std::string lazy_name(const LazyKey& key) const;
+  [[nodiscard]] CellId owner_of(std::uint32_t entry) const;
+  void add_cofaces(CellId current, std::vector<CellId>& out) const;
+  void add_lazy_cofaces(const LazyKey& key, CellId cell, std::vector<CellId>& out) const;
+
+  std::unique_ptr<TypeTable> types_;  // behind a pointer: planning interns types, and that changes no state
+  std::unique_ptr<Nodes> nodes_;
+  std::vector<Link> links_;
+  std::vector<std::uint64_t> counts_;
+
+  std::vector<Copy> copies_;
+  std::unordered_map<CellId, std::uint32_t> copy_index_;
+  std::unordered_map<CellId, std::vector<CellId>> copies_of_;
+  std::vector<MadeMove> moves_;
+  struct MovedFaces {
+    std::vector<CellId> faces;           ///< as they are now
+    std::vector<std::uint32_t> history;  ///< numbers in moves_
+  };
+  std::unordered_map<CellId, MovedFaces> moved_;                        ///< cells that have moved incidences
+  std::unordered_map<CellId, std::vector<std::uint32_t>> moved_onto_;   ///< per node: the moves that ended at it
+
+  NameTable names_;
+  std::unordered_map<std::string, std::uint32_t> prefixes_;  ///< of names that could be those of lazy cells
+
+  std::deque<Body> bodies_;
   std::vector<BodyLink> body_links_;
+  std::deque<LazyFamily> families_;
+  std::unordered_map<std::string, FamilyId> family_names_;
 };
+
+template <class Visit>
+void Structure::for_each_member(CellId current, Visit&& visit) const {
+  std::vector<CellId> pending{current};
+  while (!pending.empty()) {
+    const CellId node = pending.back();
+    pending.pop_back();
+    visit(node);
+    for (LinkId link = nodes_->last_child[node]; link != none; link = links_[link].previous_child) {
+      pending.push_back(links_[link].removed);
+    }
+  }
+}
+
+template <class Visit>
+void Structure::for_each_face_of_history(CellId c, std::uint32_t k, const Moment& moment, Visit&& visit) const {
+  CellId node = faces_as_created(c)[k];
+  if (const auto moved = moved_.empty() ? moved_.end() : moved_.find(c); moved != moved_.end()) {
+    for (const std::uint32_t number : moved->second.history) {
+      const MadeMove& made = moves_[number];
+      if (made.slot == k && number < moment.moves) {
+        visit(node, made.links);
+        node = made.after;
+      }
+    }
+  }
+  visit(node, moment.links);
+}
 
 }  // namespace sesame::ops

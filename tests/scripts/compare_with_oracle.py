@@ -2,13 +2,13 @@
 """Compares `sesame replay` with the oracle, step by step, over Z, Z/2 and Z/3.
 
     compare_with_oracle.py SESAME SCRIPT...
-    compare_with_oracle.py SESAME --random COUNT [--seed N] [--steps M]
+    compare_with_oracle.py SESAME --random COUNT [--seed N] [--steps M] [--ops basic|all|tear]
 
 Every reported step (cells, Euler characteristic, Betti numbers, torsion, class), the exit status, the line that an
 error names and the summary must agree. A chain that a class is said to bound and, with --generators, the
 generators of the summary are checked by what they claim: boundaries are taken by the oracle. Over another ring than the
 script's own, its expects are replaced by notes (undo counts both).
-Of the random scripts every fifth ends with an illegal step.
+Of the random scripts every fifth ends with an illegal step. With --verify the program checks its own laws as well.
 Prints `N passed, N failed`; the exit status is 0 only if something was compared and nothing differed.
 """
 
@@ -52,10 +52,9 @@ def own_ring(data):
     return "Z"
 
 
-def run_program(program, path, ring, generators):
-    command = [program, "replay", "--json", "--every", "1", "--ring", ring]
-    command += ["--generators"] if generators else []
-    done = subprocess.run(command + [path], stdin=subprocess.DEVNULL, capture_output=True, timeout=120, check=False)
+def run_program(program, path, ring, extra):
+    command = [program, "replay", "--json", "--every", "1", "--ring", ring, *extra, path]
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=120, check=False)
     if done.returncode not in (0, 2, 3):
         raise Difference(f"exit status {done.returncode}: {done.stderr.decode(errors='replace').strip()[-500:]}")
     objects = []
@@ -74,10 +73,11 @@ def read_answer(state, chain, prime, what):
     """A chain of the program's output: canonical names of living cells, each once, no zero coefficient."""
     try:
         read = oracle.read_chain(state, chain, prime)
+        cells = [state.find(name) for _, name in chain]
     except oracle.ScriptError as problem:
         raise Difference(f"{what}: {problem}") from None
-    for _, name in chain:
-        canonical = state.cells[state.find(name)].name
+    for (_, name), cell in zip(chain, cells):
+        canonical = state.cells[cell].name
         if canonical != name:
             raise Difference(f'{what}: the cell "{name}" should be called "{canonical}"')
     if len(read) != len(chain):
@@ -130,7 +130,7 @@ def check_generators(state, found, generators, prime):
         chains = []
         for g in mine:
             chain = read_answer(state, g["chain"], prime, f"generator of dimension {dim}")
-            if any(state.cells[c].dim != dim for c in chain):
+            if any(state.dim(c) != dim for c in chain):
                 raise Difference(f"a generator of dimension {dim} has cells of another")
             if oracle.boundary_of_chain(state, chain, prime):
                 raise Difference(f"a generator of dimension {dim} is not a cycle")
@@ -143,8 +143,11 @@ def check_generators(state, found, generators, prime):
             raise Difference(f"the generators of dimension {dim} do not generate")
 
 
-def compare(program, data, ring, generators):
-    """Raises Difference at the first thing on which the two disagree; returns the number of steps compared."""
+def compare(program, data, ring, extra=()):
+    """Raises Difference at the first thing on which the two disagree; returns the number of steps compared.
+
+    extra: options for the program, of --generators and --verify.
+    """
     if ring != own_ring(data):
         data = without_expects(data)
     prime = oracle.parse_ring(ring)
@@ -152,7 +155,7 @@ def compare(program, data, ring, generators):
     try:
         with os.fdopen(handle, "wb") as script:
             script.write(data)
-        status, objects, messages = run_program(program, path, ring, generators)
+        status, objects, messages = run_program(program, path, ring, extra)
     finally:
         os.unlink(path)
     reports = [o for o in objects if not o.get("summary")]
@@ -186,7 +189,7 @@ def compare(program, data, ring, generators):
     if status and f"{path}:{expected_line}:" not in messages:
         raise Difference(f'standard error does not name line {expected_line}: "{messages.strip()[-300:]}"')
     if status == 0:
-        check_summary(oracle_run, objects, prime, generators)
+        check_summary(oracle_run, objects, prime, "--generators" in extra)
     return position
 
 
@@ -225,8 +228,8 @@ def cases(options):
     for number in range(options.random or 0):
         seed = options.seed + number
         illegal = number % 5 == 4
-        text = random_script.write_script(seed, options.steps, illegal=illegal)
-        flag = " --illegal" if illegal else ""
+        text = random_script.write_script(seed, options.steps, illegal=illegal, operations=options.ops)
+        flag = (f" --ops {options.ops}" if options.ops != "basic" else "") + (" --illegal" if illegal else "")
         yield f"random_script.py --seed {seed} --steps {options.steps}{flag}", text.encode("utf-8")
 
 
@@ -237,13 +240,16 @@ def main():
     parser.add_argument("--random", type=int, metavar="COUNT")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--steps", type=int, default=40)
+    parser.add_argument("--ops", choices=random_script.WRITERS, default="basic")
+    parser.add_argument("--verify", action="store_true", help="the program checks every law after every step; slow")
     parser.add_argument("--generators", action="store_true", help="ask for generators and check them")
     options = parser.parse_args()
+    extra = [f"--{name}" for name in ("generators", "verify") if getattr(options, name)]
     passed = failed = 0
     for label, data in cases(options):
         for ring in RINGS:
             try:
-                compare(options.program, data, ring, options.generators)
+                compare(options.program, data, ring, extra)
                 passed += 1
             except (Difference, OSError, UnicodeDecodeError, subprocess.TimeoutExpired) as problem:
                 failed += 1

@@ -8,11 +8,16 @@ Replays a script and prints one JSON object a step with the keys step, op, cells
 of the effective complexes. It shares no idea with the engine: a step copies the whole state, and homology is computed
 from scratch with a Smith form on Python's integers. Where both agree, they agree for different reasons.
 
-Covered: simplex, simploid, complex, cone (over simplices), identify, expect, class, undo, note.
+Covered: simplex, simploid, complex, cone, identify, degenerate, deidentify, product, expect, class, undo, note.
 Exit status as `sesame replay`: 0 done, 1 wrong usage or unreadable file, 2 the script is wrong, 3 an expect failed.
+
+A *value* is a cell that may be degenerate: a pair (y, shape). The shape has one entry for each component of the type
+and in it one for each direction, from a vertex to the next: True where the direction is collapsed. The cell y is not
+degenerate, and its type is what the uncollapsed directions leave (a component without any vanishes). By the
+Eilenberg-Zilber lemma there is exactly one such pair for each cell, degenerate or not. Faces of cells are values.
 """
 
-import copy
+import collections
 import itertools
 import json
 import math
@@ -198,74 +203,231 @@ def face_kind(kind, i):
     return kind[:i] + kind[i + 1:]
 
 
-class Cell:
-    def __init__(self, name, kind, faces, body):
-        self.name = name
-        self.kind = kind  # type of the simploid; () for a vertex
-        self.faces = faces  # numbers of cells, d^1_0, d^1_1, ..., d^2_0, ...; resolve before use
-        self.body = body
+def law_pairs(kind):
+    """The face laws, each as two ways to the same face of a face: ((component, index), (component, index)) twice.
 
-    @property
-    def dim(self):
-        return sum(self.kind)
+    d^i_m d^i_j = d^i_{j-1} d^i_m (m < j, a_i > 1) and, for k < i, d^k_m d^i_j = d^{i'}_j d^k_m.
+    """
+    for i, a in enumerate(kind):
+        for j in range(a + 1):
+            if a > 1:
+                for m in range(j):
+                    yield ((i, j), (i, m)), ((i, m), (i, j - 1))
+            for k in range(i):
+                for m in range(kind[k] + 1):
+                    yield ((i, j), (k, m)), ((k, m), (i if kind[k] > 1 else i - 1, j))
+
+
+def slot_number(kind, i, j):
+    return sum(a + 1 for a in kind[:i]) + j
+
+
+# ------------------------------------------------------------------------------------------------ values
+
+
+def whole(kind):
+    """The shape without collapsed directions."""
+    return tuple((False,) * a for a in kind)
+
+
+def squashed(kind):
+    """The shape with collapsed directions only."""
+    return tuple((True,) * a for a in kind)
+
+
+def type_of(shape):
+    return tuple(len(part) for part in shape)
+
+
+def is_degenerate(value):
+    return any(any(part) for part in value[1])
+
+
+def fill(outer, inner):
+    """The shape of a value (y, outer) when y itself is a value of the shape inner."""
+    entries = iter([collapsed for part in inner for collapsed in part])
+    filled = tuple(tuple(collapsed or next(entries) for collapsed in part) for part in outer)
+    assert next(entries, None) is None
+    return filled
+
+
+def face_of(value, i, j, faces_of):
+    """d^i_j of a value; faces_of gives the faces (values) of a nondegenerate cell."""
+    cell, shape = value
+    part = shape[i]
+    if j == 0:
+        rest, loses = part[1:], not part[0]
+    elif j == len(part):
+        rest, loses = part[:-1], not part[-1]
+    else:  # two directions become one, which is collapsed if both were
+        rest = part[: j - 1] + (part[j - 1] and part[j],) + part[j + 1:]
+        loses = not part[j - 1] and not part[j]
+    after = shape[:i] + ((rest,) if rest else ()) + shape[i + 1:]
+    if not loses:
+        return cell, after
+    left = [sum(not collapsed for collapsed in p) for p in shape]
+    vertex = sum(not collapsed for collapsed in part[:j])  # the vertex of the nondegenerate cell onto which j goes
+    inner_cell, inner = faces_of(cell)[sum(n + 1 for n in left[:i] if n) + vertex]
+    return inner_cell, fill(after, inner)
+
+
+def collapse(value, i, j, vanished):
+    """s^i_j of a value: a new collapsed direction j in component i, which is a new one if it had vanished."""
+    cell, shape = value
+    if vanished:
+        return cell, shape[:i] + ((True,),) + shape[i:]
+    return cell, shape[:i] + (shape[i][:j] + (True,) + shape[i][j:],) + shape[i + 1:]
+
+
+def restrict(value, kept, faces_of):
+    """The face of a value on the listed vertices, one list for each component."""
+    for i in reversed(range(len(kept))):
+        for j in reversed(range(len(value[1][i]) + 1)):
+            if j not in kept[i]:
+                value = face_of(value, i, j, faces_of)
+    return value
+
+
+def sections(shape):
+    """Every choice of one vertex from each set of vertices that the collapsed directions make one."""
+    choices = []
+    for part in shape:
+        runs = [[0]]
+        for j, collapsed in enumerate(part):
+            if collapsed:
+                runs[-1].append(j + 1)
+            else:
+                runs.append([j + 1])
+        choices.append(list(itertools.product(*runs)))
+    return itertools.product(*choices)
+
+
+def broken_law(kind, faces, faces_of):
+    """A face law that a cell with these faces breaks, or None."""
+    for (first, then), (other, last) in law_pairs(kind):
+        one = face_of(faces[slot_number(kind, *first)], *then, faces_of)
+        two = face_of(faces[slot_number(kind, *other)], *last, faces_of)
+        if one != two:
+            return f"of the faces {first[1]} of component {first[0] + 1} and {other[1]} of component {other[0] + 1}"
+    return None
+
+
+# ------------------------------------------------------------------------------------------------ the state
+
+# kind is the type of the simploid, () for a vertex; faces are values: d^1_0, d^1_1, ..., d^2_0, ...
+Cell = collections.namedtuple("Cell", "name kind faces body")
 
 
 class State:
-    """Cells in creation order; a merged cell points at the older one that it became part of."""
+    """The nondegenerate cells as they are now, by age, and what every name ever given means now."""
 
     def __init__(self):
-        self.cells = []
-        self.merged_into = []
-        self.names = {}  # cell name -> number of the cell
+        self.cells = {}  # number -> Cell; of cells that became one, the older number is left
+        self.created = 0
+        self.names = {}  # cell name -> value, or None when its body was consumed by a product
         self.bodies = {}  # body name -> number of the body
         self.body_merged_into = []
+        self.consumed = set()  # numbers of bodies
 
     def copy(self):
-        return copy.deepcopy(self)
+        other = State()
+        other.cells = dict(self.cells)
+        other.created = self.created
+        other.names = dict(self.names)
+        other.bodies = dict(self.bodies)
+        other.body_merged_into = list(self.body_merged_into)
+        other.consumed = set(self.consumed)
+        return other
 
     # -- reading
-
-    def root(self, number):
-        while self.merged_into[number] != number:
-            number = self.merged_into[number]
-        return number
 
     def body_root(self, number):
         while self.body_merged_into[number] != number:
             number = self.body_merged_into[number]
         return number
 
-    def find(self, name):
+    def find_body(self, name):
+        if not isinstance(name, str) or name not in self.bodies:
+            raise ScriptError(f"no body is called {json.dumps(name)}")
+        body = self.body_root(self.bodies[name])
+        if body in self.consumed:
+            raise ScriptError(f'the body "{name}" is a factor of a product now')
+        return body
+
+    def cells_of_body(self, body):
+        return [c for c in self.alive() if self.body_root(self.cells[c].body) == body]
+
+    def value(self, name):
+        """What a name denotes; it may be degenerate."""
         if not isinstance(name, str):
             raise ScriptError("a cell's name must be a string")
         if name not in self.names:
             raise ScriptError(f'no cell is called "{name}"')
-        return self.root(self.names[name])
+        if self.names[name] is None:
+            raise ScriptError(f'"{name}" is a cell of a factor of a product')
+        return self.names[name]
+
+    def find(self, name):
+        """The number of a cell that is not degenerate."""
+        value = self.value(name)
+        if is_degenerate(value):
+            raise ScriptError(f'"{name}" is degenerate')
+        return value[0]
+
+    def plain(self, number):
+        """A cell as a value."""
+        return number, whole(self.cells[number].kind)
+
+    def dim(self, number):
+        return sum(self.cells[number].kind)
 
     def alive(self):
-        return [c for c in range(len(self.cells)) if self.merged_into[c] == c]
+        return sorted(self.cells)
 
     def faces(self, number):
-        return [self.root(f) for f in self.cells[number].faces]
+        """Values."""
+        return self.cells[number].faces
+
+    def face(self, value, i, j):
+        return face_of(value, i, j, self.faces)
 
     def by_dimension(self):
-        """Lists of living cells, dimension 0 up to the largest that has one."""
-        alive = self.alive()
-        if not alive:
-            return []
-        lists = [[] for _ in range(1 + max(self.cells[c].dim for c in alive))]
-        for c in alive:
-            lists[self.cells[c].dim].append(c)
+        """Lists of cells, dimension 0 up to the largest that has one."""
+        lists = []
+        for c in self.alive():
+            while len(lists) <= self.dim(c):
+                lists.append([])
+            lists[self.dim(c)].append(c)
         return lists
 
     def boundary(self, number):
-        """Sum of (-1)^(j + a_1 + ... + a_{i-1}) d^i_j as {cell: coefficient}."""
+        """Sum of (-1)^(j + a_1 + ... + a_{i-1}) d^i_j as {cell: coefficient}; degenerate faces count as 0."""
         kind = self.cells[number].kind
         chain = {}
         for (i, j), face in zip(face_slots(kind), self.faces(number)):
-            sign = -1 if (j + sum(kind[:i])) % 2 else 1
-            chain[face] = chain.get(face, 0) + sign
+            if not is_degenerate(face):
+                sign = -1 if (j + sum(kind[:i])) % 2 else 1
+                chain[face[0]] = chain.get(face[0], 0) + sign
         return {c: v for c, v in chain.items() if v}
+
+    def closure(self, numbers):
+        """The cells and all nondegenerate cells that their faces are made of, by age."""
+        found = set()
+        pending = list(numbers)
+        while pending:
+            c = pending.pop()
+            if c not in found:
+                found.add(c)
+                pending.extend(face[0] for face in self.faces(c))
+        return sorted(found)
+
+    def broken_law(self):
+        """The first cell that breaks a face law, as a sentence, or None."""
+        for c in self.alive():
+            problem = broken_law(self.cells[c].kind, self.faces(c), self.faces)
+            if problem:
+                return f'"{self.cells[c].name}" breaks the face law {problem}'
+        return None
 
     # -- changing
 
@@ -285,11 +447,50 @@ class State:
 
     def add(self, name, kind, faces, body, body_name=None):
         self.check_free(name, body_name)
-        number = len(self.cells)
-        self.cells.append(Cell(name, kind, faces, body))
-        self.merged_into.append(number)
-        self.names[name] = number
+        number = self.created
+        self.created += 1
+        self.cells[number] = Cell(name, kind, tuple(faces), body)
+        self.names[name] = self.plain(number)
         return number
+
+    def equate(self, equations):
+        """The quotient by the least congruence that contains these equations between values.
+
+        Whatever is done to one side, a face or a restriction, is done to the other, until nothing new follows.
+        """
+        became = {}  # number -> value
+
+        def now(value):
+            while value[0] in became:
+                other, inner = became[value[0]]
+                value = other, fill(value[1], inner)
+            return value
+
+        asserted = []
+        pending = list(equations)
+        while pending:
+            asserted.append(pending.pop())
+            left, right = map(now, asserted[-1])
+            if left == right:
+                continue
+            if type_of(left[1]) != type_of(right[1]):
+                names = " and ".join(f'"{self.cells[value[0]].name}"' for value in (left, right))
+                raise ScriptError(f"{names} have different types")
+            self.merge_bodies(self.cells[left[0]].body, self.cells[right[0]].body)
+            if is_degenerate(left) and is_degenerate(right):
+                for section in [*sections(left[1]), *sections(right[1])]:
+                    pending.append((restrict(left, section, self.faces), restrict(right, section, self.faces)))
+                continue
+            if is_degenerate(left) or (not is_degenerate(right) and left[0] < right[0]):
+                left, right = right, left
+            # The left one goes: it is no degenerate cell, and the younger of two that are not.
+            became[left[0]] = right
+            for i, j in face_slots(type_of(left[1])):
+                pending.append((self.face(left, i, j), self.face(right, i, j)))
+        assert all(now(left) == now(right) for left, right in asserted)
+        self.cells = {c: cell._replace(faces=tuple(map(now, cell.faces)))
+                      for c, cell in self.cells.items() if c not in became}
+        self.names = {name: value and now(value) for name, value in self.names.items()}
 
 
 def chain_rank_data(state, prime):
@@ -325,14 +526,14 @@ def is_boundary(state, chain, prime):
     """Whether a cycle bounds: adding it to the boundaries must change neither their rank nor their index."""
     if not chain:
         return True
-    dim = state.cells[next(iter(chain))].dim
+    dim = state.dim(next(iter(chain)))
     lists = state.by_dimension()
     above = [state.boundary(c) for c in lists[dim + 1]] if dim + 1 < len(lists) else []
     return invariant_factors(above, prime) == invariant_factors(above + [chain], prime)
 
 
 def read_chain(state, chain, prime):
-    """[[coefficient, name], ...] as {cell: coefficient}; one dimension only."""
+    """[[coefficient, name], ...] as {cell: coefficient}; one dimension only. A degenerate cell counts as 0."""
     if not isinstance(chain, list):
         raise ScriptError("chain must be a list of [coefficient, cell]")
     total = {}
@@ -340,9 +541,10 @@ def read_chain(state, chain, prime):
     for term in chain:
         if not isinstance(term, list) or len(term) != 2:
             raise ScriptError("a term of a chain must be [integer, cell]")
-        cell = state.find(term[1])
-        dims.add(state.cells[cell].dim)
-        total[cell] = total.get(cell, 0) + integer(term[0], "a coefficient")
+        value, factor = state.value(term[1]), integer(term[0], "a coefficient")
+        dims.add(sum(type_of(value[1])))
+        if not is_degenerate(value):
+            total[value[0]] = total.get(value[0], 0) + factor
     if len(dims) > 1:
         raise ScriptError("the cells of a chain must have one dimension")
     return {c: (v % prime if prime else v) for c, v in total.items() if (v % prime if prime else v)}
@@ -373,7 +575,7 @@ def add_simploid(state, name, kind):
         for i, s in enumerate(face):
             if len(s) > 1:
                 for j in range(len(s)):
-                    below.append(numbers[face[:i] + (s[:j] + s[j + 1:],) + face[i + 1:]])
+                    below.append(state.plain(numbers[face[:i] + (s[:j] + s[j + 1:],) + face[i + 1:]]))
         own_kind = tuple(len(s) - 1 for s in face if len(s) > 1)
         cell_name = name if is_top else f"{name}.{label}"
         numbers[face] = state.add(cell_name, own_kind, below, body, name)
@@ -435,29 +637,6 @@ def read_complex_cell(entry):
     return ident, kind, below
 
 
-def check_face_laws(ident, kind, below, faces_of):
-    """d^i_l d^i_j = d^i_{j-1} d^i_l (l < j, a_i > 1) and, for k < i, d^k_l d^i_j = d^{i'}_j d^k_l."""
-
-    def face(cell_kind, cell_faces, i, j):
-        return cell_faces[sum(a + 1 for a in cell_kind[:i]) + j]
-
-    def second(i, j, k, m):
-        first = face(kind, below, i, j)
-        return face(face_kind(kind, i), faces_of(first), k, m)
-
-    for i, a in enumerate(kind):
-        for j in range(a + 1):
-            if a > 1:
-                for m in range(j):
-                    if second(i, j, i, m) != second(i, m, i, j - 1):
-                        raise ScriptError(f'"{ident}" breaks the face law of component {i + 1}, faces {m} and {j}')
-            for k in range(i):
-                for m in range(kind[k] + 1):
-                    i_after = i if kind[k] > 1 else i - 1
-                    if second(i, j, k, m) != second(k, m, i_after, j):
-                        raise ScriptError(f'"{ident}" breaks the face law of components {k + 1} and {i + 1}')
-
-
 def op_complex(state, step, _prime):
     fields(step, ("name", "cells"))
     name = check_name(step["name"], "name")
@@ -475,8 +654,14 @@ def op_complex(state, step, _prime):
                 raise ScriptError(f'face "{other}" of "{ident}" is not listed')
             if entries[other][0] != face_kind(kind, i):
                 raise ScriptError(f'face "{other}" of "{ident}" has the wrong type')
+
+    def value_of(ident):
+        return ident, whole(entries[ident][0])
+
     for ident, (kind, below) in entries.items():
-        check_face_laws(ident, kind, below, lambda other: entries[other][1])
+        problem = broken_law(kind, [value_of(f) for f in below], lambda f: [value_of(g) for g in entries[f][1]])
+        if problem:
+            raise ScriptError(f'"{ident}" breaks the face law {problem}')
     body = state.new_body(name)
     numbers = {}
 
@@ -485,7 +670,7 @@ def op_complex(state, step, _prime):
             kind, below = entries[ident]
             for face in below:
                 place(face)
-            numbers[ident] = state.add(f"{name}.{ident}", kind, [numbers[f] for f in below], body, name)
+            numbers[ident] = state.add(f"{name}.{ident}", kind, [state.plain(numbers[f]) for f in below], body, name)
 
     for ident in entries:
         place(ident)
@@ -495,20 +680,10 @@ def cells_to_cone(state, over):
     if over is None:
         return state.alive()
     if isinstance(over, str):
-        if over not in state.bodies:
-            raise ScriptError(f'no body is called "{over}"')
-        body = state.body_root(state.bodies[over])
-        return [c for c in state.alive() if state.body_root(state.cells[c].body) == body]
+        return state.cells_of_body(state.find_body(over))
     if not isinstance(over, list):
         raise ScriptError("over must be the name of a body or a list of cells")
-    closure = set()
-    pending = [state.find(name) for name in over]
-    while pending:
-        c = pending.pop()
-        if c not in closure:
-            closure.add(c)
-            pending.extend(state.faces(c))
-    return sorted(closure)
+    return state.closure([state.value(name)[0] for name in over])
 
 
 def op_cone(state, step, _prime):
@@ -519,9 +694,7 @@ def op_cone(state, step, _prime):
     if "over" in step and step["over"] is None:
         raise ScriptError("over must be the name of a body or a list of cells")
     base = cells_to_cone(state, step.get("over"))
-    for c in base:
-        if len(state.cells[c].kind) > 1:
-            raise ScriptError(f'"{state.cells[c].name}" is not a simplex; the oracle cones simplices only')
+    simplicial = all(len(state.cells[c].kind) <= 1 for c in base)
     if base:
         body = min(state.body_root(state.cells[c].body) for c in base)
         for c in base:
@@ -531,31 +704,178 @@ def op_cone(state, step, _prime):
         body = state.new_body(apex)
     tip = state.add(apex, (), [], body, apex)
     coned = {}
-    for c in sorted(base, key=lambda c: (state.cells[c].dim, c)):
-        dim = state.cells[c].dim
-        below = [coned[f] for f in state.faces(c)] + [c] if dim else [tip, c]
-        coned[c] = state.add(f"{apex}*{state.cells[c].name}", (dim + 1,), below, body)
+
+    def cone_of(value):  # one more direction, uncollapsed: of the only component, or a component of its own
+        cell, shape = value
+        if simplicial:
+            return coned[cell], (sum(shape, ()) + (False,),)
+        return coned[cell], shape + ((False,),)
+
+    for c in sorted(base, key=lambda c: (state.dim(c), c)):
+        kind = state.cells[c].kind
+        below = [cone_of(face) for face in state.faces(c)]
+        if simplicial:
+            below += [] if kind else [state.plain(tip)]
+            own_kind = (sum(kind) + 1,)
+        else:  # a product with an edge, whose far end is squashed
+            below.append((tip, squashed(kind)))
+            own_kind = kind + (1,)
+        coned[c] = state.add(f"{apex}*{state.cells[c].name}", own_kind, below + [state.plain(c)], body)
 
 
 def op_identify(state, step, _prime):
     fields(step, ("pairs",))
     if not isinstance(step["pairs"], list):
         raise ScriptError("pairs must be a list")
-    pending = []
+    equations = []
     for pair in step["pairs"]:
         if not isinstance(pair, list) or len(pair) != 2:
             raise ScriptError("a pair must be a list of two cells")
-        pending.append((state.find(pair[0]), state.find(pair[1])))
-    while pending:
-        a, b = (state.root(c) for c in pending.pop())
-        if a == b:
-            continue
-        if state.cells[a].kind != state.cells[b].kind:
-            raise ScriptError(f'"{state.cells[a].name}" and "{state.cells[b].name}" have different types')
-        # The raw faces, as every member of a class must have its faces glued to those of the others.
-        pending.extend(zip(state.cells[a].faces, state.cells[b].faces))
-        state.merged_into[max(a, b)] = min(a, b)
-        state.merge_bodies(state.cells[a].body, state.cells[b].body)
+        equations.append((state.value(pair[0]), state.value(pair[1])))
+    state.equate(equations)
+
+
+def op_degenerate(state, step, _prime):
+    fields(step, ("cell", "along"))
+    value, along = state.value(step["cell"]), step["along"]
+    kind = type_of(value[1])
+    if isinstance(along, list) and len(along) == 2 and all(map(is_integer, along)):
+        i, j = along[0] - 1, along[1]
+    elif is_integer(along) and len(kind) <= 1:
+        i, j = 0, along
+    else:
+        raise ScriptError("along must be an index, for a simploid [component, index]")
+    if not 0 <= i < len(kind) or not 0 <= j < kind[i]:
+        raise ScriptError(f'"{step["cell"]}" has no direction {json.dumps(along)}')
+    state.equate([(value, collapse(state.face(value, i, j), i, j, kind[i] == 1))])
+
+
+def read_split(state, entry):
+    """(cell, name of the copy, moves) of one entry of `deidentify`."""
+    if not isinstance(entry, dict):
+        raise ScriptError("every entry of split must be an object")
+    for field in entry:
+        if field not in ("cell", "as", "moves"):
+            raise ScriptError(f'an entry of split has no field "{field}"')
+    for field in ("cell", "as", "moves"):
+        if field not in entry:
+            raise ScriptError(f'an entry of split needs the field "{field}"')
+    if not isinstance(entry["moves"], list):
+        raise ScriptError("moves must be a list of [cell, face number]")
+    return state.find(entry["cell"]), check_name(entry["as"], "as"), entry["moves"]
+
+
+def op_deidentify(state, step, _prime):
+    fields(step, ("split",))
+    if not isinstance(step["split"], list):
+        raise ScriptError("split must be a list")
+    splits = [read_split(state, entry) for entry in step["split"]]
+    copies = [state.add(name, *state.cells[x][1:]) for x, name, _ in splits]
+    moved = {}  # (cell, face number) -> the copy that the face becomes
+    for (x, _, moves), twin in zip(splits, copies):
+        for move in moves:
+            if not isinstance(move, list) or len(move) != 2 or not is_integer(move[1]):
+                raise ScriptError("a move must be [cell, face number]")
+            cell, number = state.find(move[0]), move[1]
+            if not 0 <= number < len(state.faces(cell)):
+                raise ScriptError(f'"{move[0]}" has no face {number}')
+            if state.faces(cell)[number] != state.plain(x):
+                raise ScriptError(f'face {number} of "{move[0]}" is not "{state.cells[x].name}"')
+            if (cell, number) in moved:
+                raise ScriptError(f'face {number} of "{move[0]}" is moved twice')
+            moved[cell, number] = twin
+    for (cell, number), twin in moved.items():
+        faces = list(state.faces(cell))
+        faces[number] = state.plain(twin)
+        state.cells[cell] = state.cells[cell]._replace(faces=tuple(faces))
+    problem = state.broken_law()
+    if problem:
+        raise ScriptError(problem)
+
+
+def simploidal_product(state, first, second):
+    """The cells of the product as (key, type, faces, label of two names), faces as values of keys."""
+    for a in first:
+        for b in second:
+            kinds = state.cells[a].kind, state.cells[b].kind
+            below = [((x, b), shape + whole(kinds[1])) for x, shape in state.faces(a)]
+            below += [((a, y), whole(kinds[0]) + shape) for y, shape in state.faces(b)]
+            yield (a, b), kinds[0] + kinds[1], below, "({}|{})".format
+
+
+def disjoint_masks(p, q):
+    """All ways to make a p-simplex and a q-simplex degenerate simplices of one dimension, without a common direction.
+
+    Ordered by the masks as integers.
+    """
+    found = []
+    for n in range(max(p, q), p + q + 1):
+        for mine in itertools.combinations(range(n), n - p):
+            for other in itertools.combinations(sorted(set(range(n)) - set(mine)), n - q):
+                found.append((sum(2**k for k in mine), sum(2**k for k in other), n, mine, other))
+    return [(n, mine, other) for _, _, n, mine, other in sorted(found)]
+
+
+def simplicial_product(state, first, second):
+    """The same of the triangulated product. A key is (a, collapsed directions, b, collapsed directions)."""
+
+    def value_of_pair(left, right):
+        """Directions that are collapsed on both sides are collapsed in the pair."""
+        (a, mine), (b, other) = left, right
+        both = [(x, y) for x, y in zip(sum(mine, ()), sum(other, ()))]
+        common = tuple(x and y for x, y in both)
+        kept = [pair for pair in both if pair != (True, True)]
+        return (a, tuple(x for x, _ in kept), b, tuple(y for _, y in kept)), (common,) if common else ()
+
+    def label(mine, other):
+        suffix = [("^" + ",".join(map(str, mask)) if mask else "") for mask in (mine, other)]
+        return lambda a, b: f"({a}{suffix[0]}|{b}{suffix[1]})"
+
+    for a in first:
+        for b in second:
+            for n, mine, other in disjoint_masks(state.dim(a), state.dim(b)):
+                left = tuple(k in mine for k in range(n))
+                right = tuple(k in other for k in range(n))
+                below = [value_of_pair(state.face((a, (left,)), 0, k), state.face((b, (right,)), 0, k))
+                         for k in range(n + 1)] if n else []
+                yield (a, left, b, right), (n,) if n else (), below, label(mine, other)
+
+
+def op_product(state, step, _prime):
+    fields(step, ("name", "left", "right"), ("kind",))
+    name, kind = check_name(step["name"], "name"), step.get("kind", "simploidal")
+    if kind not in ("simploidal", "simplicial"):
+        raise ScriptError('kind must be "simploidal" or "simplicial"')
+    bodies = [state.find_body(step["left"]), state.find_body(step["right"])]
+    first, second = map(state.cells_of_body, bodies)
+    if kind == "simplicial":
+        for c in first + second:
+            if len(state.cells[c].kind) > 1:
+                raise ScriptError(f'"{state.cells[c].name}" is not a simplex; the product must be simploidal')
+    made = list((simplicial_product if kind == "simplicial" else simploidal_product)(state, first, second))
+    aliases = {c: [] for c in first + second}
+    for alias, value in state.names.items():
+        if value and value[0] in aliases and not is_degenerate(value):
+            aliases[value[0]].append(alias)
+    canonical = {c: state.cells[c].name for c in aliases}
+    for alias, value in state.names.items():
+        if value and value[0] in aliases:
+            state.names[alias] = None
+    for c in aliases:
+        del state.cells[c]
+    state.consumed.update(bodies)
+    body = state.new_body(name)
+    numbers = {key: state.created + n for n, (key, _, _, _) in enumerate(made)}
+    for key, own_kind, below, label in made:
+        a, b = key[0], key[len(key) // 2]
+        faces = [(numbers[other], shape) for other, shape in below]
+        state.add(f"{name}.{label(canonical[a], canonical[b])}", own_kind, faces, body)
+    for key, _, _, label in made:
+        a, b = key[0], key[len(key) // 2]
+        for pair in itertools.product(aliases[a], aliases[b]):
+            if pair != (canonical[a], canonical[b]):
+                state.check_free(f"{name}.{label(*pair)}")
+                state.names[f"{name}.{label(*pair)}"] = state.plain(numbers[key])
 
 
 def trimmed(values, empty):
@@ -604,6 +924,9 @@ OPERATIONS = {
     "complex": op_complex,
     "cone": op_cone,
     "identify": op_identify,
+    "degenerate": op_degenerate,
+    "deidentify": op_deidentify,
+    "product": op_product,
     "expect": op_expect,
     "class": op_class,
     "note": op_note,

@@ -3,6 +3,7 @@
 
 import glob
 import itertools
+import json
 import math
 import os
 import random
@@ -14,6 +15,7 @@ sys.dont_write_bytecode = True
 import compare_with_oracle
 import oracle
 import random_script
+import split_plans
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 EXAMPLES = os.path.join(HERE, "..", "..", "replay", "examples")
@@ -48,6 +50,122 @@ KLEIN = ('{"op":"simploid","name":"q","type":[1,1]}',
          '{"op":"identify","pairs":[["q.0-1x0","q.1x0-1"],["q.0x0-1","q.0-1x1"]]}')
 
 
+TORUS = (KLEIN[0], '{"op":"identify","pairs":[["q.0x0-1","q.1x0-1"],["q.0-1x0","q.0-1x1"]]}')
+
+
+def run(*steps):
+    """An oracle after these steps, given as dictionaries without "op": op and fields."""
+    twin = oracle.Oracle()
+    for op, details in steps:
+        twin.apply({"op": op, **details})
+    return twin
+
+
+def found(twin):
+    """(cells, betti, torsion), without zeros at the end."""
+    numbers = oracle.summary(twin.state, 0)
+    return tuple(oracle.trimmed(numbers[key], [] if key == "torsion" else 0) for key in ("cells", "betti", "torsion"))
+
+
+def simplex(name, dim):
+    return "simplex", {"name": name, "dim": dim}
+
+
+def glue(*pairs):
+    return "identify", {"pairs": [list(pair) for pair in pairs]}
+
+
+def squash(cell, along):
+    return "degenerate", {"cell": cell, "along": along}
+
+
+def projective_plane(name):
+    """One triangle: the edge from 0 to 2 is squashed, the other two are one."""
+    return [simplex(name, 2), squash(f"{name}.0-2", 0), glue((f"{name}.0-1", f"{name}.1-2"))]
+
+
+def product(left, right, kind, name="P"):
+    return "product", {"name": name, "left": left, "right": right, "kind": kind}
+
+
+def cyclic(group):
+    """(rank, [orders]) of one dimension as the list of the orders of its cyclic summands, 0 for Z."""
+    return [0] * group[0] + group[1]
+
+
+def kunneth(left, right):
+    """Betti numbers and torsion of a product, from (betti, torsion) of its factors."""
+    top = len(left[0]) + len(right[0])
+    orders = [[] for _ in range(top)]
+    for p, first in enumerate(zip(*left)):
+        for q, second in enumerate(zip(*right)):
+            for a in cyclic(first):
+                for b in cyclic(second):
+                    orders[p + q].append(math.gcd(a, b))
+                    if a and b:
+                        orders[p + q + 1].append(math.gcd(a, b))
+    torsion = [[d for d in oracle.divisibility_chain([n for n in group if n]) if d > 1] for group in orders]
+    return without_zeros([group.count(0) for group in orders], torsion)
+
+
+def without_zeros(betti, torsion):
+    """The same groups, without those at the end that are 0."""
+    return oracle.trimmed(betti, 0), oracle.trimmed(torsion, [])
+
+
+def homology_of(state, cells):
+    """(betti, torsion) of a subcomplex."""
+    alone = state.copy()
+    alone.cells = {c: alone.cells[c] for c in cells}
+    numbers = oracle.summary(alone, 0)
+    return numbers["betti"], numbers["torsion"]
+
+
+def oracle_report(report):
+    return {key: report[key] for key in ("cells", "euler", "betti", "torsion")}
+
+
+def all_values(state, largest):
+    """Every cell with at most `largest` directions, degenerate ones included."""
+    layer = {state.plain(c) for c in state.alive() if state.dim(c) <= largest}
+    found_values = set()
+    while layer:
+        found_values |= layer
+        layer = {higher for value in layer if sum(map(len, value[1])) < largest for higher in degeneracies(value)}
+    return found_values
+
+
+def degeneracies(value):
+    shape = value[1]
+    for i in range(len(shape) + 1):
+        yield oracle.collapse(value, i, 0, True)
+    for i, part in enumerate(shape):
+        for j in range(len(part) + 1):
+            yield oracle.collapse(value, i, j, False)
+
+
+def naive_quotient(state, equations, largest):
+    """Classes of all values: a union-find that knows nothing of normal forms. Returns {value: class}."""
+    parent = {value: value for value in all_values(state, largest)}
+
+    def root(value):
+        while parent[value] != value:
+            value = parent[value]
+        return value
+
+    pending = list(equations)
+    while pending:
+        left, right = pending.pop()
+        if root(left) == root(right):
+            continue
+        parent[root(left)] = root(right)
+        pending += [(state.face(left, i, j), state.face(right, i, j))
+                    for i, j in oracle.face_slots(oracle.type_of(left[1]))]
+        if sum(map(len, left[1])) < largest:
+            pending += zip(degeneracies(left), degeneracies(right))
+    return {value: root(value) for value in parent}
+
+
 class OracleTest(unittest.TestCase):
     def test_invariant_factors_are_quotients_of_the_divisors_of_minors(self):
         source = random.Random(7)
@@ -63,14 +181,15 @@ class OracleTest(unittest.TestCase):
         for kind in ((3,), (1, 1, 1), (2, 1), (1, 2, 1), (2, 2)):
             state = oracle.State()
             oracle.add_simploid(state, "q", kind)
+            self.assertIsNone(state.broken_law())
             for c in state.alive():
                 self.assertEqual(oracle.boundary_of_chain(state, state.boundary(c), 0), {})
 
     def test_random_scripts_are_legal_and_random_wrong_ones_fail_in_the_last_line(self):
-        for seed in range(25):
-            text = random_script.write_script(seed, 30)
+        for operations, seed in [("basic", n) for n in range(25)] + [("all", n) for n in range(12)]:
+            text = random_script.write_script(seed, 30, operations=operations)
             self.assertEqual(oracle.replay(text.encode(), "script")[0], 0)
-            wrong = random_script.write_script(seed, 30, illegal=True)
+            wrong = random_script.write_script(seed, 30, illegal=True, operations=operations)
             status, message, _ = oracle.replay(wrong.encode(), "script")
             self.assertEqual(status, 2)
             self.assertTrue(message.startswith(f"script:{wrong.count(chr(10))}: "), message)
@@ -112,6 +231,240 @@ class OracleTest(unittest.TestCase):
         printed = subprocess.run(command, capture_output=True, check=True)
         with open(os.path.join(EXAMPLES, "menger_sponge.jsonl"), "rb") as script:
             self.assertEqual(printed.stdout, script.read())
+
+
+class OperationsTest(unittest.TestCase):
+    def test_the_two_products_of_two_edges_are_a_square_and_two_triangles(self):
+        edges = [simplex("e", 1), simplex("f", 1)]
+        self.assertEqual(found(run(*edges, product("e", "f", "simploidal"))), ([4, 4, 1], [1], []))
+        twin = run(*edges, product("e", "f", "simplicial"))
+        self.assertEqual(found(twin), ([4, 5, 2], [1], []))
+        state = twin.state
+        for triangle, names in (("P.(e^0|f^1)", ["P.(e|f.1^0)", "P.(e|f)", "P.(e.0^0|f)"]),
+                                ("P.(e^1|f^0)", ["P.(e.1^0|f)", "P.(e|f)", "P.(e|f.0^0)"])):
+            self.assertEqual([state.cells[c].name for c, _ in state.faces(state.find(triangle))], names)
+
+    def test_a_product_of_projective_planes_has_the_torsion_of_kunneth(self):
+        expected = ([1], [[], [2, 2], [2], [2]])
+        for kind in ("simploidal", "simplicial"):
+            planes = projective_plane("a") + projective_plane("b")
+            self.assertEqual(found(run(*planes, product("a", "b", kind)))[1:], expected)
+            self.assertEqual(found(run(*projective_plane("a"), product("a", "a", kind)))[1:], expected)
+
+    def test_both_products_of_random_bodies_are_what_kunneth_says(self):
+        compared = 0
+        for seed in range(60):
+            writer = random_script.WriterOfAll(seed, "Z")
+            writer.weights = {**writer.weights, "simploid": 0, "product": 0, "cone": 1}
+            writer.write(15)
+            state = writer.oracle.state
+            pair = writer.random.choices(writer.usable_bodies(), k=2)
+            sides = [state.cells_of_body(state.find_body(name)) for name in pair]
+            if len(sides[0]) * len(sides[1]) > 100:
+                continue
+            simplices = all(len(state.cells[c].kind) <= 1 for side in sides for c in side)
+            expected = kunneth(*(homology_of(state, side) for side in sides))
+            for kind in ("simploidal", "simplicial")[: 2 if simplices else 1]:
+                after = state.copy()
+                oracle.op_product(after, {"op": "product", "name": "new", "left": pair[0], "right": pair[1],
+                                          "kind": kind}, 0)
+                self.assertIsNone(after.broken_law())
+                found_groups = homology_of(after, after.cells_of_body(after.find_body("new")))
+                self.assertEqual(without_zeros(*found_groups), expected, seed)
+                compared += 1
+        self.assertGreater(compared, 30)
+
+    def test_a_product_takes_any_name_of_a_cell_and_uses_its_factors_up(self):
+        twin = run(simplex("e", 1), simplex("f", 1), glue(("e.0", "e.1")), product("e", "f", "simploidal"))
+        state = twin.state
+        self.assertEqual(state.find("P.(e.1|f)"), state.find("P.(e.0|f)"))
+        self.assertEqual(state.cells[state.find("P.(e.1|f)")].name, "P.(e.0|f)")
+        for step in (("class", {"chain": [[1, "e"]]}), simplex("e", 0), ("cone", {"apex": "v", "over": "e"}),
+                     product("f", "P", "simploidal", "Q")):
+            with self.assertRaises(oracle.ScriptError):
+                twin.apply({"op": step[0], **step[1]})
+        twin.apply({"op": "undo"})
+        twin.apply({"op": "cone", "apex": "v", "over": "e"})
+
+    def test_a_cone_over_a_square_is_a_pyramid(self):
+        twin = run(("simploid", {"name": "q", "type": [1, 1]}), ("cone", {"apex": "v"}))
+        self.assertEqual(found(twin), ([5, 8, 5, 1], [1], []))
+        state = twin.state
+        self.assertEqual(state.cells[state.find("v*q")].kind, (1, 1, 1))
+        ends = ((state.find("v"), ((True,), (True,))), state.plain(state.find("q")))
+        self.assertEqual(state.faces(state.find("v*q"))[4:], ends)
+        self.assertIsNone(state.broken_law())
+
+    def test_the_chain_of_a_cone_is_the_cone_of_the_chain(self):
+        for base in ([simplex("q", 2), squash("q.0-1", 0)], [("simploid", {"name": "q", "type": [2, 1]}),
+                                                               squash("q.0-1x0", 0)]):
+            state = run(*base, ("cone", {"apex": "v"})).state
+            self.assertIsNone(state.broken_law())
+            top = state.find("q")
+            expected = {top: (-1) ** (state.dim(top) + 1)}
+            for c, v in state.boundary(top).items():
+                expected[state.find(f"v*{state.cells[c].name}")] = v
+            self.assertEqual(state.boundary(state.find("v*q")), expected)
+
+    def test_a_suspension_shifts_homology(self):
+        for kind in ("simploidal", "simplicial"):
+            base = [*projective_plane("a"), simplex("e", 1), glue(("e.0", "e.1")), product("a", "e", kind)]
+            names = [cell.name for cell in run(*base).state.cells.values()]
+            twin = run(*base, ("cone", {"apex": "v"}), ("cone", {"apex": "w", "over": names}))
+            self.assertEqual(found(run(*base))[1:], ([1, 1], [[], [2], [2]]))
+            self.assertEqual(found(twin)[1:], ([1, 0, 1], [[], [], [2], [2]]))
+
+    def test_a_triangle_with_one_edge_squashed_has_two_edges(self):
+        twin = run(simplex("t", 2), squash("t.0-1", 0))
+        self.assertEqual(found(twin), ([2, 2, 1], [1], []))
+        self.assertEqual(twin.state.value("t.0-1"), (twin.state.find("t.1"), ((True,),)))
+        self.assertEqual(twin.apply({"op": "class", "chain": [[1, "t.0-1"]]})["class"], {"cycle": True, "zero": True})
+
+    def test_a_triangle_with_its_boundary_squashed_is_a_sphere(self):
+        edges = [squash("t.0-1", 0), squash("t.1-2", 0), squash("t.0-2", 0)]
+        self.assertEqual(found(run(simplex("t", 2), *edges)), ([1, 0, 1], [1, 0, 1], []))
+
+    def test_a_cell_glued_to_a_degenerate_one_is_squashed_as_that_is(self):
+        twin = run(simplex("t", 2), simplex("u", 2), squash("t", 1), glue(("u", "t")))
+        self.assertEqual(found(twin), ([2, 1], [1], []))
+        self.assertEqual(twin.state.value("u"), (twin.state.find("t.0-1"), ((False, True),)))
+        square = run(("simploid", {"name": "q", "type": [1, 1]}), squash("q", [2, 0]), squash("q.0x0-1", 0))
+        self.assertEqual(found(square), ([2, 1], [1], []))
+
+    def test_squashing_a_degenerate_cell_once_more_squashes_what_it_lies_on(self):
+        twin = run(simplex("t", 2), squash("t", 0), squash("t", 1))
+        self.assertEqual(found(twin), ([1], [1], []))
+
+    def test_quotients_are_those_of_a_union_find_over_all_degenerate_cells(self):
+        degenerate = 0
+        for seed in range(60):
+            source = random.Random(seed)
+            state = oracle.State()
+            for name in ("a", "b"):
+                oracle.add_simploid(state, name, source.choice([(1,), (2,), (2,), (3,), (1, 1), (1, 1), (1, 2)]))
+            largest = max(state.dim(c) for c in state.alive())
+            values = sorted(all_values(state, largest))
+            equations = []
+            for _ in range(source.randint(1, 3)):
+                left = source.choice(values)
+                alike = [value for value in values if oracle.type_of(value[1]) == oracle.type_of(left[1])]
+                equations.append((left, source.choice(alike)))
+            classes = naive_quotient(state, equations, largest)
+            squashed = {root for value, root in classes.items() if oracle.is_degenerate(value)}
+            after = state.copy()
+            after.equate(equations)
+            expected = sorted({min(other[0] for other, its in classes.items() if its == root)
+                               for root in set(classes.values()) - squashed})
+            self.assertEqual(after.alive(), expected, seed)
+            self.assertIsNone(after.broken_law())
+            for c in state.alive():
+                self.assertEqual(classes[state.plain(c)], classes[after.names[state.cells[c].name]], seed)
+            degenerate += len(after.cells) < len(state.cells) and bool(squashed)
+        self.assertGreater(degenerate, 20)
+
+    def test_a_torus_cut_along_its_circles_is_a_square(self):
+        twin = replayed(*TORUS)[2]
+        self.assertEqual(found(twin), ([1, 2, 1], [1, 2, 1], []))
+        upright = {"cell": "q.0x0-1", "as": "v", "moves": [["q", 0]]}
+        level = {"cell": "q.0-1x0", "as": "h", "moves": [["q", 2]]}
+        twin.apply({"op": "deidentify", "split": [upright]})
+        self.assertEqual(found(twin), ([1, 3, 1], [1, 2], []))
+        twin.apply({"op": "deidentify", "split": [level]})
+        self.assertEqual(found(twin), ([1, 4, 1], [1, 3], []))
+        corners = [{"cell": "q.0x0", "as": "p10", "moves": [["v", 1], ["q.0-1x0", 0]]},
+                   {"cell": "q.1x1", "as": "p11", "moves": [["v", 0], ["h", 0]]},
+                   {"cell": "q.1x0", "as": "p01", "moves": [["h", 1], ["q.0x0-1", 0]]}]
+        twin.apply({"op": "deidentify", "split": corners})
+        self.assertEqual(found(twin), ([4, 4, 1], [1], []))
+        twin.apply({"op": "undo", "steps": 3})
+        self.assertEqual(found(twin), ([1, 2, 1], [1, 2, 1], []))
+        twin.apply({"op": "deidentify", "split": [*corners, upright, level]})
+        self.assertEqual(found(twin), ([4, 4, 1], [1], []))
+
+    def test_a_split_that_breaks_a_face_law_is_refused(self):
+        for split in ([{"cell": "t.0", "as": "x", "moves": [["t.0-1", 1]]}],
+                      [{"cell": "t.0", "as": "x", "moves": [["t.0-1", 0]]}],
+                      [{"cell": "t.0", "as": "x", "moves": [["t.0-1", 1], ["t.0-2", 1], ["t.0-1", 1]]}],
+                      [{"cell": "t.0", "as": "t.1", "moves": []}]):
+            twin = run(simplex("t", 2))
+            with self.assertRaises(oracle.ScriptError):
+                twin.apply({"op": "deidentify", "split": split})
+            self.assertEqual(found(twin), ([3, 3, 1], [1], []))
+        twin = run(simplex("t", 2))
+        twin.apply({"op": "deidentify", "split": [
+            {"cell": "t.0", "as": "x", "moves": [["t.0-1", 1], ["t.0-2", 1]]}]})
+        self.assertEqual(found(twin), ([4, 3, 1], [2], []))
+
+    def test_links_are_split_legally_and_their_parts_are_not(self):
+        split_whole = split_part = 0
+        for seed in range(20):
+            writer = random_script.WriterOfAll(seed, "Z")
+            writer.write(12)
+            state = writer.oracle.state
+            for c in writer.some_cells(6):
+                for part in split_plans.link_classes(state, c):
+                    step = {"op": "deidentify", "split": split_plans.split_cell(state, c, part, lambda: "new")}
+                    oracle.op_deidentify(state.copy(), step, 0)
+                    split_whole += 1
+                    if len(part) > 1:
+                        step["split"][0]["moves"].pop()
+                        with self.assertRaises(oracle.ScriptError):
+                            oracle.op_deidentify(state.copy(), step, 0)
+                        split_part += 1
+        self.assertGreater(min(split_whole, split_part), 40)
+
+    def test_a_gluing_taken_back_leaves_what_was_there(self):
+        compared = 0
+        for seed in range(30):
+            writer = random_script.WriterOfTearing(seed, "Z")
+            random_script.Writer.write(writer, 12)
+            before = writer.oracle.state
+            if not writer.identify():
+                continue
+            undone = writer.gluings[-1].undone(writer.oracle.state, writer.fresh_copy())
+            if writer.deidentify(undone):
+                after = writer.oracle.state
+                self.assertEqual(*(oracle.summary(state, 0) for state in (before, after)), seed)
+                compared += 1
+        self.assertGreater(compared, 20)
+
+    def test_a_complex_torn_apart_is_a_heap_of_standard_simploids(self):
+        for seed in range(15):
+            twin = oracle.replay(random_script.write_script(seed, 30, operations="tear").encode(), "script")[2]
+            state = twin.state
+            used_by = split_plans.users(state)
+            for top in (c for c in state.alive() if not used_by[c]):
+                corners = [value[0] for _, value in split_plans.corners(state, top)]
+                self.assertEqual(len(set(corners)), len(corners))
+                self.assertTrue(all(used_by[c] <= set(corners) for c in corners))
+
+    def test_an_isolated_closure_shares_no_cell_with_anything(self):
+        cut = 0
+        for seed in range(25):
+            writer = random_script.WriterOfTearing(seed, "Z")
+            random_script.Writer.write(writer, 15)
+            for outside in (False, True):
+                for top in writer.some_cells(4):
+                    after = writer.oracle.state.copy()
+                    split = split_plans.isolate(after, top, writer.fresh_copy(), outside)
+                    oracle.op_deidentify(after, {"op": "deidentify", "split": split}, 0)
+                    name = next((entry["as"] for entry in split if entry["cell"] == after.cells[top].name), None)
+                    closure = set(after.closure([after.find(name) if name and not outside else top]))
+                    users = split_plans.users(after)
+                    self.assertTrue(all(users[c] <= closure for c in closure))
+                    cut += bool(split)
+        self.assertGreater(cut, 20)
+
+    def test_undo_takes_back_every_operation(self):
+        for seed in range(10):
+            text = random_script.write_script(seed, 30, operations="all", weights={"undo": 0})
+            twin = oracle.Oracle()
+            reports = [oracle.summary(twin.state, 0)]
+            for line in text.splitlines()[1:]:
+                reports.append(oracle_report(twin.apply(json.loads(line))))
+            for report in reversed(reports[:-1]):
+                self.assertEqual(oracle_report(twin.apply({"op": "undo"})), report)
+            self.assertEqual((twin.state.names, twin.state.bodies), ({}, {}))
 
 
 if __name__ == "__main__":

@@ -1,13 +1,18 @@
 #!/usr/bin/env python3
 """Prints a random legal script for `sesame replay`.
 
-    random_script.py --seed N [--steps M] [--ring Z|Z/p] [--illegal]
+    random_script.py --seed N [--steps M] [--ring Z|Z/p] [--ops basic|all|tear] [--weight NAME=N]... [--illegal]
 
-Exercises simplex, simploid, complex, cone, identify, expect, class, undo and note: several bodies, self-gluings and
+basic: simplex, simploid, complex, cone, identify, expect, class, undo and note: several bodies, self-gluings and
 twisted ones (torsion), simploids of mixed types up to dimension 3, cones over bodies and over lists, classes of
-boundaries, cycles and other chains. What is legal, the oracle knows. With --illegal the last step is wrong, and only
-that one.
-The same seed gives the same script.
+boundaries, cycles and other chains.
+all: cones over simploids, degenerate cells, products of both kinds, deidentify as well (cells cut off or torn out,
+cells split along their links, gluings taken back), in any order and on top of each other. --weight makes a step more
+or less frequent (0: never); a wrong NAME is answered with the names that there are.
+tear: a random complex is glued from simploids and torn apart again, cell by cell, to isolated ones. It may need more
+steps than asked for.
+What is legal, the oracle knows. With --illegal the last step is wrong, and only that one.
+The same options give the same script.
 """
 
 import argparse
@@ -17,8 +22,10 @@ import sys
 
 sys.dont_write_bytecode = True
 import oracle
+import split_plans
 
 LARGEST_STATE = 110  # living cells; above this only steps that do not add cells are drawn
+LARGEST_RESULT = 150  # cells; with all operations no step may end with more
 TYPES = [[1], [2], [3], [1, 1], [1, 1, 1], [2, 1], [1, 2]]
 
 
@@ -54,7 +61,8 @@ class Writer:
         state = self.oracle.state
         if self.random.random() < 0.7:
             return state.cells[cell].name
-        return self.random.choice([name for name in state.names if state.root(state.names[name]) == cell])
+        plain = state.plain(cell)
+        return self.random.choice([name for name, value in state.names.items() if value == plain])
 
     # -- steps
 
@@ -131,7 +139,13 @@ class Writer:
             step["over"] = self.random.choice(sorted(state.bodies))
         if self.random.random() < 0.3:
             step["at"] = [0, 0, self.random.randint(1, 5)]
-        return self.attempt(step)
+        return self.attempt_cone(step)
+
+    def attempt_cone(self, step):
+        """Simplicial cones only."""
+        state = self.oracle.state
+        kinds = [state.cells[c].kind for c in oracle.cells_to_cone(state, step.get("over"))]
+        return all(len(kind) <= 1 for kind in kinds) and self.attempt(step)
 
     def chain_terms(self, chain):
         terms = [[v, self.name_of(c)] for c, v in sorted(chain.items())]
@@ -213,10 +227,20 @@ class Writer:
             return self.random.choice(gluing + looking + [self.undo] * 8)
         return self.random.choice(growing * (3 if size < 12 else 1) + gluing + looking)
 
+    def write(self, steps):
+        misses = 0
+        while len(self.lines) <= steps and misses < 1000:
+            if not self.draw()():
+                misses += 1
+
     def wrong_step(self):
-        name = self.oracle.state.cells[0].name if self.oracle.state.cells else "nobody"
+        return self.random.choice(self.wrong_steps())
+
+    def wrong_steps(self):
+        alive = self.oracle.state.alive()
+        name = self.oracle.state.cells[alive[0]].name if alive else "nobody"
         taken = sorted(self.oracle.state.bodies)[0] if self.oracle.state.bodies else "no body"
-        return self.random.choice([
+        return [
             {"op": "identify", "pairs": [[name, "nobody"]]},
             {"op": "simplex", "name": taken, "dim": 2} if self.oracle.state.bodies else {"op": "simplex", "dim": 2},
             {"op": "simplex", "name": "fresh", "dim": -1},
@@ -230,7 +254,7 @@ class Writer:
             {"op": "note", "text": "a", "txt": "b"},
             {"op": "class", "chain": [[1, "nobody"]]},
             self.mismatched_pair(name),
-        ])
+        ]
 
     def mismatched_pair(self, name):
         """Glues cells of different types beside a pair that could be glued: neither may happen."""
@@ -242,6 +266,238 @@ class Writer:
         return {"op": "identify", "pairs": [[name, alive[-1].name], [name, other[0]]]}
 
 
+class WriterOfAll(Writer):
+    """All operations."""
+
+    weights = {
+        "simplex": 5, "simploid": 4, "moore": 1, "loops": 1, "cone": 4, "product": 6,
+        "identify": 12, "identify_degenerate": 2, "degenerate": 5, "isolate": 2, "tear_out": 2, "split": 5, "unglue": 4,
+        "query": 6, "expect": 2, "note": 1, "undo": 3,
+    }
+    growing = ("simplex", "simploid", "moore", "loops", "cone", "product")
+
+    def __init__(self, seed, ring):
+        super().__init__(seed, ring)
+        self.gluings = []
+
+    def draw(self):
+        size = len(self.oracle.state.cells)
+        weights = dict(self.weights)
+        for name in self.growing:
+            weights[name] *= 0 if size > LARGEST_STATE else 3 if size < 12 else 1
+        return getattr(self, self.random.choices(list(weights), list(weights.values()))[0])
+
+    def attempt(self, step):
+        """Refuses as well what grows too much and, mostly, what collapses most of the object."""
+        if step["op"] not in ("undo", "expect", "class", "note"):
+            before, after = self.oracle.state, self.oracle.state.copy()
+            try:
+                oracle.OPERATIONS[step["op"]](after, step, self.oracle.prime)
+            except oracle.ScriptError:
+                return False
+            if len(after.cells) > max(LARGEST_RESULT, len(before.cells)):
+                return False
+            if 2 * len(after.cells) < len(before.cells) and self.random.random() < 0.9:
+                return False
+            if step["op"] == "identify":
+                self.gluings.append(split_plans.Gluing(before, after))
+        return super().attempt(step)
+
+    def attempt_cone(self, step):
+        over = step.get("over")
+        if isinstance(over, list):
+            step["over"] = [self.name_of(c) for c in self.some_cells(len(over))]
+        elif over is not None:
+            bodies = self.usable_bodies()
+            if not bodies:
+                return False
+            step["over"] = self.random.choice(bodies)
+        return self.attempt(step)
+
+    def usable_bodies(self):
+        state = self.oracle.state
+        return sorted(n for n, body in state.bodies.items() if state.body_root(body) not in state.consumed)
+
+    def some_cells(self, count):
+        alive = self.oracle.state.alive()
+        return self.random.sample(alive, min(len(alive), count))
+
+    def fresh_copy(self):
+        """A callable for split_plans: names that are free and differ within the step."""
+        given = set()
+
+        def fresh():
+            name = self.fresh("x")
+            while name in given:
+                name = self.fresh("x")
+            given.add(name)
+            return name
+
+        return fresh
+
+    # -- steps
+
+    def product(self):
+        state = self.oracle.state
+        sizes = {name: len(state.cells_of_body(state.find_body(name))) for name in self.usable_bodies()}
+        most = self.random.choice([7, 20, 50, 150])
+        pairs = [(left, right) for left in sizes for right in sizes if 0 < sizes[left] * sizes[right] <= most]
+        if self.random.random() < 0.3:
+            pairs = [pair for pair in pairs if state.find_body(pair[0]) == state.find_body(pair[1])]
+        if not pairs:
+            return False
+        left, right = self.random.choice(pairs)
+        cells = [state.cells_of_body(state.find_body(name)) for name in (left, right)]
+        names = [sum(1 for value in state.names.values() if value and value[0] in set(side)) for side in cells]
+        step = {"op": "product", "name": self.fresh("P"), "left": left, "right": right}
+        kind = self.random.choice(["simplicial", "simplicial", "simploidal", None])
+        if kind:
+            step["kind"] = kind
+        size = len(cells[0]) * len(cells[1])
+        if kind == "simplicial":
+            size = sum(len(oracle.disjoint_masks(state.dim(a), state.dim(b))) for a in cells[0] for b in cells[1])
+        return size <= LARGEST_RESULT and names[0] * names[1] <= 3000 and self.attempt(step)
+
+    def identify_degenerate(self):
+        """A pair of names of one type, at least one of them of a degenerate cell."""
+        state = self.oracle.state
+        names = {}
+        for name, value in state.names.items():
+            if value:
+                names.setdefault(oracle.type_of(value[1]), []).append(name)
+        degenerate = [name for name, value in state.names.items() if value and oracle.is_degenerate(value)]
+        if not degenerate:
+            return False
+        name = self.random.choice(degenerate)
+        pair = [name, self.random.choice(names[oracle.type_of(state.names[name][1])])]
+        self.random.shuffle(pair)
+        return self.attempt({"op": "identify", "pairs": [pair]})
+
+    def degenerate(self):
+        state = self.oracle.state
+        cells = [c for c in state.alive() if state.dim(c)]
+        if not cells:
+            return False
+        cell = self.random.choices(cells, [4 ** -state.dim(c) for c in cells])[0]
+        kind = state.cells[cell].kind
+        i = self.random.randrange(len(kind))
+        along = [i + 1, self.random.randrange(kind[i])]
+        if len(kind) == 1 and self.random.random() < 0.8:
+            along = along[1]
+        return self.attempt({"op": "degenerate", "cell": self.name_of(cell), "along": along})
+
+    def deidentify(self, split):
+        """The step, with any names of the cells and in any order."""
+        if not split:
+            return False
+        for entry in split:
+            entry["cell"] = self.name_of(self.oracle.state.find(entry["cell"]))
+            self.random.shuffle(entry["moves"])
+        self.random.shuffle(split)
+        return self.attempt({"op": "deidentify", "split": split})
+
+    def isolate(self):
+        cell = self.some_cells(1)
+        outside = self.random.random() < 0.4
+        return bool(cell) and self.deidentify(
+            split_plans.isolate(self.oracle.state, cell[0], self.fresh_copy(), outside))
+
+    def tear_out(self):
+        cell = self.some_cells(1)
+        return bool(cell) and self.deidentify(split_plans.tear_out(self.oracle.state, cell[0], self.fresh_copy()))
+
+    def split(self):
+        """One or two cells, mostly along their links; else by any subset, which the laws may refuse."""
+        state, fresh = self.oracle.state, self.fresh_copy()
+        split = []
+        for cell in self.some_cells(self.random.choice([1, 1, 2])):
+            parts = split_plans.link_classes(state, cell)
+            if self.random.random() < 0.2:
+                parts = [[move] for part in parts for move in part]
+            if parts:
+                chosen = self.random.sample(parts, self.random.randint(1, max(1, len(parts) - 1)))
+                split += split_plans.split_cell(state, cell, [move for part in chosen for move in part], fresh)
+        return self.deidentify(split)
+
+    def unglue(self):
+        if not self.gluings:
+            return False
+        gluing = self.gluings[-1] if self.random.random() < 0.4 else self.random.choice(self.gluings)
+        return self.deidentify(gluing.undone(self.oracle.state, self.fresh_copy()))
+
+    def chain_terms(self, chain):
+        """Sometimes with a term on a degenerate cell, which counts 0."""
+        terms = super().chain_terms(chain)
+        state = self.oracle.state
+        dim = state.dim(next(iter(chain))) if chain else 0
+        zeros = [name for name, value in state.names.items()
+                 if value and oracle.is_degenerate(value) and sum(oracle.type_of(value[1])) == dim]
+        if zeros and self.random.random() < 0.3:
+            terms.append([self.random.choice([-1, 2]), self.random.choice(zeros)])
+        return terms
+
+    def wrong_steps(self):
+        state = self.oracle.state
+        steps = super().wrong_steps() + [
+            {"op": "product", "name": "fresh", "left": "nobody", "right": "nobody"},
+            {"op": "deidentify", "split": [{"cell": "nobody", "as": "fresh", "moves": []}]},
+            {"op": "degenerate", "cell": "nobody", "along": 0},
+        ]
+        for c in self.some_cells(3):
+            cell = state.cells[c]
+            split = [{"cell": cell.name, "as": "fresh", "moves": [[cell.name, 0]]}]
+            steps.append({"op": "deidentify", "split": split})
+            steps.append({"op": "deidentify", "split": [{"cell": cell.name, "as": cell.name, "moves": []}]})
+            steps.append({"op": "degenerate", "cell": cell.name, "along": [1, (cell.kind or (0,))[0]]})
+            parts = split_plans.link_classes(state, c)
+            if any(len(part) > 1 for part in parts):
+                longest = max(parts, key=len)
+                split = split_plans.split_cell(state, c, longest[1:], lambda: "fresh")
+                steps.append({"op": "deidentify", "split": split})
+        bodies = self.usable_bodies()
+        if bodies:
+            body = bodies[0]
+            steps.append({"op": "product", "name": body, "left": body, "right": body})
+            steps.append({"op": "product", "name": "fresh", "left": body, "right": body, "kind": "cubical"})
+        used_up = sorted(set(state.bodies) - set(bodies))
+        if used_up:
+            steps.append({"op": "cone", "apex": "fresh", "over": used_up[0]})
+            steps.append({"op": "product", "name": "fresh", "left": used_up[0], "right": used_up[0]})
+            gone = [name for name, value in state.names.items() if value is None]
+            if gone:
+                steps.append({"op": "identify", "pairs": [[gone[0], gone[0]]]})
+                steps.append({"op": "simplex", "name": gone[-1], "dim": 1})
+        return steps
+
+
+class WriterOfTearing(WriterOfAll):
+    """First growing and gluing, then tearing apart until only standard simploids are left."""
+
+    weights = {**{name: 0 for name in WriterOfAll.weights}, "simplex": 4, "simploid": 1, "identify": 9, "query": 1}
+
+    def write(self, steps):
+        super().write(steps // 2)
+        misses = 0
+        while misses < 1000:
+            state = self.oracle.state
+            used_by = split_plans.users(state)
+            tops = [c for c in state.alive() if state.dim(c) and not used_by[c]]
+            plans = [split for split in (split_plans.tear_out(state, c, self.fresh_copy()) for c in tops) if split]
+            if not plans:
+                break
+            turn = self.random.random()
+            if turn < 0.1 and len(self.lines) < steps:
+                self.undo()
+            elif turn < 0.2:
+                self.query()
+            elif not self.deidentify(self.random.choice(plans)):
+                misses += 1
+        self.expect()
+
+
+WRITERS = {"basic": Writer, "all": WriterOfAll, "tear": WriterOfTearing}
+
+
 def combine(a, x, b, y):
     total = {c: x * v for c, v in a.items()}
     for c, v in b.items():
@@ -249,17 +505,28 @@ def combine(a, x, b, y):
     return {c: v for c, v in total.items() if v}
 
 
-def write_script(seed, steps, ring="Z", illegal=False):
+def write_script(seed, steps, ring="Z", illegal=False, operations="basic", weights=None):
     """The lines of a random script, as one string."""
-    writer = Writer(seed, ring)
-    misses = 0
-    while len(writer.lines) <= steps and misses < 1000:
-        if not writer.draw()():
-            misses += 1
+    writer = WRITERS[operations](seed, ring)
+    if weights:
+        writer.weights = {**writer.weights, **weights}
+    writer.write(steps)
     lines = list(writer.lines)
     if illegal:
         lines.append(writer.wrong_step())
     return "".join(json.dumps(line, ensure_ascii=False) + "\n" for line in lines)
+
+
+def read_weights(options):
+    """The arguments of --weight as a dictionary."""
+    known = WriterOfAll.weights if options.ops == "all" else {}
+    weights = {}
+    for text in options.weight:
+        name, _, number = text.partition("=")
+        if name not in known or not number.isdigit():
+            sys.exit(f"random_script.py: --weight takes NAME=N with --ops all, NAME one of {', '.join(known) or '-'}")
+        weights[name] = int(number)
+    return weights
 
 
 def main():
@@ -267,9 +534,13 @@ def main():
     parser.add_argument("--seed", type=int, required=True)
     parser.add_argument("--steps", type=int, default=40)
     parser.add_argument("--ring", default="Z")
+    parser.add_argument("--ops", choices=WRITERS, default="basic")
+    parser.add_argument("--weight", action="append", default=[], metavar="NAME=N")
     parser.add_argument("--illegal", action="store_true")
     options = parser.parse_args()
-    sys.stdout.write(write_script(options.seed, options.steps, options.ring, options.illegal))
+    weights = read_weights(options)
+    sys.stdout.write(
+        write_script(options.seed, options.steps, options.ring, options.illegal, options.ops, weights))
 
 
 if __name__ == "__main__":
