@@ -223,6 +223,10 @@ ChainComplex<R> chain_complex(const Structure& structure, const CellBasis& basis
 template <Ring R>
 std::optional<StepSequence<R>> step_sequence(const Structure& structure, Moment before, Moment after, const R& ring) {
   if (after.links > before.links) {
+    for (CellId c = before.created; c < after.created; ++c) {  // only those that queries asked for
+      sparse::expects(structure.is_lazy(c) || structure.find_at(c, after.links) != c,
+                      "a step adds cells or removes cells, not both");
+    }
     return removed_cells(structure, before, after, ring);
   }
   const bool is_product =

@@ -75,7 +75,7 @@ class Workshop {
 /// Everything that can be seen of a structure, as text. Two states are alike exactly when these are.
 inline std::string dump(const ops::Structure& structure) {
   std::string text = "created " + std::to_string(structure.created()) + " links " + std::to_string(structure.links());
-  for (const std::uint32_t count : structure.counts()) {
+  for (const std::uint64_t count : structure.counts()) {
     text += " " + std::to_string(count);
   }
   text += "\n";
