@@ -27,7 +27,7 @@ class Run {
     if (!ring) {
       return fail(script_.place() + ring.error().what, Outcome::wrong_script);
     }
-    engine::Engine engine(*ring);
+    engine::Engine engine(*ring, options_.limits);
     if (options_.log != nullptr) {
       ops::Header written = *header;
       written.ring = sparse::ring_name(*ring);

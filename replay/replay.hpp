@@ -9,6 +9,7 @@
 #include <ostream>
 
 #include "engine/engine.hpp"
+#include "ops/planner.hpp"
 #include "replay/progress.hpp"
 #include "replay/reporter.hpp"
 #include "replay/script.hpp"
@@ -33,6 +34,7 @@ struct ReplayOptions {
   bool verify = false;
   bool generators = false;
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: finish the current step, then summarise
+  ops::Limits limits;                       ///< of what a step may make
   std::ostream* log = nullptr;              ///< the operations applied, a line each, flushed after each
 };
 

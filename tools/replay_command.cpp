@@ -61,6 +61,7 @@ struct Arguments {
   std::string ring;
   std::uint64_t until = 0;
   std::uint64_t every = 0;
+  std::int64_t explicit_cones = ops::Limits{}.cells_of_explicit_cone;
   std::string log;
   bool json = false;
   bool generators = false;
@@ -155,6 +156,7 @@ int run_replay(const Arguments& arguments) {
     options.until = arguments.until;
   }
   options.verify = arguments.verify;
+  options.limits.cells_of_explicit_cone = arguments.explicit_cones;
   options.generators = arguments.generators;
   options.stop = &stop_requested;
   catch_interrupt();
@@ -214,6 +216,11 @@ void add_replay_command(CLI::App& app, int& status) {
   command->add_flag("--json", arguments->json, "One JSON object per reported step on standard output");
   command->add_flag("--generators", arguments->generators, "The generators of the homology groups at the end");
   command->add_flag("--verify", arguments->verify, "Check every law after every step (slow)");
+  command
+      ->add_option("--explicit-cones", arguments->explicit_cones,
+                   "Write cones over whole bodies of up to N cells out; of larger ones only the cells that are used")
+      ->capture_default_str()
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
   command->add_option("--log", arguments->log, "Keep the operations that were applied in this file");
   command->add_flag("--follow", arguments->follow, "Go on as the file grows, until Ctrl-C");
   command->add_flag("--quiet", arguments->quiet, "No table and no progress: errors only (and what --json prints)");

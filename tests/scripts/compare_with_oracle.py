@@ -241,10 +241,13 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--steps", type=int, default=40)
     parser.add_argument("--ops", choices=random_script.WRITERS, default="basic")
+    parser.add_argument("--lazy-cones", action="store_true", help="no cone over whole bodies is written out")
     parser.add_argument("--verify", action="store_true", help="the program checks every law after every step; slow")
     parser.add_argument("--generators", action="store_true", help="ask for generators and check them")
     options = parser.parse_args()
     extra = [f"--{name}" for name in ("generators", "verify") if getattr(options, name)]
+    if options.lazy_cones:
+        extra.append("--explicit-cones=0")
     passed = failed = 0
     for label, data in cases(options):
         for ring in RINGS:
