@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <utility>
 
 #include "sparse/contract.hpp"
@@ -646,8 +647,10 @@ bool Structure::has_only_simplices(BodyId body) const {
     pending.insert(pending.end(), b.children.begin(), b.children.end());
     is_certain = !b.has_simploids;
   }
-  if (is_certain) {
-    return true;
+  constexpr std::uint64_t most_cells_looked_at = 100'000;
+  const auto counts = counts_of(body);
+  if (is_certain || std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}) > most_cells_looked_at) {
+    return is_certain;
   }
   const std::vector<CellId> cells = cells_of(body);
   return std::all_of(cells.begin(), cells.end(), [this](CellId c) { return is_simplex(type(c).type); });

@@ -211,8 +211,9 @@ class Structure {
   [[nodiscard]] std::span<const std::uint64_t> counts_of(BodyId body) const { return bodies_[find_body(body)].counts; }
   /// The current cells of a body, oldest first. Cost: the cells ever created in it; makes all its lazy cells.
   [[nodiscard]] std::vector<CellId> cells_of(BodyId body) const;
-  /// True when all cells of a body are simplices: vertices or of a type of length 1. Cost: when the body has ever had
-  /// other cells, those ever created in it; else its parts.
+  /// True when all cells of a body are simplices: vertices or of a type of length 1. A body of more
+  /// than 100,000 cells that has ever had other ones counts as having them still. Cost: the bodies that it was made of,
+  /// and its cells if there are fewer.
   [[nodiscard]] bool has_only_simplices(BodyId body) const;
 
   // ---- lazy families: products, and cones over whole bodies
