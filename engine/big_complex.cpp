@@ -1,6 +1,6 @@
 #include "engine/big_complex.hpp"
 
-#include <map>
+#include <algorithm>
 
 #include "engine/lazy_maps.hpp"
 #include "sparse/contract.hpp"
@@ -87,7 +87,13 @@ Index BigComplex<R>::append_copy(CellId copy) {
   };
   add(structure_.faces_as_created(copy), false);
   add(structure_.faces(structure_.copy(copy)->source), true);
+  for (const Structure::Copy* of = structure_.copy(copy); of != nullptr; of = structure_.copy(of->source)) {
+    if (!structure_.is_lazy(of->source)) {
+      follow(of->source);
+    }
+  }
   of_cell_.push_back(size());
+  follow(copy);
   return append(copy, structure_.dimension(copy));
 }
 
@@ -102,9 +108,17 @@ std::vector<Index> BigComplex<R>::split(Index first, std::span<const Structure::
   std::unordered_map<CellId, Terms<R>> of_lazy;
   for (auto& [cell, gain] : gains) {
     sparse::normalize(ring_, gain);
+    if (gain.empty()) {
+      continue;
+    }
     const auto add = [&](Index generator, int sign) {
       if (generator < first) {
         sparse::add_multiple<R>(ring_, changes[generator], ring_.from(sign), gain);
+        if (const auto shifted = shifted_by_.find(generator); shifted != shifted_by_.end()) {
+          for (const Index other : shifted->second) {
+            sparse::add_multiple<R>(ring_, changes[other], ring_.from(sign), gain);
+          }
+        }
       }
     };
     structure_.for_each_member(cell, [&](CellId node) {
@@ -121,9 +135,23 @@ std::vector<Index> BigComplex<R>::split(Index first, std::span<const Structure::
   if (!of_lazy.empty()) {
     lazy_maps_->add_gains(of_lazy, lazy_part_, changes);
   }
+  std::set<std::pair<CellId, CellId>> candidates;
+  for (const Structure::MadeMove& move : moves) {
+    if (!structure_.is_lazy(move.before)) {
+      candidates.emplace(move.before, move.after);
+    }
+  }
+  for (const auto& [node, copy] : candidates) {
+    if (moves_wholly(node, copy, moves)) {
+      shift(node, copy, first, changes);
+    }
+  }
   std::vector<Index> changed;
   for (const auto& [generator, change] : changes) {
     if (!change.empty()) {
+      for (const sparse::Term<R>& term : change) {
+        columns_followed_[term.index].push_back(generator);
+      }
       boundary_.add_to_column(generator, ring_.one(), change);
       entries_appended_ += change.size();
       changed.push_back(generator);
@@ -133,9 +161,115 @@ std::vector<Index> BigComplex<R>::split(Index first, std::span<const Structure::
   return changed;
 }
 
+/// Whether all incidences of a node go to one copy; a node with very many others is not looked through.
+template <Ring R>
+bool BigComplex<R>::moves_wholly(CellId node, CellId copy, std::span<const Structure::MadeMove> moves) const {
+  const auto goes = [&](CellId cell, std::uint32_t slot) {
+    return std::any_of(moves.begin(), moves.end(), [&](const Structure::MadeMove& move) {
+      return move.cell == cell && move.slot == slot && move.after == copy;
+    });
+  };
+  const auto places = structure_.places_of(node);
+  constexpr std::size_t most_others = 64;
+  if (places.size() > most_others + 4 * moves.size()) {
+    return false;
+  }
+  return std::all_of(places.begin(), places.end(), [&](const auto& place) {
+    const auto& [owner, slot] = place;
+    const CellId cell = structure_.find(owner);
+    if (cell == ops::none || goes(cell, slot)) {
+      return true;
+    }
+    // An incidence that moved away before does not count.
+    return structure_.is_current(owner) && structure_.faces(owner)[slot] != node;
+  });
+}
+
+template <Ring R>
+std::vector<Index> BigComplex<R>::generators_of(CellId node) const {
+  const auto at = generators_of_.find(node);
+  return at != generators_of_.end() ? at->second : std::vector<Index>{of_cell_[node]};
+}
+
+/// The columns that may have an entry at the generator of a cell or copy, and perhaps others: those of the cells that it
+/// was a face of at their creation, of the removals next to it, and those remembered.
+template <Ring R>
+std::vector<Index> BigComplex<R>::columns_with(Index generator) const {
+  const CellId node = origin_[generator];
+  std::vector<Index> columns;
+  for (const auto& [owner, slot] : structure_.places_of(node)) {
+    columns.push_back(of_cell_[owner]);
+  }
+  const auto add_link = [&](LinkId link) {
+    if (link < of_link_.size()) {
+      columns.push_back(of_link_[link]);
+    }
+  };
+  add_link(structure_.link_of(node));
+  structure_.for_each_child_link(node, add_link);
+  if (const auto followed = columns_followed_.find(generator); followed != columns_followed_.end()) {
+    columns.insert(columns.end(), followed->second.begin(), followed->second.end());
+  }
+  return columns;
+}
+
+/// The generators of a node become those of a copy: G + e for G. Changes of the boundary in the new basis.
+template <Ring R>
+void BigComplex<R>::shift(CellId node, CellId copy, Index first, std::map<Index, Terms<R>>& changes) {
+  const Index e = of_cell_[copy];
+  const Terms<R> unit{{e, ring_.one()}};
+  const Terms<R> boundary_of_e = boundary_.column(e);
+  std::vector<Index> generators = generators_of(node);
+  for (const Index generator : generators) {
+    std::vector<Index> columns = columns_with(generator);
+    std::sort(columns.begin(), columns.end());
+    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+    for (const Index column : columns) {
+      if (column < first) {
+        const auto coefficient = boundary_.entry(generator, column);
+        sparse::add_multiple<R>(ring_, changes[column], ring_.negate(coefficient), unit);
+      }
+    }
+    sparse::add_multiple<R>(ring_, changes[generator], ring_.one(), boundary_of_e);
+    shifts_[generator].push_back(e);
+    shifted_by_[e].push_back(generator);
+    // What was written with G is written with (G + e) - e.
+    const auto rewrite = [&](Index key) {
+      auto [chain, is_new] = as_created_.try_emplace(key);
+      if (is_new) {
+        chain->second = {{key, ring_.one()}};
+      }
+      const auto at = std::find_if(chain->second.begin(), chain->second.end(),
+                                   [&](const sparse::Term<R>& term) { return term.index == generator; });
+      if (at != chain->second.end()) {
+        const auto coefficient = ring_.negate(at->coefficient);
+        sparse::add_multiple<R>(ring_, chain->second, coefficient, unit);
+        in_as_created_[e].insert(key);
+      }
+    };
+    rewrite(generator);
+    if (const auto keys = in_as_created_.find(generator); keys != in_as_created_.end()) {
+      for (const Index key : std::set<Index>{keys->second}) {
+        rewrite(key);
+      }
+    }
+  }
+  std::vector<Index>& of_copy = generators_of_.try_emplace(copy, std::vector<Index>{e}).first->second;
+  of_copy.insert(of_copy.end(), generators.begin(), generators.end());
+  generators_of_[node].clear();
+  shifted_.push_back({node, copy, std::move(generators)});
+}
+
 template <Ring R>
 Index BigComplex<R>::append(std::uint32_t origin, int degree) {
   sparse::normalize(ring_, column_);
+  if (!columns_followed_.empty()) {
+    for (const sparse::Term<R>& term : column_) {
+      if (const auto followed = columns_followed_.find(term.index); followed != columns_followed_.end()) {
+        followed->second.push_back(size());
+      }
+    }
+  }
   boundary_.append_rows(1);
   boundary_.append_column(column_);
   entries_appended_ += column_.size();
@@ -163,7 +297,34 @@ void BigComplex<R>::truncate(const Mark& mark) {
       boundary_.set_column(generator, column);
     }
   }
+  while (shifted_.size() > mark.shifted) {
+    Shift& last = shifted_.back();
+    for (const Index generator : last.generators) {
+      if (const auto shifts = shifts_.find(generator); shifts->second.size() == 1) {
+        shifts_.erase(shifts);
+      } else {
+        shifts->second.pop_back();
+      }
+    }
+    if (last.generators == std::vector<Index>{of_cell_[last.node]}) {  // an entry must not outlive its node
+      generators_of_.erase(last.node);
+    } else {
+      generators_of_[last.node] = std::move(last.generators);
+    }
+    generators_of_.erase(last.copy);
+    shifted_.pop_back();
+  }
   for (Index generator = mark.generators; generator < origin_.size(); ++generator) {
+    if (const auto keys = in_as_created_.find(generator); keys != in_as_created_.end()) {
+      for (const Index key : keys->second) {
+        std::erase_if(as_created_[key],
+                      [&](const sparse::Term<R>& term) { return term.index >= mark.generators; });
+      }
+      in_as_created_.erase(keys);
+    }
+    columns_followed_.erase(generator);
+    shifted_by_.erase(generator);
+    as_created_.erase(generator);
     --counts_[degree_[generator]];
     if (!lazy_part_.empty()) {
       lazy_part_.erase(generator);
@@ -187,7 +348,7 @@ void BigComplex<R>::add_g(CellId cell, const typename R::Element& factor, Terms<
     add_g_at(cell, structure_.now(), factor, out);
     return;
   }
-  out.push_back({of_cell_[cell], factor});
+  out.push_back({of_cell_[cell], factor});  // without copies there are no changes of basis
   const ops::TypeInfo& type = structure_.type(cell);
   const auto faces = structure_.faces_as_created(cell);
   for (std::size_t k = 0; k < faces.size(); ++k) {
@@ -202,12 +363,12 @@ template <Ring R>
 void BigComplex<R>::add_g_at(CellId cell, const ops::Moment& moment, const typename R::Element& factor,
                              Terms<R>& out) const {
   if (const Structure::Copy* copy = structure_.copy(cell)) {
-    out.push_back({of_cell_[cell], factor});
+    add_as_created(of_cell_[cell], factor, out);
     add_g_at(copy->source, copy->moment, factor, out);
   } else if (structure_.is_lazy(cell)) {
     lazy_maps_->add_F(cell, factor, out);
   } else {
-    out.push_back({of_cell_[cell], factor});
+    add_as_created(of_cell_[cell], factor, out);
   }
   const std::vector<ops::FaceOperator>& operators = structure_.type(cell).faces;
   for (std::uint32_t k = 0; k < operators.size(); ++k) {
@@ -215,6 +376,17 @@ void BigComplex<R>::add_g_at(CellId cell, const ops::Moment& moment, const typen
     structure_.for_each_face_of_history(
         cell, k, moment, [&](CellId node, LinkId links) { add_path(node, links, signed_factor, out); });
   }
+}
+
+template <Ring R>
+void BigComplex<R>::add_as_created(Index generator, const typename R::Element& factor, Terms<R>& out) const {
+  if (const auto at = as_created_.empty() ? as_created_.end() : as_created_.find(generator); at != as_created_.end()) {
+    for (const auto& [index, coefficient] : at->second) {
+      out.push_back({index, ring_.multiply(factor, coefficient)});
+    }
+    return;
+  }
+  out.push_back({generator, factor});
 }
 
 template <Ring R>
@@ -273,9 +445,17 @@ void BigComplex<R>::add_f(Index generator, const typename R::Element& factor, Te
     }
     return;
   }
-  add_cell(origin, factor, out);
-  if (const Structure::Copy* copy = structure_.copy(origin)) {
-    add_cell(copy->source, ring_.negate(factor), out);
+  const auto add_difference = [&](CellId node) {
+    add_cell(node, factor, out);
+    if (const Structure::Copy* copy = structure_.copy(node)) {
+      add_cell(copy->source, ring_.negate(factor), out);
+    }
+  };
+  add_difference(origin);
+  if (const auto shifts = shifts_.empty() ? shifts_.end() : shifts_.find(generator); shifts != shifts_.end()) {
+    for (const Index e : shifts->second) {
+      add_difference(origin_[e]);
+    }
   }
 }
 
@@ -292,10 +472,18 @@ Terms<R> BigComplex<R>::f(std::span<const sparse::Term<R>> chain) const {
 template <Ring R>
 Terms<R> BigComplex<R>::h(Index generator) const {
   Terms<R> path;
-  if (const std::uint32_t origin = origin_[generator]; (origin & removal) == 0) {
-    add_path(origin, structure_.links(), ring_.negate(ring_.one()), path);
-    if (const Structure::Copy* copy = structure_.copy(origin)) {
+  const auto add = [&](CellId node) {
+    add_path(node, structure_.links(), ring_.negate(ring_.one()), path);
+    if (const Structure::Copy* copy = structure_.copy(node)) {
       add_path(copy->source, structure_.links(), ring_.one(), path);
+    }
+  };
+  if (const std::uint32_t origin = origin_[generator]; (origin & removal) == 0) {
+    add(origin);
+    if (const auto shifts = shifts_.find(generator); shifts != shifts_.end()) {
+      for (const Index e : shifts->second) {
+        add(origin_[e]);
+      }
     }
     sparse::normalize(ring_, path);
   }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <vector>
 
@@ -40,6 +42,10 @@ class LazyMaps;
 ///
 /// where P(x) is the sum of the generators <y> on the path of the forest from x to the cell that x is now. For a face
 /// that has moved, P runs along the path of what the face was until then, and along that of what it is since.
+///
+/// *Changes of basis.* When all incidences of a node go to a copy, its generators go with them: G becomes G + e. Then
+/// the boundaries of its cofaces need no change, and what has to change is young: the <x> that had glued it. `shifts_`
+/// remembers the e that were added to a generator, `as_created_` how the generators as created are written now.
 ///
 /// Lazy cells have no generators of their own. Those of a product have one for each pair of small generators of the
 /// factors, and g of a lazy cell is its image under the tensor product of the factors' maps; so for them this is the
@@ -79,14 +85,20 @@ class BigComplex {
   /// `first` on, those of the copies. Returns the generators whose boundaries have changed.
   std::vector<Index> split(Index first, std::span<const Structure::MadeMove> moves);
 
+  /// Begins to remember the columns that get an entry at the generator of a cell: it may come up where none of those who
+  /// have the cell as a face or were removed next to it are appended.
+  void follow(CellId cell) { columns_followed_.try_emplace(of_cell_[cell]); }
+
   struct Mark {
     Index generators = 0;
     CellId cells = 0;
     LinkId links = 0;
     std::size_t changed = 0;
+    std::size_t shifted = 0;
   };
   [[nodiscard]] Mark mark() const {
-    return {size(), static_cast<CellId>(of_cell_.size()), static_cast<LinkId>(of_link_.size()), changed_.size()};
+    return {size(), static_cast<CellId>(of_cell_.size()), static_cast<LinkId>(of_link_.size()), changed_.size(),
+            shifted_.size()};
   }
   void truncate(const Mark& mark);
 
@@ -96,6 +108,8 @@ class BigComplex {
   void add_lazy_part(CellId cell, const typename R::Element& factor, Terms<R>& out) const;
   /// P(x) times a factor, added to `out` (not in normal form); of the path up to a number of removals.
   void add_path(CellId x, LinkId links, const typename R::Element& factor, Terms<R>& out) const;
+  /// A generator as it was when it was appended, in the present basis, times a factor, added to `out`.
+  void add_as_created(Index generator, const typename R::Element& factor, Terms<R>& out) const;
   /// f of a generator times a factor, added to `out`: current cells, not in normal form.
   void add_f(Index generator, const typename R::Element& factor, Terms<R>& out) const;
   /// f of a chain of B, as a chain of current cells (indices are cell ids), in normal form.
@@ -110,6 +124,10 @@ class BigComplex {
   Index append(std::uint32_t origin, int degree);
   void add_g_at(CellId cell, const ops::Moment& moment, const typename R::Element& factor, Terms<R>& out) const;
   void add_cell(CellId node, const typename R::Element& factor, Terms<R>& out) const;
+  [[nodiscard]] std::vector<Index> generators_of(CellId node) const;
+  [[nodiscard]] std::vector<Index> columns_with(Index generator) const;
+  [[nodiscard]] bool moves_wholly(CellId node, CellId copy, std::span<const Structure::MadeMove> moves) const;
+  void shift(CellId node, CellId copy, Index first, std::map<Index, Terms<R>>& changes);
 
   R ring_;
   const Structure& structure_;
@@ -121,6 +139,17 @@ class BigComplex {
   std::vector<std::uint32_t> counts_;
   std::vector<Index> changed_;                           ///< generators whose boundaries gained terms, for undo
   std::unordered_map<Index, Terms<R>> lazy_part_;        ///< of the boundary of a generator: lazy cells as created
+  struct Shift {
+    CellId node, copy;
+    std::vector<Index> generators;  ///< that were the node's and are the copy's since
+  };
+  std::vector<Shift> shifted_;                                       ///< for undo
+  std::unordered_map<Index, std::vector<Index>> shifts_;             ///< per generator: the e that were added to it
+  std::unordered_map<Index, std::vector<Index>> shifted_by_;         ///< per e: the generators that it was added to
+  std::unordered_map<Index, Terms<R>> as_created_;                   ///< where not the generator itself
+  std::unordered_map<Index, std::set<Index>> in_as_created_;         ///< the keys above whose chain has a generator
+  std::unordered_map<CellId, std::vector<Index>> generators_of_;     ///< of nodes, where not the node's own alone
+  std::unordered_map<Index, std::vector<Index>> columns_followed_;   ///< columns with a generator, for those followed
   std::uint64_t entries_appended_ = 0;
   Terms<R> column_, lazy_column_;  ///< scratch
 };

@@ -283,7 +283,7 @@ Result<CellChain> Engine::chain(const std::vector<std::pair<Integer, std::string
 ops::Moment Engine::before_step(std::uint64_t n) const {
   sparse::expects(n >= 1 && n <= history_.size(), "a step is one of those that are not undone");
   const ops::StructureMark& mark = history_[n - 1];
-  return {mark.cells, mark.links, mark.moves, mark.families};
+  return {mark.cells, mark.links, mark.moves, mark.families, mark.copies};
 }
 
 std::optional<std::string> Engine::first_defect() {

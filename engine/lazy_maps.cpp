@@ -60,6 +60,7 @@ void LazyMaps<R>::add_family(FamilyId id) {
     for (const ops::BodyId body : made.bodies) {
       rewriter_.consume(symbols_of(body));
     }
+    big_.follow(made.apex);  // it is F of every vertex
     families_.push_back(std::move(family));
     return;
   }
@@ -108,11 +109,16 @@ void LazyMaps<R>::add_family(FamilyId id) {
 
 template <Ring R>
 void LazyMaps<R>::truncate(const Mark& mark, Index generators) {
-  if (families_.size() > mark.families) {
-    families_.resize(mark.families);
-    of_cell_.clear();
-    of_symbol_.clear();
-  }
+  families_.resize(mark.families);
+  const auto forget = [](auto& known, std::size_t size, auto& map) {
+    while (known.size() > size) {
+      map.erase(known.back());
+      known.pop_back();
+    }
+  };
+  forget(images_known_, mark.images, images_);
+  forget(homotopies_known_, mark.homotopies, homotopies_);
+  forget(lifts_known_, mark.lifts, lifts_);
   while (gained_.size() > mark.gained) {
     Terms<R>& gain = gains_.at(gained_.back());
     std::erase_if(gain, [generators](const sparse::Term<R>& term) { return term.index >= generators; });
@@ -127,31 +133,30 @@ void LazyMaps<R>::truncate(const Mark& mark, Index generators) {
 
 template <Ring R>
 const Terms<R>& LazyMaps<R>::F_of(CellId cell) {
-  if (const auto known = of_cell_.find(cell); known != of_cell_.end() && known->second.has_F) {
-    return known->second.F;
+  if (const auto known = images_.find(cell); known != images_.end()) {
+    return known->second;
   }
   Terms<R> g;
   big_.add_g(cell, ring_.one(), g);
   sparse::normalize(ring_, g);
   Terms<R> image = rewriter_.rewrite(g);
-  CellMaps& maps = of_cell_[cell];
-  maps.F = std::move(image);
-  maps.has_F = true;
-  return maps.F;
+  images_known_.push_back(cell);
+  return images_.emplace(cell, std::move(image)).first->second;
 }
 
 template <Ring R>
 const Terms<R>& LazyMaps<R>::G_of(Symbol symbol) {
-  if (const auto known = of_symbol_.find(symbol); known != of_symbol_.end()) {
+  if (const auto known = lifts_.find(symbol); known != lifts_.end()) {
     return known->second;
   }
   Terms<R> cells = big_.f(rewriter_.lift(Terms<R>{{symbol, ring_.one()}}));
-  return of_symbol_.insert_or_assign(symbol, std::move(cells)).first->second;
+  lifts_known_.push_back(symbol);
+  return lifts_.emplace(symbol, std::move(cells)).first->second;
 }
 
 template <Ring R>
-const typename LazyMaps<R>::CellMaps& LazyMaps<R>::homotopy_of(CellId cell) {
-  if (const auto known = of_cell_.find(cell); known != of_cell_.end() && known->second.has_homotopy) {
+const typename LazyMaps<R>::Homotopy& LazyMaps<R>::homotopy_of(CellId cell) {
+  if (const auto known = homotopies_.find(cell); known != homotopies_.end()) {
     return known->second;
   }
   Terms<R> g;
@@ -171,11 +176,8 @@ const typename LazyMaps<R>::CellMaps& LazyMaps<R>::homotopy_of(CellId cell) {
   }
   sparse::normalize(ring_, bounded);
   Terms<R> image = big_.f(rewriter_.lift(rewriter_.rewrite(g)));
-  CellMaps& maps = of_cell_[cell];
-  maps.K = std::move(bounded);
-  maps.GF = std::move(image);
-  maps.has_homotopy = true;
-  return maps;
+  homotopies_known_.push_back(cell);
+  return homotopies_.emplace(cell, Homotopy{std::move(bounded), std::move(image)}).first->second;
 }
 
 // ---------------------------------------------------------------------------------------------------------------- F, G
@@ -280,7 +282,7 @@ void LazyMaps<R>::add_G(FamilyId id, Index generator, const Element& factor, Ter
 
 template <Ring R>
 void LazyMaps<R>::add_K_of_product(FamilyId family, CellId left, CellId right, const Element& factor, Terms<R>& out) {
-  const CellMaps of_left = homotopy_of(left);
+  const Homotopy of_left = homotopy_of(left);
   const Terms<R> of_right = homotopy_of(right).K;
   add_pairs(family, of_left.K, {{right, ring_.one()}}, factor, out);
   add_pairs(family, of_left.GF, of_right, structure_.dimension(left) % 2 == 0 ? factor : ring_.negate(factor), out);
@@ -331,7 +333,7 @@ void LazyMaps<R>::subtract_gains(const Gains& gains, CellId cell, const Element&
   const Element minus = ring_.negate(factor);
   const auto add = [&](const Terms<R>& gain, const Element& coefficient) {
     for (const auto& [generator, part] : gain) {
-      out.push_back({generator, ring_.multiply(coefficient, part)});
+      big_.add_as_created(generator, ring_.multiply(coefficient, part), out);
     }
   };
   if (structure_.family(key.family).kind != FamilyKind::product) {
@@ -345,7 +347,7 @@ void LazyMaps<R>::subtract_gains(const Gains& gains, CellId cell, const Element&
     return;
   }
   // Only the coefficients that count: K of a cell of a product is as long as those of its factors multiplied.
-  const CellMaps left = homotopy_of(key.left.cell);
+  const Homotopy left = homotopy_of(key.left.cell);
   const Terms<R> right = homotopy_of(key.right.cell).K;
   const bool is_odd = structure_.dimension(key.left.cell) % 2 != 0;
   std::map<CellId, Element> coefficients;  // by cell: `gains` has no order of its own

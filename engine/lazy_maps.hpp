@@ -52,8 +52,11 @@ class LazyMaps {
   struct Mark {
     std::size_t families = 0;
     std::size_t gained = 0;
+    std::size_t images = 0, homotopies = 0, lifts = 0;
   };
-  [[nodiscard]] Mark mark() const { return {families_.size(), gained_.size()}; }
+  [[nodiscard]] Mark mark() const {
+    return {families_.size(), gained_.size(), images_known_.size(), homotopies_known_.size(), lifts_known_.size()};
+  }
   /// Goes back to a mark; the big complex has been truncated to `generators`.
   void truncate(const Mark& mark, Index generators);
 
@@ -65,16 +68,14 @@ class LazyMaps {
     std::vector<std::uint32_t> places;  ///< per generator from `first` on: its place in `pairs`
     bool has_gains = false;
   };
-  /// The maps on one cell of a frozen body.
-  struct CellMaps {
-    Terms<R> F;  ///< in symbols
+  /// What does not change any more on a cell of a frozen body, once known.
+  struct Homotopy {
     Terms<R> K, GF;
-    bool has_F = false, has_homotopy = false;
   };
 
   [[nodiscard]] std::vector<Symbol> symbols_of(ops::BodyId body) const;
   const Terms<R>& F_of(CellId cell);
-  const CellMaps& homotopy_of(CellId cell);
+  const Homotopy& homotopy_of(CellId cell);
   const Terms<R>& G_of(Symbol symbol);
   void add_tensor(const Family& family, const Terms<R>& left, const Terms<R>& right, const Element& factor,
                   Terms<R>& out) const;
@@ -92,8 +93,12 @@ class LazyMaps {
   BigComplex<R>& big_;
   Rewriter<R>& rewriter_;
   std::vector<Family> families_;
-  std::unordered_map<CellId, CellMaps> of_cell_;
-  std::unordered_map<Symbol, Terms<R>> of_symbol_;
+  std::unordered_map<CellId, Terms<R>> images_;  ///< F of cells of frozen bodies, in symbols
+  std::unordered_map<CellId, Homotopy> homotopies_;
+  std::unordered_map<Symbol, Terms<R>> lifts_;  ///< G of their small generators
+  // In the order in which they became known: what undo takes back may name nodes that go.
+  std::vector<CellId> images_known_, homotopies_known_;
+  std::vector<Symbol> lifts_known_;
   reductions::EilenbergZilberTerms terms_;
   Gains gains_;                 ///< of lazy cells, summed over all de-identifications
   std::vector<CellId> gained_;  ///< its keys, for undo

@@ -548,7 +548,7 @@ Trace<R> Rewriter<R>::run_trace(RuleId before, Begin begin) {
       trace.emplace_back(rule, ring_.multiply(rules_[rule].inverse, coefficient));
     }
     if (perturbations_until(degree_[rules_[rule].a] + 1, before) > taken_in(rule)) {
-      take_in(rule);
+      take_in(rule);  // else what it is behind with is in symbols that no rule of that time can use
     }
     for_each_in_value(rule, [&](Symbol y, const Element& factor) { add(y, coefficient, factor); });
   }
@@ -711,15 +711,23 @@ Terms<R> Rewriter<R>::change_of(const Expansion& v, Symbol first) const {
   return change;
 }
 
+/// Whether there has been a perturbation that a rule has not taken in and that may change it.
+template <Ring R>
+bool Rewriter<R>::is_behind(RuleId rule) const {
+  const auto q = static_cast<std::size_t>(degree_[rules_[rule].a]) + 1;
+  if (q >= perturbations_.size() || perturbations_[q].empty() || rules_[rule].b == no_symbol) {
+    return false;
+  }
+  const auto& all = perturbations_[q];
+  return std::any_of(all.begin() + static_cast<std::ptrdiff_t>(taken_in(rule)), all.end(),
+                     [rule](const Perturbation& perturbation) { return perturbation.since <= rule; });
+}
+
 /// Brings the value of a rule up to date, and of all rules that it depends on; with a stack of its own, for chains of
 /// rules can be as long as the history.
 template <Ring R>
 void Rewriter<R>::take_in(RuleId rule) {
-  const auto all = [this](RuleId r) {
-    const auto q = static_cast<std::size_t>(degree_[rules_[r].a]) + 1;
-    return q < perturbations_.size() && rules_[r].b != no_symbol ? perturbations_[q].size() : 0;
-  };
-  if (taken_in(rule) >= all(rule)) {
+  if (!is_behind(rule)) {
     return;
   }
   struct Frame {
@@ -728,63 +736,85 @@ void Rewriter<R>::take_in(RuleId rule) {
     std::size_t next = 0;
   };
   std::vector<Frame> stack;
-  stack.push_back({rule, expansion(rules_[rule].b, rule)});
+  const auto push = [&](RuleId r) {
+    Expansion lift = expansion(rules_[r].b, r);
+    stack.push_back({r, std::move(lift)});
+  };
+  push(rule);
   while (!stack.empty()) {
     Frame& top = stack.back();
-    bool waits = false;
-    for (; top.next < top.lift.trace.size() && !waits; top.next += waits ? 0 : 1) {
-      const RuleId other = top.lift.trace[top.next].first;
-      waits = taken_in(other) < all(other);
-      if (waits) {
-        Frame frame{other, expansion(rules_[other].b, other)};
-        stack.push_back(std::move(frame));
-        break;
-      }
+    while (top.next < top.lift.trace.size() && !is_behind(top.lift.trace[top.next].first)) {
+      ++top.next;
     }
-    if (waits) {
+    if (top.next < top.lift.trace.size()) {
+      push(top.lift.trace[top.next].first);
       continue;
     }
     const RuleId done = top.rule;
     const std::size_t before = taken_in(done);
-    const auto q = static_cast<std::size_t>(degree_[rules_[done].a]) + 1;
-    if (before < perturbations_[q].size()) {
-      const Terms<R> change = change_of(top.lift, perturbations_[q][before].first);
-      Change& sum = changes_[done];
-      sum.terms.insert(sum.terms.end(), change.begin(), change.end());
-      sum.taken_in = perturbations_[q].size();
-      perturbation_steps_.back().rules.push_back(done);
-      terms_read_ += change.size() + top.lift.trace.size();
-    }
+    const auto& all = perturbations_[static_cast<std::size_t>(degree_[rules_[done].a]) + 1];
+    const Terms<R> change = change_of(top.lift, all[before].first);
+    Change& sum = changes_[done];
+    sum.terms.insert(sum.terms.end(), change.begin(), change.end());
+    sum.taken_in = all.size();
+    perturbation_steps_.back().rules.push_back(done);
+    terms_read_ += change.size() + top.lift.trace.size();
     stack.pop_back();
   }
 }
 
+/// delta(V_time(x)), in symbols from `first` on.
+template <Ring R>
+Terms<R> Rewriter<R>::change_now(Symbol x, RuleId time, Symbol first) {
+  const Expansion v = expansion(x, time);
+  for (const auto& [rule, coefficient] : v.trace) {
+    take_in(rule);
+  }
+  return change_of(v, first);
+}
+
 template <Ring R>
 void Rewriter<R>::perturb(RuleId time, Index first, std::span<const Index> changed) {
-  std::set<int> degrees;
-  for (const Index generator : changed) {
-    degrees.insert(degree_[symbol_of_[generator]]);
-  }
   const Symbol first_symbol = symbol_of_[first];
-  perturbation_steps_.push_back({first_symbol, {degrees.begin(), degrees.end()}, {}, {}});
-  ++version_;
-  for (const int degree : degrees) {
+  std::set<int> combined;  // degrees with changes of basis
+  for (const Combination& combination : combinations_) {
+    combined.insert(degree_[combination.x]);
+  }
+  std::set<Symbol> concerned;   // small symbols whose boundary may change
+  std::map<int, RuleId> since;  // by degree: rules made before do not have a changed generator in their lifts
+  for (const Index generator : changed) {
+    const Symbol x = symbol_of_[generator];
+    const RuleId rule = state_[x];
+    if (rule == no_rule) {
+      concerned.insert(x);
+    }
+    // In the lifts of others are only the b of rules, and whatever is part of a combination.
+    const bool is_combined = combined.contains(degree_[x]);
+    if (is_combined || (rule != no_rule && rules_[rule].b == x)) {
+      const RuleId from = is_combined ? born_[x] : rule;
+      const auto [at, is_new] = since.try_emplace(degree_[x], from);
+      at->second = std::min(at->second, from);
+    }
+  }
+  std::vector<int> degrees;
+  for (const auto& [degree, rule] : since) {
+    degrees.push_back(degree);
     const auto q = static_cast<std::size_t>(degree);
     perturbations_.resize(std::max(perturbations_.size(), q + 1));
-    perturbations_[q].push_back({time, first_symbol, ++last_serial_});
-  }
-  const auto change_at = [&](Symbol x, RuleId t) {
-    const Expansion v = expansion(x, t);
-    for (const auto& [rule, coefficient] : v.trace) {
-      take_in(rule);
+    perturbations_[q].push_back({time, rule, first_symbol, ++last_serial_});
+    for (const Symbol x : small(degree)) {
+      if (x < first_symbol) {
+        concerned.insert(x);
+      }
     }
-    return change_of(v, first_symbol);
-  };
-  for (std::uint32_t k = 0; k < combinations_.size(); ++k) {
+  }
+  perturbation_steps_.push_back({first_symbol, degrees, {}, {}});
+  ++version_;
+  for (std::uint32_t k = 0; k < combinations_.size() && !since.empty(); ++k) {
     const RuleId rule = combinations_[k].rule;
-    const auto x = static_cast<Symbol>(rules_[rule].value_size > 0 ? value(rule).back().index : no_symbol);
-    if (rule < time && degrees.contains(degree_[x])) {
-      const Terms<R> change = change_at(x, rule + 1);
+    const auto of_degree = since.find(degree_[combinations_[k].x]);
+    if (rule < time && of_degree != since.end() && rule >= of_degree->second) {
+      const Terms<R> change = change_now(value(rule).back().index, rule + 1, first_symbol);
       if (!change.empty()) {
         Terms<R>& column = combinations_[k].column;
         column.insert(column.end(), change.begin(), change.end());
@@ -792,24 +822,22 @@ void Rewriter<R>::perturb(RuleId time, Index first, std::span<const Index> chang
       }
     }
   }
-  for (const int degree : degrees) {
-    for (const Symbol x : small(degree)) {
-      if (x >= first_symbol || state_[x] != no_rule) {
-        continue;
+  for (const Symbol x : concerned) {
+    if (state_[x] != no_rule) {
+      continue;
+    }
+    Terms<R> column = rewrite_symbols(change_now(x, rules(), first_symbol));
+    if (column.empty()) {
+      continue;
+    }
+    if constexpr (R::is_field) {
+      eliminate(mild_unit(column)->index, x, column);
+    } else {
+      if (const Terms<R>* before = core_.find(x)) {
+        sparse::add_multiple<R>(ring_, column, ring_.one(), *before);
       }
-      Terms<R> column = rewrite_symbols(change_at(x, rules()));
-      if (column.empty()) {
-        continue;
-      }
-      if constexpr (R::is_field) {
-        eliminate(mild_unit(column)->index, x, column);
-      } else {
-        if (const Terms<R>* before = core_.find(x)) {
-          sparse::add_multiple<R>(ring_, column, ring_.one(), *before);
-        }
-        core_.set(x, std::move(column));
-        unsettled_.insert(x);
-      }
+      core_.set(x, std::move(column));
+      unsettled_.insert(x);
     }
   }
   if constexpr (!R::is_field) {

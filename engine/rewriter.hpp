@@ -63,7 +63,8 @@ class Rewriter {
 
   /// Takes note that the boundaries of some old generators have gained terms in generators that were appended since
   /// `time`, the first of them `first`: a de-identification. The boundaries of those must not have changed.
-  /// Cost: that of the lifts of the small generators whose degree is that of a changed one.
+  /// Cost: when the changed generators are in no rule, their number. Else that of the lifts of the small generators
+  /// whose degree is that of a changed one, as far as rules made after the oldest changed one are concerned.
   void perturb(RuleId time, Index first, std::span<const Index> changed);
   /// Takes small generators out of S, with their boundaries: what they generate is no longer part of the object. They
   /// stay what chains of B that have them are rewritten to.
@@ -133,6 +134,7 @@ class Rewriter {
   /// A perturbation as one degree of changed generators sees it.
   struct Perturbation {
     RuleId time;
+    RuleId since;  ///< rules made before cannot depend on a changed generator
     Symbol first;  ///< of the new generators
     std::uint64_t serial;
   };
@@ -179,7 +181,9 @@ class Rewriter {
   [[nodiscard]] std::uint64_t last_perturbation(RuleId rule) const;
   [[nodiscard]] std::size_t perturbations_until(int degree, RuleId time) const;
   [[nodiscard]] std::size_t taken_in(RuleId rule) const;
+  [[nodiscard]] bool is_behind(RuleId rule) const;
   void take_in(RuleId rule);
+  [[nodiscard]] Terms<R> change_now(Symbol x, RuleId time, Symbol first);
   [[nodiscard]] Expansion expansion(Symbol x, RuleId time);
   [[nodiscard]] Terms<R> change_of(const Expansion& v, Symbol first) const;
   void undo_last_perturbation();

@@ -32,9 +32,9 @@ void for_each_pair_of_degeneracies(int n, int p, int q, Visit&& visit) {
   if (n < p || n < q || n > p + q) {
     return;
   }
-  const auto for_each_subset = [n](int size, auto&& use) {
+  const auto for_each_subset = [](int of, int size, auto&& use) {
     Degeneracy set = (Degeneracy{1} << size) - 1;
-    while (set < Degeneracy{1} << n) {
+    while (set < Degeneracy{1} << of) {
       use(set);
       if (set == 0) {
         return;
@@ -44,12 +44,8 @@ void for_each_pair_of_degeneracies(int n, int p, int q, Visit&& visit) {
       set = next | ((set ^ next) / lowest >> 2);
     }
   };
-  for_each_subset(n - p, [&](Degeneracy l) {
-    for_each_subset(n - q, [&](Degeneracy r) {
-      if ((l & r) == 0) {
-        visit(l, r);
-      }
-    });
+  for_each_subset(n, n - p, [&](Degeneracy l) {
+    for_each_subset(p, n - q, [&](Degeneracy among_the_rest) { visit(l, compose(l, among_the_rest) ^ l); });
   });
 }
 

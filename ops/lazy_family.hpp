@@ -46,6 +46,7 @@ struct NewFamily {
   std::vector<BodyId> bodies;          ///< the factors, left and right; or all bodies under the cone
   bool by_edges = false;               ///< a cone whose cells are products with an edge, its far end squashed
   std::vector<std::uint64_t> counts;   ///< of its cells, by dimension; without the apex
+  std::uint64_t simploids = 0;         ///< of these, the ones of a type longer than one
 };
 
 /// A family of lazy cells. The bodies that it is made of are frozen: nothing in them changes any more.

@@ -62,7 +62,9 @@ std::uint64_t binomial(std::size_t n, std::size_t k) {
 class ComplexPlanner {
  public:
   ComplexPlanner(const MakeComplex& operation, const Structure& structure, const Limits& limits, Plan& plan)
-      : operation_{operation}, types_{structure.types()}, base_{structure.created()}, limits_{limits}, plan_{plan} {}
+      : operation_{operation}, types_{structure.types()}, base_{structure.created()}, limits_{limits}, plan_{plan} {
+    plan_.first = base_;
+  }
 
   Status run() {
     for (std::uint32_t k = 0; k < operation_.cells.size(); ++k) {
@@ -253,9 +255,11 @@ Status Planner::check_new_prefix(const std::string& name) const {
   if (Status s = check_new_name(name); !s) {
     return s;
   }
-  if (structure_.is_prefix_taken(name)) {
+  if (structure_.is_prefix_taken(name) || structure_.extends_family_name(name)) {
     return bad_input(fmt::format(
-        "there are names that begin with \"{0}*\" or \"{0}.(\", as those of the new cells would: choose another", name));
+        "names that begin with \"{0}*\" or \"{0}.(\", as those of the new cells would, can be those of other cells: "
+        "choose another",
+        name));
   }
   return Done{};
 }
@@ -292,13 +296,18 @@ Status Planner::plan(const MakeSimplex& operation, Plan& plan) {
   if (const Status s = check_standard(type); !s) {
     return s;
   }
-  const Status s = plan_standard(operation.name, structure_.types().intern(type), plan);
-  if (s && operation.dimension == 0) {  // the one vertex is vertex 0 as well
-    const std::string alias = operation.name + ".0";
-    if (const Status free = check_new_name(alias); !free) {
-      return free;
+  const std::string alias = operation.name + ".0";  // of the one vertex, when the simplex is that
+  if (operation.dimension == 0) {
+    if (Status s = check_new_name(operation.name); !s) {
+      return s;
     }
-    plan.aliases.emplace_back(alias, structure_.created());
+    if (Status s = check_new_name(alias); !s) {
+      return s;
+    }
+  }
+  Status s = plan_standard(operation.name, structure_.types().intern(type), plan);
+  if (s && operation.dimension == 0) {
+    plan.aliases.emplace_back(alias, plan.first);
   }
   return s;
 }
@@ -315,19 +324,20 @@ Status Planner::plan_standard(const std::string& name, TypeId type, Plan& plan) 
   if (const Status s = check_new_name(name); !s) {
     return s;
   }
-  const CellId base = structure_.created();
   const StandardCell& standard = structure_.types().standard(type);
+  for (std::size_t k = 0; k + 1 < standard.cells.size(); ++k) {
+    const std::string full = name + "." + standard.cells[k].suffix;
+    if (structure_.is_name_taken(full)) {
+      return bad_input(fmt::format("the name \"{}\" is in use, so \"{}\" cannot name a new {}: choose another", full,
+                                   name, describe(structure_.types().info(type).type)));
+    }
+  }
+  const CellId base = plan.first = structure_.created();  // after the last look at a name, which may make lazy cells
   for (std::size_t k = 0; k < standard.cells.size(); ++k) {
     const StandardFace& cell = standard.cells[k];
-    const std::size_t begin = plan.names.size();
     plan.names.append(name);
     if (k + 1 < standard.cells.size()) {
       plan.names.append(1, '.').append(cell.suffix);
-      const std::string_view full = std::string_view{plan.names}.substr(begin);
-      if (structure_.is_name_taken(full)) {
-        return bad_input(fmt::format("the name \"{}\" is in use, so \"{}\" cannot name a new {}: choose another", full,
-                                     name, describe(structure_.types().info(type).type)));
-      }
     }
     const std::size_t first_face = plan.faces.size();
     for (const std::uint32_t face : cell.faces) {
@@ -444,6 +454,7 @@ class ConePlanner {
  public:
   ConePlanner(const MakeCone& operation, const Structure& structure, bool by_edges, Plan& plan)
       : structure_{structure}, by_edges_{by_edges}, base_{structure.created()}, plan_{plan} {
+    plan_.first = base_;
     plan_.names = operation.apex;
     add_cell(plan_, structure_.types().vertex(), 0);
   }
@@ -551,7 +562,8 @@ Status Planner::plan_lazy_cone(const MakeCone& operation, const std::vector<Body
   if (Status s = check_new_prefix(operation.apex); !s) {
     return s;
   }
-  NewFamily cone{FamilyKind::cone, operation.apex, bodies, false, {}};
+  NewFamily cone{FamilyKind::cone, operation.apex, bodies, false, {}, 0};
+  std::uint64_t over_edges = 0;  // and larger cells: v*c has a type longer than one when it is a product with an edge
   for (const BodyId body : bodies) {
     const auto counts = structure_.counts_of(body);
     cone.by_edges = cone.by_edges || !structure_.has_only_simplices(body);
@@ -559,11 +571,15 @@ Status Planner::plan_lazy_cone(const MakeCone& operation, const std::vector<Body
     for (std::size_t p = 0; p < counts.size(); ++p) {
       cone.counts[p] += counts[p];
       cone.counts[p + 1] += counts[p];
+      over_edges += p > 0 ? counts[p] : 0;
     }
+    cone.simploids += structure_.simploids_of(body);
   }
+  cone.simploids += cone.by_edges ? over_edges : 0;
   if (Status s = check_family(cone); !s) {
     return s;
   }
+  plan.first = structure_.created();
   plan.names = operation.apex;
   add_cell(plan, structure_.types().vertex(), 0);
   plan.family = std::move(cone);
@@ -577,11 +593,12 @@ Status Planner::check_family(const NewFamily& family) const {
     return Error{Errc::refused, fmt::format("\"{}\" would have cells of dimension {}; the limit is {}", family.name,
                                             family.counts.size() - 1, largest_dimension)};
   }
-  std::uint64_t sum = 0;
+  const auto others = structure_.counts();
+  std::uint64_t sum = std::accumulate(others.begin(), others.end(), std::uint64_t{0});
   for (const std::uint64_t count : family.counts) {
     if (count > largest_count || (sum += count) > largest_count) {
-      return Error{Errc::refused,
-                   fmt::format("\"{}\" would have more than {} cells, the limit", family.name, largest_count)};
+      return Error{Errc::refused, fmt::format("with \"{}\" there would be more than {} cells, the limit", family.name,
+                                              largest_count)};
     }
   }
   return Done{};
@@ -605,10 +622,13 @@ Status Planner::plan(const MakeProduct& operation, Plan& plan) {
     }
   }
   NewFamily product{operation.simplicial ? FamilyKind::simplicial_product : FamilyKind::product, operation.name,
-                    {*left, *right}, false, {}};
+                    {*left, *right}, false, {}, 0};
   const auto lefts = structure_.counts_of(*left);
   const auto rights = structure_.counts_of(*right);
-  product.counts.assign(lefts.size() + rights.size(), 0);
+  product.counts.assign(std::max<std::size_t>(lefts.size() + rights.size(), 1) - 1, 0);
+  if (Status s = check_family(product); !s) {  // the dimension, before anything is multiplied
+    return s;
+  }
   for (std::size_t p = 0; p < lefts.size(); ++p) {
     for (std::size_t q = 0; q < rights.size(); ++q) {
       const auto add = [&](std::size_t n, std::uint64_t places, std::uint64_t choices) {
@@ -633,6 +653,17 @@ Status Planner::plan(const MakeProduct& operation, Plan& plan) {
   }
   if (Status s = check_family(product); !s) {
     return s;
+  }
+  if (!operation.simplicial) {  // a simplex is a pair of a simplex and a vertex
+    const auto total = [](std::span<const std::uint64_t> counts) {
+      return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+    };
+    const auto vertices = [](std::span<const std::uint64_t> counts) { return counts.empty() ? 0 : counts[0]; };
+    const std::uint64_t left_simplices = total(lefts) - structure_.simploids_of(*left);
+    const std::uint64_t right_simplices = total(rights) - structure_.simploids_of(*right);
+    const std::uint64_t simplices = left_simplices * vertices(rights) + vertices(lefts) * right_simplices -
+                                    vertices(lefts) * vertices(rights);
+    product.simploids = total(product.counts) - simplices;
   }
   plan.new_body = operation.name;
   plan.family = std::move(product);
@@ -708,7 +739,7 @@ Status Planner::plan_equation(std::vector<std::pair<Value, Value>> pending, Plan
       add_restrictions(b, a, pending);
       continue;
     }
-    if (a.is_degenerate() || (!b.is_degenerate() && a.cell < b.cell)) {
+    if (a.is_degenerate() || (!b.is_degenerate() && structure_.is_older(a.cell, b.cell))) {
       std::swap(a, b);
     }
     touch(a.cell);
@@ -886,10 +917,13 @@ class SplitPlanner {
     }
     const CellId source = copies_[split].source;
     std::vector<Value>& faces = faces_of(cell);
-    if (face >= static_cast<std::int64_t>(faces.size())) {
+    if (face < 0 || face >= static_cast<std::int64_t>(faces.size())) {
       return bad_input(fmt::format("\"{}\" has {} faces, counted from 0: there is no face {}", name, faces.size(), face));
     }
     Value& value = faces[static_cast<std::size_t>(face)];
+    if (is_copy(value.cell)) {
+      return bad_input(fmt::format("face {} of \"{}\" is moved twice in this step: it can go to one copy", face, name));
+    }
     if (value.is_degenerate() || value.cell != source) {
       return bad_input(fmt::format("face {} of \"{}\" is {}\"{}\", not \"{}\": it cannot go to the copy \"{}\"", face, name,
                                    value.is_degenerate() ? "degenerate over " : "", name_of(value.cell),
@@ -975,6 +1009,7 @@ class SplitPlanner {
         faces.push_back(is_copy(v.cell) ? v.cell : structure_.node_of(v));  // this may make nodes: so ids come later
       }
     }
+    plan.first = structure_.created();
     std::vector<CellId> id(copies_.size());
     for (std::size_t k = 0; k < order.size(); ++k) {
       id[order[k]] = structure_.created() + static_cast<CellId>(k);

@@ -231,11 +231,14 @@ std::optional<StepSequence<R>> step_sequence(const Structure& structure, Moment 
   }
   const bool is_product =
       after.families > before.families && structure.family(before.families).kind != FamilyKind::cone;
-  if (is_product || (after.created == before.created && after.families == before.families)) {
-    return std::nullopt;
+  if (after.copies > before.copies) {
+    return split_cells(structure, before, after, ring);
   }
-  const bool is_split = after.families == before.families && structure.copy(after.created - 1) != nullptr;
-  return is_split ? split_cells(structure, before, after, ring) : added(structure, before, after, ring);
+  bool has_new_cells = after.families > before.families;
+  for (CellId c = before.created; c < after.created && !has_new_cells; ++c) {  // queries may have made nodes as well
+    has_new_cells = !structure.is_lazy(c) && structure.find_at(c, after.links) == c;
+  }
+  return is_product || !has_new_cells ? std::nullopt : std::optional{added(structure, before, after, ring)};
 }
 
 #define SESAME_INSTANTIATE(R)                                                                   \

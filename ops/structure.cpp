@@ -16,6 +16,7 @@ using sparse::expects;
 void Plan::clear() {
   cells.clear();
   faces.clear();
+  first = none;
   names.clear();
   aliases.clear();
   merges.clear();
@@ -154,6 +155,20 @@ CellId Structure::owner_of(std::uint32_t entry) const {
   return static_cast<CellId>(std::upper_bound(first.begin(), first.end(), entry) - first.begin() - 1);
 }
 
+std::vector<std::pair<CellId, std::uint32_t>> Structure::places_of(CellId node) const {
+  std::vector<std::pair<CellId, std::uint32_t>> places;
+  for (std::uint32_t entry = nodes_->first_incidence[node]; entry != none; entry = nodes_->next_incidence[entry]) {
+    const CellId owner = owner_of(entry);
+    places.emplace_back(owner, entry - static_cast<std::uint32_t>(nodes_->first_face[owner]));
+  }
+  if (const auto onto = moved_onto_.find(node); onto != moved_onto_.end()) {
+    for (const std::uint32_t number : onto->second) {
+      places.emplace_back(moves_[number].cell, moves_[number].slot);
+    }
+  }
+  return places;
+}
+
 void Structure::add_cofaces(CellId current, std::vector<CellId>& out) const {
   std::vector<CellId> pending{current};  // and what is degenerate over it
   while (!pending.empty()) {
@@ -173,6 +188,11 @@ void Structure::add_cofaces(CellId current, std::vector<CellId>& out) const {
       }
       if (const LazyCell* lazy = lazy_of(node)) {
         add_lazy_cofaces(lazy->key, node, out);
+      }
+      for (FamilyId f = 0; f < families(); ++f) {
+        if (families_[f].apex == node) {
+          add_cofaces_of_apex(f, out);
+        }
       }
     });
   }
@@ -196,6 +216,18 @@ std::vector<CellId> Structure::cofaces(CellId current) const {
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   std::sort(cells.begin(), cells.end(), [this](CellId a, CellId b) { return is_older(oldest(a), oldest(b)); });
   return cells;
+}
+
+/// The cells of a lazy cone that have the apex as a face: over vertices, and over all when the far end is squashed.
+void Structure::add_cofaces_of_apex(FamilyId id, std::vector<CellId>& out) const {
+  const LazyFamily& family = families_[id];
+  for (const BodyId body : family.bodies) {
+    for (const CellId c : cells_of(body)) {
+      if (family.by_edges || dimension(c) == 0) {
+        out.push_back(lazy_cell(id, LazyPart::coned, {c, nodes_->type[c], 0}));
+      }
+    }
+  }
 }
 
 /// Candidates for the cofaces, within its family, of a lazy cell.
@@ -224,13 +256,16 @@ void Structure::add_lazy_cofaces(const LazyKey& key, CellId cell, std::vector<Ce
   std::vector<CellId> rights = cofaces(key.right.cell);
   lefts.push_back(key.left.cell);
   rights.push_back(key.right.cell);
-  const int n = dimension(cell) + 1;
   for (const CellId left : lefts) {
-    for (const CellId right : rights) {
-      for_each_pair_of_degeneracies(n, dimension(left), dimension(right), [&](Degeneracy l, Degeneracy r) {
-        const TypeId type = types_->simplex(n);
-        out.push_back(lazy_cell(key.family, LazyPart::pair, {left, type, l}, {right, type, r}));
-      });
+    for (const CellId right : rights) {  // a face may be degenerate over the cell: any larger dimension
+      const int p = dimension(left);
+      const int q = dimension(right);
+      for (int n = dimension(cell) + 1; n <= p + q; ++n) {
+        for_each_pair_of_degeneracies(n, p, q, [&](Degeneracy l, Degeneracy r) {
+          const TypeId type = types_->simplex(n);
+          out.push_back(lazy_cell(key.family, LazyPart::pair, {left, type, l}, {right, type, r}));
+        });
+      }
     }
   }
 }
@@ -539,6 +574,14 @@ bool Structure::is_prefix_taken(std::string_view prefix) const {
   return at != prefixes_.end() && at->second > 0;
 }
 
+bool Structure::extends_family_name(std::string_view name) const {
+  bool extends = false;
+  for_each_prefix(name, [&](std::string_view prefix, std::string_view) {
+    extends = extends || family_names_.contains(std::string{prefix});
+  });
+  return extends;
+}
+
 void Structure::add_name(std::string_view text, CellId cell, BodyId body) {
   names_.add(text, cell, body);
   for_each_prefix(text, [this](std::string_view prefix, std::string_view) { ++prefixes_[std::string{prefix}]; });
@@ -634,26 +677,8 @@ std::vector<CellId> Structure::cells_of(BodyId body) const {
       std::copy_if(made.begin(), made.end(), std::back_inserter(cells), [this](CellId c) { return is_current(c); });
     }
   }
-  std::sort(cells.begin(), cells.end(), [this](CellId a, CellId b) { return is_older(a, b); });
+  std::sort(cells.begin(), cells.end(), [this](CellId a, CellId b) { return is_older(oldest(a), oldest(b)); });
   return cells;
-}
-
-bool Structure::has_only_simplices(BodyId body) const {
-  bool is_certain = true;
-  std::vector<BodyId> pending{find_body(body)};
-  while (!pending.empty() && is_certain) {
-    const Body& b = bodies_[pending.back()];
-    pending.pop_back();
-    pending.insert(pending.end(), b.children.begin(), b.children.end());
-    is_certain = !b.has_simploids;
-  }
-  constexpr std::uint64_t most_cells_looked_at = 100'000;
-  const auto counts = counts_of(body);
-  if (is_certain || std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}) > most_cells_looked_at) {
-    return is_certain;
-  }
-  const std::vector<CellId> cells = cells_of(body);
-  return std::all_of(cells.begin(), cells.end(), [this](CellId c) { return is_simplex(type(c).type); });
 }
 
 // ------------------------------------------------------------------------------------------------------------ change
@@ -672,6 +697,7 @@ StructureMark Structure::mark() const {
 
 void Structure::apply(const Plan& plan) {
   const CellId first = created();
+  expects(plan.cells.empty() || plan.first == first, "a plan is carried out in the state that it was made for");
   const auto new_body = plan.new_body || plan.family ? static_cast<BodyId>(bodies_.size()) : none;
   if (new_body != none) {
     bodies_.emplace_back();
@@ -767,11 +793,9 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
       bodies_[body].made.push_back({id, id + 1});
       copy_index_.emplace(id, copies());
       copies_.push_back(
-          {id, source, {id - static_cast<CellId>(k), links(), static_cast<std::uint32_t>(moves_.size()), families()}});
+          {id, source, {id - static_cast<CellId>(k), links(), static_cast<std::uint32_t>(moves_.size()), families(),
+                   copies() - static_cast<std::uint32_t>(k)}});
       copies_of_[source].push_back(id);
-    }
-    if (!is_simplex(type.type)) {
-      bodies_[body].has_simploids = true;
     }
   }
   for (const auto& [name, cell] : plan.aliases) {
@@ -792,9 +816,7 @@ void Structure::add_family(const NewFamily& family, BodyId body) {
   family_names_.emplace(family.name, id);
   Body& made = bodies_[body];
   made.family = id;
-  made.has_simploids = family.by_edges;
   for (const BodyId b : family.bodies) {
-    made.has_simploids = made.has_simploids || bodies_[b].has_simploids || !has_only_simplices(b);
     if (bodies_[b].consumed_by == none) {  // a factor may be there twice
       bodies_[b].consumed_by = id;
       add_counts(bodies_[b].counts, counts_, true);
@@ -803,10 +825,7 @@ void Structure::add_family(const NewFamily& family, BodyId body) {
       made.oldest = std::min(made.oldest, bodies_[b].oldest);
     }
   }
-  if (family.kind == FamilyKind::product) {
-    const auto has_edges = [this](BodyId b) { return bodies_[b].counts.size() > 1; };
-    made.has_simploids = made.has_simploids || (has_edges(family.bodies[0]) && has_edges(family.bodies[1]));
-  }
+  made.simploids = family.simploids;
   add_counts(family.counts, made.counts, false);
   add_counts(family.counts, counts_, false);
 }
@@ -814,6 +833,7 @@ void Structure::add_family(const NewFamily& family, BodyId body) {
 void Structure::undo_last_family() {
   const LazyFamily& family = families_.back();
   add_counts(family.counts, counts_, true);
+  bodies_[family.body].simploids = 0;
   add_counts(family.counts, bodies_[family.body].counts, true);
   for (const BodyId b : family.bodies) {
     if (bodies_[b].consumed_by != none) {
@@ -906,6 +926,7 @@ void Structure::join_bodies(BodyId a, BodyId b) {
   bodies_[a].children.push_back(b);
   bodies_[a].size += bodies_[b].size;
   bodies_[a].oldest = std::min(bodies_[a].oldest, bodies_[b].oldest);
+  bodies_[a].simploids += bodies_[b].simploids;
   add_counts(bodies_[b].counts, bodies_[a].counts, false);
 }
 
@@ -914,6 +935,7 @@ void Structure::undo_last_body_link() {
   body_links_.pop_back();
   Body& child = bodies_[link.child];
   Body& above = bodies_[child.parent];
+  above.simploids -= child.simploids;
   add_counts(child.counts, above.counts, true);
   above.children.pop_back();
   above.size -= child.size;
@@ -928,6 +950,9 @@ void Structure::count(CellId c, int change) {
       counts->resize(p + 1, 0);
     }
     (*counts)[p] += static_cast<std::uint64_t>(static_cast<std::int64_t>(change));
+  }
+  if (!is_simplex(type(c).type)) {
+    bodies_[body_of(c)].simploids += static_cast<std::uint64_t>(static_cast<std::int64_t>(change));
   }
 }
 

@@ -46,6 +46,7 @@ struct Plan {
   };
   std::vector<NewCell> cells;
   std::vector<CellId> faces;
+  CellId first = none;  ///< the id of the first new cell
   std::string names;
   std::vector<std::pair<std::string, CellId>> aliases;  ///< further names of new cells
   std::vector<Merge> merges;            ///< by dimension, so that boundaries agree when their turn comes
@@ -61,12 +62,13 @@ struct Plan {
   [[nodiscard]] bool changes_nothing() const { return cells.empty() && merges.empty() && !family; }
 };
 
-/// A moment of the history: how many cells had been created and removed, incidences moved, and lazy families made.
+/// A moment of the history: how many cells had been created and removed, incidences moved, copies and lazy families made.
 struct Moment {
   CellId created = 0;
   LinkId links = 0;
   std::uint32_t moves = 0;
   FamilyId families = 0;
+  std::uint32_t copies = 0;
   friend bool operator==(const Moment&, const Moment&) = default;
 };
 
@@ -132,7 +134,7 @@ class Structure {
   /// The number of current cells of each dimension, up to the largest that has one.
   [[nodiscard]] std::span<const std::uint64_t> counts() const;
   [[nodiscard]] Moment now() const {
-    return {created(), links(), static_cast<std::uint32_t>(moves_.size()), families()};
+    return {created(), links(), static_cast<std::uint32_t>(moves_.size()), families(), copies()};
   }
   /// Whether c was a current cell of the object at a moment.
   [[nodiscard]] bool was_current(CellId c, const Moment& moment) const;
@@ -149,6 +151,14 @@ class Structure {
   /// Calls visit(node) for each node that a current cell stands for. Cost: their number.
   template <class Visit>
   void for_each_member(CellId current, Visit&& visit) const;
+
+  /// Calls visit(link) for each removal in favour of a node itself.
+  template <class Visit>
+  void for_each_child_link(CellId node, Visit&& visit) const {
+    for (LinkId link = nodes_->last_child[node]; link != none; link = links_[link].previous_child) {
+      visit(link);
+    }
+  }
 
   // ---- de-identification
   /// A copy: made of `source` at a moment.
@@ -173,9 +183,15 @@ class Structure {
   /// number of links at which it was given up for the next.
   template <class Visit>
   void for_each_face_of_history(CellId c, std::uint32_t k, const Moment& moment, Visit&& visit) const;
+  /// True when a name begins with that of a lazy family and goes on as its cells' names do.
+  [[nodiscard]] bool extends_family_name(std::string_view name) const;
   /// The current cells that have a face which is a given current cell or degenerate over it, oldest first.
-  /// Cost: the incidences that its members were created with; for a lazy cell also those of the factors' cells.
+  /// Cost: the incidences that its members were created with; for a lazy cell also those of the factors' cells, for the
+  /// apex of a lazy cone all cells that the cone is taken over.
   [[nodiscard]] std::vector<CellId> cofaces(CellId current) const;
+
+  /// The places where a node was given as a face: at the creation of cells, and by moves. As (cell as created, number).
+  [[nodiscard]] std::vector<std::pair<CellId, std::uint32_t>> places_of(CellId node) const;
 
   // ---- names
   /// The node of a name, or empty. Cells of bodies that a cone was taken over are those of the cone.
@@ -211,10 +227,11 @@ class Structure {
   [[nodiscard]] std::span<const std::uint64_t> counts_of(BodyId body) const { return bodies_[find_body(body)].counts; }
   /// The current cells of a body, oldest first. Cost: the cells ever created in it; makes all its lazy cells.
   [[nodiscard]] std::vector<CellId> cells_of(BodyId body) const;
-  /// True when all cells of a body are simplices: vertices or of a type of length 1. A body of more
-  /// than 100,000 cells that has ever had other ones counts as having them still. Cost: the bodies that it was made of,
-  /// and its cells if there are fewer.
-  [[nodiscard]] bool has_only_simplices(BodyId body) const;
+  /// The number of current cells of a body that are no simplices: of a type longer than one.
+  [[nodiscard]] std::uint64_t simploids_of(BodyId body) const { return bodies_[find_body(body)].simploids; }
+
+  /// True when all cells of a body are simplices: vertices or of a type of length 1.
+  [[nodiscard]] bool has_only_simplices(BodyId body) const { return simploids_of(body) == 0; }
 
   // ---- lazy families: products, and cones over whole bodies
   [[nodiscard]] FamilyId families() const { return static_cast<FamilyId>(families_.size()); }
@@ -278,7 +295,7 @@ class Structure {
     std::vector<std::uint64_t> counts;  ///< current cells by dimension, those of the bodies below it included
     FamilyId family = none;             ///< that it was made as
     FamilyId consumed_by = none;
-    bool has_simploids = false;  ///< some cell made here was no simplex
+    std::uint64_t simploids = 0;  ///< of those counted, the ones of a type longer than one
   };
   struct BodyLink {
     BodyId child, oldest_before;
@@ -312,6 +329,7 @@ class Structure {
   [[nodiscard]] std::string lazy_name(const LazyKey& key) const;
   [[nodiscard]] CellId owner_of(std::uint32_t entry) const;
   void add_cofaces(CellId current, std::vector<CellId>& out) const;
+  void add_cofaces_of_apex(FamilyId id, std::vector<CellId>& out) const;
   void add_lazy_cofaces(const LazyKey& key, CellId cell, std::vector<CellId>& out) const;
 
   std::unique_ptr<TypeTable> types_;  // behind a pointer: planning interns types, and that changes no state

@@ -7,37 +7,13 @@
 
 #include "sparse/contract.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/monotone_maps.hpp"
 
 using namespace sesame;
 using namespace sesame::ops;
+using sesame::tests::types_up_to_dimension;
 
 namespace {
-
-/// Every list of integers >= 1 with this sum: the types of this dimension.
-std::vector<CellType> types_of_dimension(int dimension) {
-  if (dimension == 0) {
-    return {{}};
-  }
-  std::vector<CellType> types;
-  for (int first = 1; first <= dimension; ++first) {
-    for (const CellType& rest : types_of_dimension(dimension - first)) {
-      CellType type{first};
-      type.insert(type.end(), rest.begin(), rest.end());
-      types.push_back(std::move(type));
-    }
-  }
-  return types;
-}
-
-std::vector<CellType> types_up_to_dimension(int dimension) {
-  std::vector<CellType> types;
-  for (int p = 0; p <= dimension; ++p) {
-    for (CellType& type : types_of_dimension(p)) {
-      types.push_back(std::move(type));
-    }
-  }
-  return types;
-}
 
 /// A face of a product of simplices as what it is: a set of vertices in each factor.
 using VertexSets = std::vector<std::set<int>>;

@@ -1,5 +1,7 @@
 #include "ops/step_sequence.hpp"
 
+#include <map>
+
 #include "tests/support/figures.hpp"
 #include "tests/support/laws.hpp"
 #include "tests/support/random_steps.hpp"
@@ -11,6 +13,16 @@ using namespace sesame::tests;
 using sparse::Rest;
 
 namespace {
+
+/// The ring of a test over Z, Z/2 and Z/3.
+template <Ring R>
+R ring_of_three() {
+  if constexpr (std::same_as<R, Zp>) {
+    return Zp::make(3).value();
+  } else {
+    return R{};
+  }
+}
 
 /// The columns that a graded map stores, over all degrees.
 template <Ring R>
@@ -85,6 +97,55 @@ TEMPLATE_TEST_CASE("every step of a random stream is an exact sequence", "[ops][
     } else {
       REQUIRE(step.sequence.c1.sizes() == before.sizes());
       REQUIRE(step.sequence.c2 == after);
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("every step of a random stream of all operations is an exact sequence", "[ops][stream]", Integers,
+                   Z2, Zp) {
+  const auto ring = ring_of_three<TestType>();
+  const unsigned seed = GENERATE(range(0U, 16U));
+  CAPTURE(seed);
+  Workshop shop(seed % 2 == 0 ? Limits{.cells_of_explicit_cone = 0} : Limits{});
+  RandomSteps steps(seed, everything(30));
+  struct Step {
+    Operation operation;
+    Moment before, after;  // what is asked for between two steps belongs to neither
+  };
+  std::vector<Step> done;
+  for (int k = 0; k < 25; ++k) {
+    const Operation op = steps.next(shop.structure());
+    const Moment before = now(shop.structure());
+    REQUIRE(shop.apply(op));
+    done.push_back({op, before, now(shop.structure())});
+  }
+  for (std::size_t k = 0; k < done.size(); ++k) {
+    const Operation& op = done[k].operation;
+    CAPTURE(k, to_text(op));
+    const Structure& s = shop.structure();
+    const auto before = chain_complex(s, cells_at(s, done[k].before), done[k].before, ring);
+    const auto after = chain_complex(s, cells_at(s, done[k].after), done[k].after, ring);
+    REQUIRE(defect_of(after) == "");
+    const bool is_product = std::holds_alternative<MakeProduct>(op);
+    const auto found = step_sequence(s, done[k].before, done[k].after, ring);
+    if (!found) {
+      REQUIRE((is_product || before == after));
+      continue;
+    }
+    REQUIRE_FALSE(is_product);
+    const auto& step = *found;
+    REQUIRE(defect_of(step.sequence) == "");
+    const bool equates = std::holds_alternative<Identify>(op) || std::holds_alternative<Degenerate>(op);
+    CHECK((step.direction == Direction::forward) == equates);
+    if (equates) {
+      REQUIRE(step.sequence.c1.sizes() == before.sizes());
+      REQUIRE(step.sequence.c2 == after);
+    } else if (std::holds_alternative<Deidentify>(op)) {
+      REQUIRE(step.sequence.c2 == before);
+      REQUIRE(step.sequence.c1.sizes() == after.sizes());
+    } else {
+      REQUIRE(step.sequence.c0 == before);
+      REQUIRE(step.sequence.c1.sizes() == after.sizes());
     }
   }
 }
@@ -174,6 +235,134 @@ TEST_CASE("C0 of an identification carries the boundary of differences, C2 of ne
   CHECK(glued.sequence.c0.sizes() == Sizes{2, 1});
   // d0 = r d1 i: for b - a it is the difference of the ends, with the signs of the edge.
   CHECK(glued.sequence.c0.boundary(1).column(0).size() == 2);
+}
+
+TEST_CASE("the maps of a split, and of squashing, store only what the step touched", "[ops]") {
+  Workshop shop;
+  shop.build({R"({"op":"simplex","name":"s","dim":2})", R"({"op":"simplex","name":"t","dim":2})",
+              R"({"op":"identify","pairs":[["s.1-2","t.0-1"]]})"});
+  const Integers ring;
+  const Moment start = now(shop.structure());
+  shop.build({R"({"op":"deidentify","split":[{"cell":"s.1-2","as":"x","moves":[["t",2]]}]})"});
+  const Moment split = now(shop.structure());
+  shop.build({R"({"op":"degenerate","cell":"t.0-2","along":0})"});
+  const Moment squashed = now(shop.structure());
+  const auto copied = *step_sequence(shop.structure(), start, split, ring);
+  CHECK(copied.direction == Direction::backward);
+  CHECK(copied.sequence.c0.sizes() == Sizes{0, 1});
+  CHECK(stored_columns(copied.sequence.i) == 1);
+  CHECK(stored_columns(copied.sequence.j) == 1);
+  CHECK(stored_columns(copied.sequence.r) == 1);
+  CHECK(stored_columns(copied.sequence.s) == 0);
+  const auto forward = *step_sequence(shop.structure(), split, squashed, ring);
+  CHECK(forward.direction == Direction::forward);
+  CHECK(forward.sequence.c0.sizes() == Sizes{1, 1});
+  CHECK(stored_columns(forward.sequence.i) == 2);
+  CHECK(stored_columns(forward.sequence.j) == 2);
+  CHECK(stored_columns(forward.sequence.r) == 2);
+  CHECK(stored_columns(forward.sequence.s) == 0);
+}
+
+// The text has no more than the caption: an object, a simplex that is squashed with what this entails, and the result.
+TEMPLATE_TEST_CASE(
+    "S. Peltier, habilitation (2023), figure 3.18: squashing is the sequence of the cells that it removes", "[ops]",
+    Integers, Z2, Zp) {
+  // Two triangles side by side, as in figure 3.17: v1 becomes v0, the edge between them degenerate, and so both.
+  Workshop shop;
+  shop.build({R"({"op":"complex","name":"C","cells":[{"id":"v0"},{"id":"v1"},{"id":"v2"},{"id":"v3"},)"
+              R"({"id":"e01","faces":["v1","v0"]},{"id":"e02","faces":["v2","v0"]},{"id":"e12","faces":["v2","v1"]},)"
+              R"({"id":"e03","faces":["v3","v0"]},{"id":"e13","faces":["v3","v1"]},)"
+              R"({"id":"t","faces":["e12","e02","e01"]},{"id":"u","faces":["e13","e03","e01"]}]})"});
+  const auto ring = ring_of_three<TestType>();
+  const Moment start = now(shop.structure());
+  shop.build({R"({"op":"degenerate","cell":"C.e01","along":0})"});
+  const Moment edge = now(shop.structure());
+  shop.build({R"({"op":"degenerate","cell":"C.t","along":0})"});
+  const Moment triangle = now(shop.structure());
+
+  const auto first = *step_sequence(shop.structure(), start, edge, ring);
+  CHECK(first.direction == Direction::forward);
+  const Orders c0 = cells_named(shop, {{"v1"}, {"e01"}});
+  const Orders c1 = cells_named(shop, {{"v0", "v1", "v2", "v3"}, {"e01", "e02", "e12", "e03", "e13"}, {"t", "u"}});
+  REQUIRE(first.basis0.cells() == c0);
+  const auto id = [&](const std::string& name) { return *shop.structure().lookup("C." + name); };
+  const Integer minus_one = ring.to_integer(ring.negate(ring.one()));
+  using Entries = std::map<std::pair<CellId, CellId>, Integer>;
+  // i is v0 - v1 and, as e01 becomes 0, - e01; r takes both back.
+  CHECK(entries(first.sequence.i, c0, first.basis1.cells()) ==
+        Entries{{{id("v1"), id("v0")}, 1}, {{id("v1"), id("v1")}, minus_one}, {{id("e01"), id("e01")}, minus_one}});
+  CHECK(entries(first.sequence.r, first.basis1.cells(), c0) ==
+        Entries{{{id("v1"), id("v1")}, minus_one}, {{id("e01"), id("e01")}, minus_one}});
+  // d0 e01 = r d1 (-e01) = r (v0 - v1) = v1.
+  CHECK(first.sequence.c0.boundary(1).column(0) == Terms<TestType>{{0, ring.one()}});
+  // j: v1 goes to v0, e01 to 0, all else to itself.
+  Entries kept{{{id("v1"), id("v0")}, 1}};
+  Entries same;
+  for (const auto& degree : c1) {
+    for (const CellId c : degree) {
+      if (c != id("v1") && c != id("e01")) {
+        kept[{c, c}] = 1;
+        same[{c, c}] = 1;
+      }
+    }
+  }
+  CHECK(entries(first.sequence.j, first.basis1.cells(), first.basis2.cells()) == kept);
+  CHECK(entries(first.sequence.s, first.basis2.cells(), first.basis1.cells()) == same);
+  CHECK(defect_of(first.sequence) == "");
+  // The boundary of a triangle has lost the degenerate side.
+  const auto& d2 = first.sequence.c2.boundary(2);
+  for (Index column = 0; column < 2; ++column) {
+    CHECK(d2.column(column).size() == 2);
+  }
+
+  // To squash a triangle onto its side is to glue its other two: one of them goes, and the triangle.
+  const auto second = *step_sequence(shop.structure(), edge, triangle, ring);
+  CHECK(second.sequence.c0.sizes() == Sizes{0, 1, 1});
+  CHECK(second.sequence.c1.sizes() == first.sequence.c2.sizes());
+  CHECK(second.sequence.c2.sizes() == Sizes{3, 3, 1});
+  CHECK(defect_of(second.sequence) == "");
+  CHECK(stored_columns(second.sequence.i) == 2);
+  // i(t) = -t and d0 t = r d1 (-t) is the difference of the glued sides: an isomorphism.
+  const auto column = second.sequence.c0.boundary(2).column(0);
+  REQUIRE(column.size() == 1);
+  CHECK(ring.is_unit(column[0].coefficient));
+}
+
+TEST_CASE("a product is no sequence, and neither is a step that changes nothing", "[ops]") {
+  Workshop shop;
+  shop.build({R"({"op":"simplex","name":"e","dim":1})", R"({"op":"simplex","name":"f","dim":1})"});
+  const Moment before = now(shop.structure());
+  shop.build({R"({"op":"identify","pairs":[["e","e"]]})"});
+  CHECK_FALSE(step_sequence(shop.structure(), before, now(shop.structure()), Integers{}));
+  shop.build({R"({"op":"product","name":"P","left":"e","right":"f"})"});
+  const Moment product = now(shop.structure());
+  CHECK_FALSE(step_sequence(shop.structure(), before, product, Integers{}));
+  const auto basis = cells_at(shop.structure(), product);
+  CHECK(basis.sizes() == Sizes{4, 4, 1});
+  CHECK(defect_of(chain_complex(shop.structure(), basis, product, Integers{})) == "");
+  CHECK(cells_at(shop.structure(), before).sizes() == Sizes{4, 2});
+  shop.build({R"({"op":"product","name":"Q","left":"P","right":"P","kind":"simploidal"})"});
+  CHECK(cells_at(shop.structure(), now(shop.structure())).sizes() == Sizes{16, 32, 24, 8, 1});
+  CHECK(cells_at(shop.structure(), product).sizes() == Sizes{4, 4, 1});
+}
+
+TEST_CASE("questions asked after a step do not change its sequence", "[ops]") {
+  Workshop shop;
+  shop.build({R"({"op":"simplex","name":"e","dim":1})", R"({"op":"simplex","name":"f","dim":1})",
+              R"({"op":"product","name":"P","left":"e","right":"e"})"});
+  const Moment before = now(shop.structure());
+  SECTION("a split") {
+    shop.build({R"({"op":"deidentify","split":[{"cell":"f.0","as":"x","moves":[]}]})"});
+    shop.structure().make_all_lazy_cells();
+    const auto step = step_sequence(shop.structure(), before, now(shop.structure()), Integers{});
+    REQUIRE(step);
+    CHECK(step->sequence.c0.sizes() == Sizes{1});
+    CHECK(defect_of(step->sequence) == "");
+  }
+  SECTION("a step that changes nothing") {
+    shop.structure().make_all_lazy_cells();
+    CHECK_FALSE(step_sequence(shop.structure(), before, now(shop.structure()), Integers{}));
+  }
 }
 
 TEST_CASE("a step that both adds and removes is a contract breach", "[ops]") {

@@ -1,6 +1,7 @@
 #include "ops/structure.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "tests/support/random_steps.hpp"
@@ -136,7 +137,9 @@ std::string difference(const Structure& fast, const SlowStructure& slow) {
           cells.push_back(c);
         }
       }
-      if (fast.cells_of(*found) != cells) {
+      std::vector<CellId> listed_cells = fast.cells_of(*found);
+      std::sort(listed_cells.begin(), listed_cells.end());
+      if (listed_cells != cells) {
         return "cells of body " + slow.bodies[b];
       }
     }
@@ -284,5 +287,266 @@ TEST_CASE("no path of the union-find forest is longer than the logarithm of its 
       ++depth;
     }
     CHECK((std::uint32_t{1} << depth) <= shop.structure().members(shop.structure().find(c)));
+  }
+}
+
+namespace {
+
+const Limits lazy_cones{.cells_of_explicit_cone = 0};
+
+/// The cofaces of each current cell, straight from the definition.
+std::map<CellId, std::set<std::string>> slow_cofaces(const Structure& structure) {
+  std::map<CellId, std::set<std::string>> above;
+  for (const CellId c : current_cells(structure)) {
+    for (const CellId face : structure.faces(c)) {
+      above[structure.value(face).cell].emplace(structure.name(c));
+    }
+  }
+  return above;
+}
+
+/// The first cell whose cofaces are not those of the definition, once each and oldest first; empty when there is none.
+std::string wrong_cofaces(const Structure& structure) {
+  auto above = slow_cofaces(structure);
+  for (const CellId c : current_cells(structure)) {
+    std::set<std::string> found;
+    CellId before = none;
+    for (const CellId coface : structure.cofaces(c)) {
+      if (!found.emplace(structure.name(coface)).second || !structure.is_current(coface) ||
+          (before != none && !structure.is_older(structure.oldest(before), structure.oldest(coface)))) {
+        return std::string{structure.name(c)} + ": order or twice";
+      }
+      before = coface;
+    }
+    if (found != above[c]) {
+      return std::string{structure.name(c)} + ": " + std::to_string(found.size()) + " found, " +
+             std::to_string(above[c].size()) + " are there";
+    }
+  }
+  return "";
+}
+
+/// A stream of operations of all kinds that are legal one after the other.
+std::vector<Operation> random_operations(unsigned seed, int count, Limits limits, StreamShape shape) {
+  Workshop shop(limits);
+  RandomSteps steps(seed, shape);
+  std::vector<Operation> operations;
+  while (static_cast<int>(operations.size()) < count) {
+    operations.push_back(steps.next(shop.structure()));
+    const Status status = shop.apply(operations.back());
+    REQUIRE(status);
+  }
+  return operations;
+}
+
+}  // namespace
+
+TEST_CASE("a random stream of everything has every operation in it", "[ops][stream]") {
+  std::map<std::string, int> seen;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    for (const Operation& op : random_operations(seed, 40, lazy_cones, everything(30))) {
+      ++seen[std::string{keyword(op)}];
+      if (const auto* product = std::get_if<MakeProduct>(&op)) {
+        ++seen[product->simplicial ? "triangulated" : "of simploids"];
+        ++seen[product->left == product->right ? "square" : "of two"];
+      } else if (const auto* split = std::get_if<Deidentify>(&op)) {
+        ++seen[split->splits.size() > 1 ? "several" : "single"];
+      } else if (const auto* cone = std::get_if<MakeCone>(&op)) {
+        ++seen["over " + std::to_string(cone->over.index())];
+      }
+    }
+  }
+  for (const std::string what :
+       {"simplex", "simploid", "complex", "cone", "product", "identify", "degenerate", "deidentify", "triangulated",
+        "of simploids", "square", "of two", "several", "single", "over 0", "over 1", "over 2"}) {
+    CAPTURE(what);
+    CHECK(seen[what] >= 3);
+  }
+}
+
+TEST_CASE("undo of any steps of all kinds restores everything, one by one and many at once", "[ops][stream]") {
+  const unsigned seed = GENERATE(range(0U, 30U));
+  CAPTURE(seed);
+  Workshop shop(seed % 2 == 0 ? lazy_cones : Limits{});
+  RandomSteps steps(seed, everything(seed % 3 == 0 ? 50 : 25));
+  std::vector<StructureMark> marks;
+  std::vector<std::string> dumps;
+  for (int k = 0; k < 40; ++k) {
+    const Operation op = steps.next(shop.structure());
+    CAPTURE(k, to_text(op));
+    dumps.push_back(dump(shop.structure()));
+    marks.push_back(shop.structure().mark());
+    REQUIRE(shop.apply(op));
+    if (steps.random().one_in(2)) {
+      (void)dump(shop.structure());  // asks for everything
+    }
+    if (steps.random().one_in(5)) {
+      const auto back = static_cast<std::size_t>(steps.random().in(0, static_cast<int>(marks.size()) - 1));
+      shop.structure().truncate(marks[back]);
+      REQUIRE(shop.structure().mark() == marks[back]);
+      REQUIRE(first_difference(dump(shop.structure()), dumps[back]) == "");
+      marks.resize(back);
+      dumps.resize(back);
+    }
+  }
+  while (!marks.empty()) {
+    shop.structure().truncate(marks.back());
+    REQUIRE(shop.structure().mark() == marks.back());
+    REQUIRE(first_difference(dump(shop.structure()), dumps.back()) == "");
+    marks.pop_back();
+    dumps.pop_back();
+  }
+  CHECK(shop.structure().mark() == StructureMark{});
+  CHECK(shop.structure().counts().empty());
+  CHECK(shop.structure().current_bodies().empty());
+}
+
+TEST_CASE("lazy cells that were asked for make no difference, and undo takes them back too", "[ops][stream]") {
+  const unsigned seed = GENERATE(range(0U, 24U));
+  CAPTURE(seed);
+  // One structure is asked about much, the other never: they are compared at the end, and at moments of the past to
+  // which both are taken back.
+  const std::vector<Operation> operations = random_operations(seed, 25, lazy_cones, everything(30));
+  Workshop asked(lazy_cones);
+  Workshop quiet(lazy_cones);
+  std::vector<StructureMark> asked_marks;
+  std::vector<StructureMark> quiet_marks;
+  Random random(seed);
+  for (const Operation& op : operations) {
+    asked_marks.push_back(asked.structure().mark());
+    quiet_marks.push_back(quiet.structure().mark());
+    CAPTURE(to_text(op));
+    REQUIRE(asked.apply(op));
+    REQUIRE(quiet.apply(op));
+    for (const CellId c : current_cells(asked.structure())) {
+      if (random.one_in(2)) {
+        (void)asked.structure().cofaces(c);
+        (void)asked.structure().faces(c);
+      }
+    }
+  }
+  const auto difference = [&] { return first_difference(dump(asked.structure()), dump(quiet.structure())); };
+  REQUIRE(difference() == "");
+  while (!asked_marks.empty()) {
+    const auto back = static_cast<std::size_t>(random.in(0, static_cast<int>(asked_marks.size()) - 1));
+    asked.structure().truncate(asked_marks[back]);
+    quiet.structure().truncate(quiet_marks[back]);
+    REQUIRE(asked.structure().mark() == asked_marks[back]);
+    REQUIRE(quiet.structure().mark() == quiet_marks[back]);
+    REQUIRE(difference() == "");
+    asked_marks.resize(back);
+    quiet_marks.resize(back);
+  }
+}
+
+TEST_CASE("a body knows how many of its cells are no simplices", "[ops][stream]") {
+  const unsigned seed = GENERATE(range(0U, 16U));
+  CAPTURE(seed);
+  Workshop shop(seed % 2 == 0 ? lazy_cones : Limits{});
+  RandomSteps steps(seed, everything(30));
+  for (int k = 0; k < 30; ++k) {
+    REQUIRE(shop.apply(steps.next(shop.structure())));
+    const Structure& s = shop.structure();
+    for (const BodyId body : s.current_bodies()) {
+      std::vector<std::uint64_t> counts(s.counts_of(body).size(), 0);
+      std::uint64_t simploids = 0;
+      for (const CellId c : s.cells_of(body)) {
+        ++counts[static_cast<std::size_t>(s.dimension(c))];
+        simploids += is_simplex(s.type(c).type) ? 0 : 1;
+      }
+      REQUIRE(s.simploids_of(body) == simploids);
+      REQUIRE(std::equal(counts.begin(), counts.end(), s.counts_of(body).begin(), s.counts_of(body).end()));
+    }
+  }
+}
+
+TEST_CASE("undone and done again, steps of all kinds give the same object", "[ops][stream]") {
+  const unsigned seed = GENERATE(range(100U, 110U));
+  CAPTURE(seed);
+  const std::vector<Operation> operations = random_operations(seed, 25, lazy_cones, everything(30));
+  Workshop shop(lazy_cones);
+  const StructureMark start = shop.structure().mark();
+  std::vector<std::string> dumps;
+  for (const Operation& op : operations) {
+    REQUIRE(shop.apply(op));
+    dumps.push_back(dump(shop.structure()));
+  }
+  shop.structure().truncate(start);
+  for (std::size_t k = 0; k < operations.size(); ++k) {
+    REQUIRE(shop.apply(operations[k]));
+    REQUIRE(first_difference(dump(shop.structure()), dumps[k]) == "");
+  }
+}
+
+TEST_CASE("the cofaces of a cell are the cells that have it as a face, or something degenerate over it",
+          "[ops][stream]") {
+  const unsigned seed = GENERATE(range(0U, 30U));
+  CAPTURE(seed);
+  Workshop shop(seed % 2 == 0 ? lazy_cones : Limits{});
+  RandomSteps steps(seed, everything(seed % 3 == 0 ? 40 : 25));
+  std::vector<StructureMark> marks;
+  for (int k = 0; k < 40; ++k) {
+    marks.push_back(shop.structure().mark());
+    REQUIRE(shop.apply(steps.next(shop.structure())));
+    REQUIRE(wrong_cofaces(shop.structure()) == "");
+  }
+  shop.structure().truncate(marks[20]);
+  CHECK(wrong_cofaces(shop.structure()) == "");
+}
+
+TEST_CASE("the apex of a lazy cone has the cone's edges as cofaces, and what is squashed onto it", "[ops]") {
+  Workshop shop(lazy_cones);
+  SECTION("of simplices") { shop.build({R"({"op":"simplex","name":"t","dim":2})", R"({"op":"cone","apex":"v"})"}); }
+  SECTION("of simploids, where more is degenerate over it") {
+    shop.build({R"({"op":"simploid","name":"t","type":[1,1]})", R"({"op":"cone","apex":"v"})"});
+  }
+  CHECK(wrong_cofaces(shop.structure()) == "");
+  shop.build({R"({"op":"simplex","name":"e","dim":1})", R"({"op":"identify","pairs":[["e.0","v"]]})"});
+  CHECK(wrong_cofaces(shop.structure()) == "");
+}
+
+TEST_CASE("in a triangulated product, what has a face degenerate over a cell is among its cofaces", "[ops]") {
+  Workshop shop;
+  shop.build({R"({"op":"simplex","name":"e","dim":1})", R"({"op":"simplex","name":"t","dim":2})",
+              R"({"op":"degenerate","cell":"t.0-1","along":0})",
+              R"({"op":"product","name":"P","left":"e","right":"t","kind":"simplicial"})"});
+  CHECK(wrong_cofaces(shop.structure()) == "");
+}
+
+TEST_CASE("what cells, and which faces, there were can be said of every past moment", "[ops][stream]") {
+  const unsigned seed = GENERATE(range(0U, 16U));
+  CAPTURE(seed);
+  Workshop shop(seed % 2 == 0 ? lazy_cones : Limits{});
+  RandomSteps steps(seed, everything(30));
+  struct Past {
+    Moment moment;
+    std::map<std::string, std::vector<CellId>> cells;  // by label: the cells that the faces were
+  };
+  std::vector<Past> pasts;
+  const Structure& s = shop.structure();
+  for (int k = 0; k < 30; ++k) {
+    const Operation op = steps.next(shop.structure());
+    REQUIRE(shop.apply(op));
+    Past past{s.now(), {}};
+    for (const CellId c : current_cells(s)) {
+      std::vector<CellId>& faces = past.cells[label(s, c)];
+      for (const CellId face : s.faces(c)) {
+        faces.push_back(s.find(face));
+      }
+    }
+    pasts.push_back(std::move(past));
+  }
+  s.make_all_lazy_cells();
+  for (const auto& [moment, cells] : pasts) {
+    std::map<std::string, std::vector<CellId>> found;
+    for (CellId c = 0; c < s.created(); ++c) {
+      if (s.was_current(c, moment)) {
+        std::vector<CellId>& faces = found[label(s, c)];
+        for (std::uint32_t f = 0; f < s.type(c).faces.size(); ++f) {
+          faces.push_back(s.find_at(s.face_at(c, f, moment), moment.links));
+        }
+      }
+    }
+    REQUIRE(found == cells);
   }
 }

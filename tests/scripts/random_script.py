@@ -160,7 +160,7 @@ class Writer:
         dim = self.random.randrange(len(lists))
         shape = self.random.random()
         chain = {}
-        if shape < 0.4 and dim + 1 < len(lists):
+        if shape < 0.4 and dim + 1 < len(lists) and lists[dim + 1]:
             above = {c: self.random.choice([-3, -1, 1, 2]) for c in self.random.choices(lists[dim + 1], k=3)}
             chain = oracle.boundary_of_chain(state, above, prime)
         elif shape < 0.9:
@@ -495,7 +495,37 @@ class WriterOfTearing(WriterOfAll):
         self.expect()
 
 
-WRITERS = {"basic": Writer, "all": WriterOfAll, "tear": WriterOfTearing}
+class WriterOfNests(WriterOfAll):
+    """Products of products and cones of products first, then mostly questions, splits and undos: what is lazy in the
+    program is asked for, forgotten and asked for again."""
+
+    weights = {**WriterOfAll.weights, "simplex": 1, "simploid": 0, "moore": 0, "product": 2, "cone": 1, "query": 14,
+               "undo": 9, "identify": 6, "split": 8, "isolate": 3, "degenerate": 4, "note": 3}
+
+    def write(self, steps):
+        for k in range(self.random.choice([2, 3, 3, 4])):
+            name, dim = f"b{k}", self.random.choice([0, 1, 1, 1, 2])
+            self.attempt({"op": "simplex", "name": name, "dim": dim})
+            if dim > 0 and self.random.random() < 0.6:
+                ends = [f"{name}.0", f"{name}.1"] if dim == 1 else [f"{name}.0-1", f"{name}.1-2"]
+                self.attempt({"op": "identify", "pairs": [ends]})
+        for k in range(self.random.choice([2, 3, 4])):
+            bodies = self.usable_bodies()
+            if self.random.random() < 0.3:
+                self.attempt({"op": "cone", "apex": f"w{k}", "over": self.random.choice(bodies)})
+            else:
+                left, right = self.random.choices(bodies, k=2)
+                state = self.oracle.state
+                sizes = [len(state.cells_of_body(state.find_body(body))) for body in (left, right)]
+                if sizes[0] * sizes[1] <= 90:
+                    self.attempt({"op": "product", "name": f"Q{k}", "left": left, "right": right,
+                                  "kind": self.random.choice(["simplicial", "simploidal"])})
+            if self.random.random() < 0.4:
+                self.query()
+        super().write(steps)
+
+
+WRITERS = {"basic": Writer, "all": WriterOfAll, "tear": WriterOfTearing, "nest": WriterOfNests}
 
 
 def combine(a, x, b, y):

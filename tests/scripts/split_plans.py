@@ -163,7 +163,8 @@ class Gluing:
             if name not in copies or not value or oracle.is_degenerate(value):
                 continue
             owner = copies[t][1] if t in copies else state.cells[value[0]].name
-            if state.faces(value[0])[number] == state.plain(copies[name][0]) and (owner, number) not in seen:
+            faces = state.faces(value[0])
+            if number < len(faces) and faces[number] == state.plain(copies[name][0]) and (owner, number) not in seen:
                 seen.add((owner, number))
                 moves.setdefault(name, []).append((owner, number))
         return entries(state, copies, moves)

@@ -2,11 +2,15 @@
 /// Random construction operations that suit the present state of a structure. Same seed, same operations.
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "ops/operation.hpp"
+#include "ops/planner.hpp"
 #include "ops/structure.hpp"
 #include "tests/support/random_complexes.hpp"
 
@@ -17,16 +21,33 @@ struct StreamShape {
   std::size_t most_cells = 60;  ///< from there on cells are only identified
   bool simploids = true;
   bool cones = true;
+  bool degeneracies = false;  ///< cells become degenerate, and others are glued to degenerate ones
+  bool splits = false;
+  bool products = false;
+  bool pyramids = false;  ///< cones over cells that are no simplices, and over whole bodies
 };
 
-/// The current cells of a structure, by increasing id.
+/// A stream of all operations.
+inline StreamShape everything(std::size_t most_cells) {
+  return {.most_cells = most_cells,
+          .simploids = true,
+          .cones = true,
+          .degeneracies = true,
+          .splits = true,
+          .products = true,
+          .pyramids = true};
+}
+
+/// The current cells of the object, all lazy ones too, oldest first: without lazy families by increasing id.
 inline std::vector<ops::CellId> current_cells(const ops::Structure& structure) {
+  structure.make_all_lazy_cells();
   std::vector<ops::CellId> cells;
   for (ops::CellId c = 0; c < structure.created(); ++c) {
-    if (structure.is_current(c)) {
+    if (structure.is_current(c) && !structure.is_consumed(c)) {
       cells.push_back(c);
     }
   }
+  std::sort(cells.begin(), cells.end(), [&](ops::CellId a, ops::CellId b) { return structure.is_older(a, b); });
   return cells;
 }
 
@@ -72,6 +93,11 @@ class RandomSteps {
 
   ops::Operation next(const ops::Structure& structure) {
     const std::vector<ops::CellId> cells = current_cells(structure);
+    if (!cells.empty() && has_more_than_gluings() && random_.one_in(3)) {
+      if (auto op = other_step(structure, cells)) {
+        return *std::move(op);
+      }
+    }
     const bool is_large = cells.size() >= shape_.most_cells;
     if (cells.empty() || (!is_large && !random_.one_in(cells.size() < shape_.most_cells / 2 ? 4 : 2))) {
       return growth(structure, cells);
@@ -130,6 +156,205 @@ class RandomSteps {
       }
     }
     return ops::MakeCone{fresh_name(), over, {}};
+  }
+
+  [[nodiscard]] bool has_more_than_gluings() const {
+    return shape_.degeneracies || shape_.splits || shape_.products || shape_.pyramids;
+  }
+
+  static bool is_legal(const ops::Structure& structure, const ops::Operation& op) {
+    ops::Planner planner(structure);
+    ops::Plan plan;
+    return std::visit(
+        [&]<class Op>(const Op& construction) {
+          if constexpr (requires { planner.plan(construction, plan); }) {
+            return planner.plan(construction, plan).has_value();
+          } else {
+            return false;
+          }
+        },
+        op);
+  }
+
+  /// One of the steps that only some streams have, or nothing when the one drawn is not legal.
+  std::optional<ops::Operation> other_step(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
+    std::optional<ops::Operation> op;
+    const int kind = random_.in(1, 10);
+    if (kind <= 2 && shape_.degeneracies) {
+      op = degeneration(structure, cells);
+    } else if (kind <= 4 && shape_.degeneracies) {
+      op = gluing_to_degenerate(structure, cells);
+    } else if (kind <= 6 && shape_.splits) {
+      op = splitting(structure, cells);
+    } else if (kind == 7 && shape_.splits) {
+      op = tearing(structure, cells);
+    } else if (kind <= 9 && shape_.products) {
+      op = product(structure, cells.size());
+    } else if (kind == 10 && shape_.pyramids && cells.size() < shape_.most_cells) {
+      op = pyramid(structure, cells);
+    }
+    return op && is_legal(structure, *op) ? op : std::nullopt;
+  }
+
+  std::optional<ops::Operation> degeneration(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
+    const ops::CellId c = pick(cells);
+    const ops::CellType& type = structure.type(c).type;
+    if (type.empty()) {
+      return std::nullopt;
+    }
+    const int component = random_.in(1, static_cast<int>(type.size()));
+    const int index = random_.in(0, type[static_cast<std::size_t>(component - 1)] - 1);
+    const bool is_short = type.size() == 1 && random_.one_in(2);
+    return ops::Degenerate{std::string{structure.name(c)}, is_short ? std::nullopt : std::optional{component}, index};
+  }
+
+  std::optional<ops::Operation> gluing_to_degenerate(const ops::Structure& structure,
+                                                     const std::vector<ops::CellId>& cells) {
+    std::vector<ops::CellId> degenerate;
+    for (ops::CellId c = 0; c < structure.created(); ++c) {
+      if (structure.find(c) == ops::none && structure.link_of(c) != ops::none && !structure.is_consumed(c)) {
+        degenerate.push_back(c);
+      }
+    }
+    if (degenerate.empty()) {
+      return std::nullopt;
+    }
+    std::sort(degenerate.begin(), degenerate.end(),
+              [&](ops::CellId a, ops::CellId b) { return structure.is_older(a, b); });
+    const ops::CellId a = pick(degenerate);
+    std::vector<ops::CellId> like_a;
+    for (const auto* some : {&cells, &std::as_const(degenerate)}) {
+      std::copy_if(some->begin(), some->end(), std::back_inserter(like_a),
+                   [&](ops::CellId b) { return structure.type_id(b) == structure.type_id(a); });
+    }
+    return ops::Identify{{{std::string{structure.own_name(a)}, std::string{structure.own_name(pick(like_a))}}}};
+  }
+
+  /// A cell of which some incidences go to a copy: those that the face laws tie to one of them.
+  std::optional<ops::Operation> splitting(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
+    const ops::CellId x = pick(cells);
+    using Incidence = std::pair<ops::CellId, std::uint32_t>;
+    std::vector<Incidence> incidences;
+    const auto is_x = [&](const ops::Value& v) { return v.cell == x && !v.is_degenerate(); };
+    const auto cofaces = structure.cofaces(x);
+    for (const ops::CellId t : cofaces) {
+      for (std::uint32_t k = 0; k < structure.faces(t).size(); ++k) {
+        if (is_x(structure.value(structure.faces(t)[k]))) {
+          incidences.emplace_back(t, k);
+        }
+      }
+    }
+    ops::Deidentify::Split split{std::string{structure.name(x)}, fresh_name(), {}};
+    if (!incidences.empty() && !random_.one_in(8)) {
+      std::vector<Incidence> moved{
+          incidences[static_cast<std::size_t>(random_.in(0, static_cast<int>(incidences.size()) - 1))]};
+      for (std::size_t done = 0; done < moved.size(); ++done) {
+        for (const Incidence& tied : tied_to(structure, moved[done])) {
+          if (std::find(moved.begin(), moved.end(), tied) == moved.end()) {
+            moved.push_back(tied);
+          }
+        }
+      }
+      for (const auto& [t, k] : moved) {
+        split.moves.emplace_back(structure.name(t), k);
+      }
+    }
+    return ops::Deidentify{{std::move(split)}};
+  }
+
+  /// The incidences of the same cell that some face law says are the same one seen from above.
+  static std::vector<std::pair<ops::CellId, std::uint32_t>> tied_to(
+      const ops::Structure& structure, const std::pair<ops::CellId, std::uint32_t>& incidence) {
+    std::vector<std::pair<ops::CellId, std::uint32_t>> tied;
+    for (const ops::CellId u : structure.cofaces(incidence.first)) {
+      for (const ops::FaceLaw& law : structure.type(u).laws) {
+        const ops::Value one = structure.value(structure.faces(u)[law.first]);
+        const ops::Value other = structure.value(structure.faces(u)[law.other_first]);
+        const std::pair first{one.cell, law.second};
+        const std::pair second{other.cell, law.other_second};
+        if (!one.is_degenerate() && !other.is_degenerate() && (first == incidence || second == incidence)) {
+          tied.push_back(first == incidence ? second : first);
+        }
+      }
+    }
+    return tied;
+  }
+
+  /// A cell that is nobody's face comes away from the rest: every cell of its closure gets a copy, and all incidences
+  /// within the closure go to these.
+  std::optional<ops::Operation> tearing(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
+    const ops::CellId top = pick(cells);
+    std::vector<ops::CellId> closure{top};
+    for (std::size_t done = 0; done < closure.size(); ++done) {
+      for (const ops::CellId face : structure.faces(closure[done])) {
+        if (const ops::Value v = structure.value(face);
+            std::find(closure.begin(), closure.end(), v.cell) == closure.end()) {
+          closure.push_back(v.cell);
+        }
+      }
+    }
+    ops::Deidentify op;
+    std::vector<std::string> names{std::string{structure.name(top)}};
+    for (std::size_t k = 1; k < closure.size(); ++k) {
+      names.push_back(fresh_name());
+      op.splits.push_back({std::string{structure.name(closure[k])}, names.back(), {}});
+    }
+    for (std::size_t k = 0; k < closure.size(); ++k) {
+      for (std::uint32_t slot = 0; slot < structure.faces(closure[k]).size(); ++slot) {
+        const ops::Value v = structure.value(structure.faces(closure[k])[slot]);
+        const auto at = std::find(closure.begin(), closure.end(), v.cell) - closure.begin();
+        if (v.is_degenerate()) {
+          return std::nullopt;
+        }
+        op.splits[static_cast<std::size_t>(at) - 1].moves.emplace_back(names[k], slot);
+      }
+    }
+    return op;
+  }
+
+  std::optional<ops::Operation> product(const ops::Structure& structure, std::size_t cells) {
+    const auto bodies = structure.current_bodies();
+    if (bodies.empty()) {
+      return std::nullopt;
+    }
+    const auto any = [&] {
+      return bodies[static_cast<std::size_t>(random_.in(0, static_cast<int>(bodies.size()) - 1))];
+    };
+    const auto left = any();
+    const auto right = any();
+    const bool is_simplicial = random_.one_in(2);
+    const std::size_t pairs = structure.cells_of(left).size() * structure.cells_of(right).size();
+    const auto dimensions = structure.counts_of(left).size() + structure.counts_of(right).size();
+    if (pairs * (is_simplicial ? 3 : 1) + cells > 2 * shape_.most_cells || dimensions > 6) {
+      return std::nullopt;
+    }
+    return ops::MakeProduct{fresh_name(), std::string{structure.body_name(left)},
+                            std::string{structure.body_name(right)}, is_simplicial};
+  }
+
+  std::optional<ops::Operation> pyramid(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
+    ops::MakeCone op{fresh_name(), std::vector<std::string>{}, {}};
+    if (random_.one_in(3)) {
+      auto& over = std::get<std::vector<std::string>>(op.over);
+      for (int wanted = random_.in(1, 3); wanted > 0; --wanted) {
+        if (const ops::CellId c = pick(cells); structure.dimension(c) <= 3) {
+          over.emplace_back(structure.name(c));
+        }
+      }
+      return op;
+    }
+    const auto bodies = structure.current_bodies();
+    const auto body = bodies[static_cast<std::size_t>(random_.in(0, static_cast<int>(bodies.size()) - 1))];
+    if (structure.counts_of(body).size() > 4 ||
+        structure.cells_of(body).size() + cells.size() > 2 * shape_.most_cells) {
+      return std::nullopt;
+    }
+    if (bodies.size() == 1 && random_.one_in(2)) {
+      op.over = std::monostate{};
+    } else {
+      op.over = std::string{structure.body_name(body)};
+    }
+    return op;
   }
 
   Random random_;

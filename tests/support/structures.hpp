@@ -2,7 +2,9 @@
 /// Building structures and looking at them, for the tests of ops/ and engine/.
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ops/operation.hpp"
@@ -72,32 +74,187 @@ class Workshop {
   ops::Plan plan_;
 };
 
-/// Everything that can be seen of a structure, as text. Two states are alike exactly when these are.
+/// A node degenerate from the start: no step removed it, and it has no name.
+inline bool is_born_degenerate(const ops::Structure& structure, ops::CellId c) {
+  return structure.parent(c) == ops::none && structure.link_of(c) == ops::none;
+}
+
+std::string text_of(const ops::Structure& structure, const ops::Value& v);
+
+/// A node as text. Ids of nodes that queries make depend on the order of the queries: this does not.
+inline std::string label(const ops::Structure& structure, ops::CellId c) {
+  if (c == ops::none) {
+    return "none";
+  }
+  if (is_born_degenerate(structure, c)) {
+    return text_of(structure, structure.value(c));
+  }
+  const ops::LazyCell* lazy = structure.lazy_of(c);
+  return std::string{structure.own_name(c)} + (lazy == nullptr ? "" : "@" + std::to_string(lazy->key.family));
+}
+
+/// The collapsed directions of a value and its type, "^0,2 of a simplex of dimension 3"; empty for a cell itself.
+inline std::string degeneracy_text(const ops::Structure& structure, const ops::Value& v) {
+  std::string text;
+  for (int d = 0; d <= ops::largest_dimension; ++d) {
+    if ((v.collapsed >> d & 1) != 0) {
+      text += (text.empty() ? "^" : ",") + std::to_string(d);
+    }
+  }
+  return v.is_degenerate() ? text + " of a " + ops::describe(structure.types().info(v.type).type) : text;
+}
+
+/// A value by the label of the node that is its cell.
+inline std::string text_of(const ops::Structure& structure, const ops::Value& v) {
+  return "(" + label(structure, v.cell) + ")" + degeneracy_text(structure, v);
+}
+
+/// What a node is now, by the canonical name of the cell: "t.0", "t.0^0 of a simplex of dimension 1".
+inline std::string meaning(const ops::Structure& structure, ops::CellId c) {
+  const ops::Value v = structure.value(c);
+  return std::string{structure.name(v.cell)} + degeneracy_text(structure, v);
+}
+inline std::string meaning(const ops::Structure& structure, const std::string& name) {
+  const auto found = structure.lookup(name);
+  return found ? meaning(structure, *found) : "nothing";
+}
+
+/// What the faces of a cell are now.
+inline std::vector<std::string> face_texts(const ops::Structure& structure, ops::CellId c) {
+  std::vector<std::string> texts;
+  for (const ops::CellId face : structure.faces(c)) {
+    texts.push_back(meaning(structure, face));
+  }
+  return texts;
+}
+
+/// All nodes but those degenerate from the start, in an order that no query changes: by increasing id, those of lazy
+/// families (all of them) by label after the others.
+inline std::vector<ops::CellId> nodes_of(const ops::Structure& structure) {
+  structure.make_all_lazy_cells();
+  std::vector<ops::CellId> nodes;
+  std::vector<std::pair<std::string, ops::CellId>> lazy;
+  for (ops::CellId c = 0; c < structure.created(); ++c) {
+    if (structure.is_lazy(c)) {
+      lazy.emplace_back(label(structure, c), c);
+    } else if (!is_born_degenerate(structure, c)) {
+      nodes.push_back(c);
+    }
+  }
+  std::sort(lazy.begin(), lazy.end());
+  for (const auto& [text, c] : lazy) {
+    nodes.push_back(c);
+  }
+  return nodes;
+}
+
+inline std::string dump(const ops::Structure& structure, ops::CellId c) {
+  std::string text = label(structure, c) + " " + ops::describe(structure.type(c).type);
+  for (const auto faces : {structure.faces_as_created(c), structure.faces(c)}) {
+    for (const ops::CellId face : faces) {
+      text += " " + label(structure, face);
+    }
+    text += ";";
+  }
+  const ops::Value value = structure.value(c);
+  text += " is " + text_of(structure, value) + " parent " + label(structure, structure.parent(c)) + " link " +
+          std::to_string(structure.link_of(c)) + " of " + std::to_string(structure.members(value.cell)) + " now " +
+          std::string{structure.name(c)} + " oldest " + label(structure, structure.oldest(c)) + " in " +
+          std::string{structure.body_name(structure.body_of(c))};
+  if (structure.is_consumed(c)) {
+    text += " consumed by " + std::to_string(structure.consumed_by(structure.body_of(c)));
+  }
+  if (const ops::Structure::Copy* copy = structure.copy(c)) {
+    text += " copy of " + label(structure, copy->source);
+  }
+  for (const ops::CellId copy : structure.copies_of(c)) {
+    text += " copied as " + label(structure, copy);
+  }
+  if (structure.is_current(c) && !structure.is_consumed(c)) {
+    text += " under";
+    for (const ops::CellId coface : structure.cofaces(c)) {
+      text += " " + label(structure, coface);
+    }
+  }
+  const auto found = structure.lookup(structure.own_name(c));
+  return text + " found " + (found ? label(structure, *found) : "nothing") + "\n";
+}
+
+/// Everything that can be seen of a structure, as text. Two states are alike exactly when these are, whatever lazy
+/// cells have been asked for. Makes all lazy cells.
 inline std::string dump(const ops::Structure& structure) {
-  std::string text = "created " + std::to_string(structure.created()) + " links " + std::to_string(structure.links());
+  const std::vector<ops::CellId> nodes = nodes_of(structure);
+  std::string text = "nodes " + std::to_string(nodes.size()) + " links " + std::to_string(structure.links());
   for (const std::uint64_t count : structure.counts()) {
     text += " " + std::to_string(count);
   }
   text += "\n";
-  for (ops::CellId c = 0; c < structure.created(); ++c) {
-    text += std::to_string(c) + " " + ops::describe(structure.type(c).type);
-    for (const ops::CellId face : structure.faces_as_created(c)) {
-      text += " " + std::to_string(face);
-    }
-    text += " is " + std::to_string(structure.find(c)) + " parent " + std::to_string(structure.parent(c)) + " link " +
-            std::to_string(structure.link_of(c)) + " of " + std::to_string(structure.members(structure.find(c))) + " " +
-            std::string{structure.own_name(c)} + " now " + std::string{structure.name(c)} + " oldest " +
-            std::to_string(structure.oldest(c)) + " in " + std::string{structure.body_name(structure.body_of(c))} +
-            "\n";
+  for (const ops::CellId c : nodes) {
+    text += dump(structure, c);
   }
   for (const ops::BodyId body : structure.current_bodies()) {
-    text += "body " + std::string{structure.body_name(body)};
+    text += "body " + std::string{structure.body_name(body)} + " with " + std::to_string(structure.simploids_of(body)) +
+            " simploids";
     for (const ops::CellId c : structure.cells_of(body)) {
-      text += " " + std::to_string(c);
+      text += " " + label(structure, c);
+    }
+    text += "\n";
+  }
+  for (const ops::Structure::MadeMove& move : structure.moves()) {
+    text += "move " + label(structure, move.cell) + " " + std::to_string(move.slot) + " from " +
+            label(structure, move.before) + " to " + label(structure, move.after) + " after " +
+            std::to_string(move.links) + "\n";
+  }
+  for (ops::FamilyId f = 0; f < structure.families(); ++f) {
+    const ops::LazyFamily& family = structure.family(f);
+    text += "family " + family.name + (family.by_edges ? " by edges" : "") + " apex " + label(structure, family.apex);
+    for (const std::uint64_t count : family.counts) {
+      text += " " + std::to_string(count);
     }
     text += "\n";
   }
   return text;
 }
+
+/// Where two texts first differ, a line of each; empty when they do not.
+inline std::string first_difference(const std::string& one, const std::string& other) {
+  if (one == other) {
+    return "";
+  }
+  const auto differ = std::mismatch(one.begin(), one.end(), other.begin(), other.end());
+  const auto line = [](const std::string& text, std::string::const_iterator at) {
+    const auto offset = static_cast<std::size_t>(at - text.begin());
+    const std::size_t begin = offset == 0 ? 0 : text.rfind('\n', offset - 1) + 1;
+    return text.substr(begin, text.find('\n', offset) - begin);
+  };
+  return line(one, differ.first) + "\n  instead of\n" + line(other, differ.second);
+}
+
+/// The error of an operation that must be refused. For objects too large to look at; else see `refused`.
+inline Error error_of(Workshop& shop, const ops::Operation& op) {
+  const Status status = shop.plan(op);
+  if (status) {
+    FAIL("not refused: " << to_text(op));
+  }
+  return status.error();
+}
+
+/// Tries an operation that must be refused, checks that nothing changed, and gives the error.
+inline Error refused(Workshop& shop, const ops::Operation& op) {
+  const std::string before = dump(shop.structure());
+  const auto mark = [&] {
+    ops::StructureMark now = shop.structure().mark();
+    if (now.families > 0) {  // looking for a name may make lazy cells
+      now.cells = now.expansions = 0;
+    }
+    return now;
+  };
+  const ops::StructureMark mark_before = mark();
+  Error error = error_of(shop, op);
+  CHECK(mark() == mark_before);
+  CHECK(first_difference(dump(shop.structure()), before) == "");
+  return error;
+}
+inline Error refused(Workshop& shop, const std::string& line) { return refused(shop, operation(line)); }
 
 }  // namespace sesame::tests
