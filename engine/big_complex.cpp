@@ -161,7 +161,8 @@ std::vector<Index> BigComplex<R>::split(Index first, std::span<const Structure::
   return changed;
 }
 
-/// Whether all incidences of a node go to one copy; a node with very many others is not looked through.
+/// Whether all incidences of a node go to one copy, and it pays to change the basis; a node with very many others is not
+/// looked through.
 template <Ring R>
 bool BigComplex<R>::moves_wholly(CellId node, CellId copy, std::span<const Structure::MadeMove> moves) const {
   const auto goes = [&](CellId cell, std::uint32_t slot) {
@@ -171,7 +172,8 @@ bool BigComplex<R>::moves_wholly(CellId node, CellId copy, std::span<const Struc
   };
   const auto places = structure_.places_of(node);
   constexpr std::size_t most_others = 64;
-  if (places.size() > most_others + 4 * moves.size()) {
+  constexpr std::size_t most_generators = 8;  // else a place that is glued and split again and again collects them
+  if (places.size() > most_others + 4 * moves.size() || generators_of(node).size() > most_generators) {
     return false;
   }
   return std::all_of(places.begin(), places.end(), [&](const auto& place) {
