@@ -106,7 +106,8 @@ std::vector<Index> BigComplex<R>::split(Index first, std::span<const Structure::
   }
   std::map<Index, Terms<R>> changes;  // per generator
   std::unordered_map<CellId, Terms<R>> of_lazy;
-  for (auto& [cell, gain] : gains) {
+  for (auto& [cell, gained] : gains) {
+    Terms<R>& gain = gained;  // clang 14 captures no structured bindings
     sparse::normalize(ring_, gain);
     if (gain.empty()) {
       continue;
@@ -161,8 +162,8 @@ std::vector<Index> BigComplex<R>::split(Index first, std::span<const Structure::
   return changed;
 }
 
-/// Whether all incidences of a node go to one copy, and it pays to change the basis; a node with very many others is not
-/// looked through.
+/// Whether all incidences of a node go to one copy, and it pays to change the basis; a node with very many others is
+/// not looked through.
 template <Ring R>
 bool BigComplex<R>::moves_wholly(CellId node, CellId copy, std::span<const Structure::MadeMove> moves) const {
   const auto goes = [&](CellId cell, std::uint32_t slot) {
@@ -193,8 +194,8 @@ std::vector<Index> BigComplex<R>::generators_of(CellId node) const {
   return at != generators_of_.end() ? at->second : std::vector<Index>{of_cell_[node]};
 }
 
-/// The columns that may have an entry at the generator of a cell or copy, and perhaps others: those of the cells that it
-/// was a face of at their creation, of the removals next to it, and those remembered.
+/// The columns that may have an entry at the generator of a cell or copy, and perhaps others: those of the cells that
+/// it was a face of at their creation, of the removals next to it, and those remembered.
 template <Ring R>
 std::vector<Index> BigComplex<R>::columns_with(Index generator) const {
   const CellId node = origin_[generator];
@@ -319,8 +320,7 @@ void BigComplex<R>::truncate(const Mark& mark) {
   for (Index generator = mark.generators; generator < origin_.size(); ++generator) {
     if (const auto keys = in_as_created_.find(generator); keys != in_as_created_.end()) {
       for (const Index key : keys->second) {
-        std::erase_if(as_created_[key],
-                      [&](const sparse::Term<R>& term) { return term.index >= mark.generators; });
+        std::erase_if(as_created_[key], [&](const sparse::Term<R>& term) { return term.index >= mark.generators; });
       }
       in_as_created_.erase(keys);
     }
@@ -375,8 +375,8 @@ void BigComplex<R>::add_g_at(CellId cell, const ops::Moment& moment, const typen
   const std::vector<ops::FaceOperator>& operators = structure_.type(cell).faces;
   for (std::uint32_t k = 0; k < operators.size(); ++k) {
     const auto signed_factor = operators[k].sign > 0 ? factor : ring_.negate(factor);
-    structure_.for_each_face_of_history(
-        cell, k, moment, [&](CellId node, LinkId links) { add_path(node, links, signed_factor, out); });
+    structure_.for_each_face_of_history(cell, k, moment,
+                                        [&](CellId node, LinkId links) { add_path(node, links, signed_factor, out); });
   }
 }
 
@@ -426,8 +426,7 @@ void BigComplex<R>::add_cell(CellId node, const typename R::Element& factor, Ter
 template <Ring R>
 void BigComplex<R>::add_f(Index generator, const typename R::Element& factor, Terms<R>& out) const {
   const std::uint32_t origin = origin_[generator];
-  if (const auto part = lazy_part_.empty() ? lazy_part_.end() : lazy_part_.find(generator);
-      part != lazy_part_.end()) {
+  if (const auto part = lazy_part_.empty() ? lazy_part_.end() : lazy_part_.find(generator); part != lazy_part_.end()) {
     Terms<R> bounded;
     for (const auto& [cell, coefficient] : part->second) {
       lazy_maps_->add_K(cell, ring_.negate(ring_.multiply(factor, coefficient)), bounded);

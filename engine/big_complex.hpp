@@ -85,8 +85,8 @@ class BigComplex {
   /// `first` on, those of the copies. Returns the generators whose boundaries have changed.
   std::vector<Index> split(Index first, std::span<const Structure::MadeMove> moves);
 
-  /// Begins to remember the columns that get an entry at the generator of a cell: it may come up where none of those who
-  /// have the cell as a face or were removed next to it are appended.
+  /// Begins to remember the columns that get an entry at the generator of a cell: it may come up where none of those
+  /// who have the cell as a face or were removed next to it are appended.
   void follow(CellId cell) { columns_followed_.try_emplace(of_cell_[cell]); }
 
   struct Mark {
@@ -137,19 +137,19 @@ class BigComplex {
   std::vector<std::uint8_t> degree_;
   std::vector<Index> of_cell_, of_link_;
   std::vector<std::uint32_t> counts_;
-  std::vector<Index> changed_;                           ///< generators whose boundaries gained terms, for undo
-  std::unordered_map<Index, Terms<R>> lazy_part_;        ///< of the boundary of a generator: lazy cells as created
+  std::vector<Index> changed_;                     ///< generators whose boundaries gained terms, for undo
+  std::unordered_map<Index, Terms<R>> lazy_part_;  ///< of the boundary of a generator: lazy cells as created
   struct Shift {
     CellId node, copy;
     std::vector<Index> generators;  ///< that were the node's and are the copy's since
   };
-  std::vector<Shift> shifted_;                                       ///< for undo
-  std::unordered_map<Index, std::vector<Index>> shifts_;             ///< per generator: the e that were added to it
-  std::unordered_map<Index, std::vector<Index>> shifted_by_;         ///< per e: the generators that it was added to
-  std::unordered_map<Index, Terms<R>> as_created_;                   ///< where not the generator itself
-  std::unordered_map<Index, std::set<Index>> in_as_created_;         ///< the keys above whose chain has a generator
-  std::unordered_map<CellId, std::vector<Index>> generators_of_;     ///< of nodes, where not the node's own alone
-  std::unordered_map<Index, std::vector<Index>> columns_followed_;   ///< columns with a generator, for those followed
+  std::vector<Shift> shifted_;                                      ///< for undo
+  std::unordered_map<Index, std::vector<Index>> shifts_;            ///< per generator: the e that were added to it
+  std::unordered_map<Index, std::vector<Index>> shifted_by_;        ///< per e: the generators that it was added to
+  std::unordered_map<Index, Terms<R>> as_created_;                  ///< where not the generator itself
+  std::unordered_map<Index, std::set<Index>> in_as_created_;        ///< the keys above whose chain has a generator
+  std::unordered_map<CellId, std::vector<Index>> generators_of_;    ///< of nodes, where not the node's own alone
+  std::unordered_map<Index, std::vector<Index>> columns_followed_;  ///< columns with a generator, for those followed
   std::uint64_t entries_appended_ = 0;
   Terms<R> column_, lazy_column_;  ///< scratch
 };

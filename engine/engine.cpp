@@ -178,8 +178,8 @@ Status Engine::check_room(const ops::Operation& operation) const {
   const std::uint64_t right = tracker_->small_of(plan_.family->bodies[1]);
   const auto limit = static_cast<std::uint64_t>(planner_.limits().cells_per_step);
   if (right != 0 && left > limit / right) {
-    return Error{Errc::refused, "the small complexes of \"" + product->left + "\" and \"" + product->right + "\" have " +
-                                    std::to_string(left) + " and " + std::to_string(right) +
+    return Error{Errc::refused, "the small complexes of \"" + product->left + "\" and \"" + product->right +
+                                    "\" have " + std::to_string(left) + " and " + std::to_string(right) +
                                     " generators: their product would have more than " + std::to_string(limit) +
                                     ", the limit for one step"};
   }

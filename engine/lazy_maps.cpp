@@ -243,8 +243,7 @@ void LazyMaps<R>::add_simplicial_pair(FamilyId family, const reductions::SignedP
   const Value a = restrict(left, maps.first);
   const Value b = restrict(right, maps.second);
   if ((a.collapsed & b.collapsed) == 0) {
-    out.push_back({structure_.lazy_cell(family, LazyPart::pair, a, b),
-                   maps.sign > 0 ? factor : ring_.negate(factor)});
+    out.push_back({structure_.lazy_cell(family, LazyPart::pair, a, b), maps.sign > 0 ? factor : ring_.negate(factor)});
   }
 }
 
@@ -295,8 +294,8 @@ void LazyMaps<R>::add_K(CellId cell, const Element& factor, Terms<R>& out) {
   switch (structure_.family(key.family).kind) {
     case FamilyKind::cone:
       if (key.part == LazyPart::base) {
-        out.push_back({structure_.lazy_cell(key.family, LazyPart::coned, key.left),
-                       n % 2 == 0 ? ring_.negate(factor) : factor});
+        out.push_back(
+            {structure_.lazy_cell(key.family, LazyPart::coned, key.left), n % 2 == 0 ? ring_.negate(factor) : factor});
       }
       break;
     case FamilyKind::product:
@@ -356,7 +355,8 @@ void LazyMaps<R>::subtract_gains(const Gains& gains, CellId cell, const Element&
       continue;
     }
     const ops::LazyKey& at = structure_.lazy_of(gained)->key;
-    Element sum = ring_.multiply(coefficient_at(ring_, left.GF, at.left.cell), coefficient_at(ring_, right, at.right.cell));
+    Element sum =
+        ring_.multiply(coefficient_at(ring_, left.GF, at.left.cell), coefficient_at(ring_, right, at.right.cell));
     if (is_odd) {
       sum = ring_.negate(sum);
     }
@@ -382,7 +382,8 @@ typename R::Element LazyMaps<R>::coefficient_of_G(const ops::LazyKey& key, Symbo
   }
   for (const auto& shuffle :
        terms_.shuffles(structure_.dimension(key.left.cell), structure_.dimension(key.right.cell))) {
-    if (collapsed_steps(shuffle.first) == key.left.collapsed && collapsed_steps(shuffle.second) == key.right.collapsed) {
+    if (collapsed_steps(shuffle.first) == key.left.collapsed &&
+        collapsed_steps(shuffle.second) == key.right.collapsed) {
       return product(ring_.from(shuffle.sign));
     }
   }

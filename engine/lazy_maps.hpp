@@ -22,8 +22,8 @@ namespace sesame::engine {
 ///   simplicial product     the same after the Eilenberg-Zilber reduction (f, g, h):  F f,  g G,  h + g K f
 ///   cone                   the apex;  F w = v for a vertex w, 0 on the rest;  K c = (-1)^(p+1) v*c for a p-cell c
 ///
-/// A de-identification that moves faces of lazy cells is a perturbation chi of these equivalences with values in its new
-/// generators e: F c has -chi(K c) more, the boundary of a generator s has chi(G s) more, that of a generator whose
+/// A de-identification that moves faces of lazy cells is a perturbation chi of these equivalences with values in its
+/// new generators e: F c has -chi(K c) more, the boundary of a generator s has chi(G s) more, that of a generator whose
 /// boundary has the lazy cells z has -chi(K z) more; G and K stay (the basic perturbation lemma).
 ///
 /// Source: engine/LIVE_FORM.md.

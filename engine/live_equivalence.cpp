@@ -70,7 +70,11 @@ Terms<R> unit(const R& ring, Index index) {
 
 template <Ring R>
 LiveEquivalence<R>::LiveEquivalence(R ring, const Structure& structure)
-    : ring_{ring}, structure_{structure}, big_{ring, structure}, rewriter_{ring, big_.boundary()}, lazy_{ring, structure, big_, rewriter_} {
+    : ring_{ring},
+      structure_{structure},
+      big_{ring, structure},
+      rewriter_{ring, big_.boundary()},
+      lazy_{ring, structure, big_, rewriter_} {
   big_.set_lazy_maps(lazy_);
   extend();
 }
@@ -604,6 +608,9 @@ std::optional<std::string> LiveEquivalence<R>::first_defect(ops::Moment before_l
     }
   }
   const ops::CellBasis cells = ops::cells_at(structure_, present);
+  if (auto defect = ops::first_broken_face_law(structure_, cells)) {
+    return defect;
+  }
   if (auto defect = structure_.families() == 0 ? defect_of_matrices() : defect_of_maps(cells)) {
     return defect;
   }

@@ -582,8 +582,8 @@ Trace<R> Rewriter<R>::trace_of_boundary(Symbol x, RuleId before) {
   });
 }
 
-/// One step of writing a * V_time(x) in generators of B and in lifts of earlier times: `add(time, y, coefficient)` is told
-/// of those of a combination, `add_rule(rule, coefficient)` of those of the symbols b of rules.
+/// One step of writing a * V_time(x) in generators of B and in lifts of earlier times: `add(time, y, coefficient)` is
+/// told of those of a combination, `add_rule(rule, coefficient)` of those of the symbols b of rules.
 template <Ring R>
 template <class Add, class AddRule>
 void Rewriter<R>::expand(RuleId time, Symbol x, const Element& a, Terms<R>& generators, Add add, AddRule add_rule) {
@@ -668,8 +668,7 @@ std::size_t Rewriter<R>::perturbations_until(int degree, RuleId time) const {
 template <Ring R>
 std::size_t Rewriter<R>::taken_in(RuleId rule) const {
   const auto change = changes_.find(rule);
-  return change != changes_.end() ? change->second.taken_in
-                                  : perturbations_until(degree_[rules_[rule].a] + 1, rule);
+  return change != changes_.end() ? change->second.taken_in : perturbations_until(degree_[rules_[rule].a] + 1, rule);
 }
 
 template <Ring R>
@@ -680,8 +679,7 @@ typename Rewriter<R>::Expansion Rewriter<R>::expansion(Symbol x, RuleId time) {
     const auto [t, y, coefficient] = pending.back();
     pending.pop_back();
     expand(
-        t, y, coefficient, v.generators,
-        [&](RuleId at, Symbol z, const Element& a) { pending.emplace_back(at, z, a); },
+        t, y, coefficient, v.generators, [&](RuleId at, Symbol z, const Element& a) { pending.emplace_back(at, z, a); },
         [&](RuleId rule, const Element& a) { v.trace.emplace_back(rule, ring_.negate(a)); });
   }
   return v;

@@ -43,9 +43,9 @@ using Trace = std::vector<std::pair<RuleId, typename R::Element>>;
 /// h(v) = sum trace[a] V(b_a), and V_t(x) = x - sum trace_t(d x)[a] V(b_a) with the rules made before t.
 ///
 /// *A perturbation* is what a de-identification does: boundaries of old generators b gain terms delta(b) in new
-/// generators e, the copies. Then the rule that b made has -e^-1 delta(V(b)) more, for the e are eliminated after it; and
-/// the boundary of a small x has delta(V(x)) more. The latter is worked out at once, the former when a rule is read:
-/// a rule keeps the sum of its changes and the number of perturbations that it has taken in.
+/// generators e, the copies. Then the rule that b made has -e^-1 delta(V(b)) more, for the e are eliminated after it;
+/// and the boundary of a small x has delta(V(x)) more. The latter is worked out at once, the former when a rule is
+/// read: a rule keeps the sum of its changes and the number of perturbations that it has taken in.
 ///
 /// Source: for rules, traces, lifts and perturbations see engine/LIVE_FORM.md.
 template <Ring R>
@@ -116,10 +116,10 @@ class Rewriter {
   };
   struct Memo {
     Terms<R> terms;
-    std::uint64_t checked = 0;  ///< the version at which it was known to be in small symbols only
+    std::uint64_t checked = 0;    ///< the version at which it was known to be in small symbols only
     std::uint64_t perturbed = 0;  ///< the serial number of the last perturbation that it takes into account
-    std::uint32_t epoch = 0;    ///< in which it was last written
-    bool written = false;       ///< else the value of the rule stands
+    std::uint32_t epoch = 0;      ///< in which it was last written
+    bool written = false;         ///< else the value of the rule stands
   };
   /// A change of basis x' = x - q y made by rule `rule`; `column` is dS x' then.
   struct Combination {
@@ -229,7 +229,7 @@ class Rewriter {
 
   TorsionCore<R> core_;
   std::set<Symbol> unsettled_;
-  int moves_left_ = 0;  ///< changes of basis that this step may still make
+  int moves_left_ = 0;                                    ///< changes of basis that this step may still make
   std::vector<std::vector<Perturbation>> perturbations_;  ///< by the degree of the changed generators
   std::vector<PerturbationStep> perturbation_steps_;
   std::unordered_map<RuleId, Change> changes_;

@@ -10,8 +10,8 @@ namespace sesame::ops {
 
 /// A simploid of type (a_1, ..., a_n) has a_1 + ... + a_n *directions*: number j of component i lies between the
 /// vertices j and j + 1 of that component; they are numbered from 0, component after component. A degenerate cell is a
-/// smaller cell with some directions collapsed: bit d is set when direction d is. (A composite of the operators s^i_j is
-/// a monotone surjection in each component, and that is the set of steps that do not move.) 0: not degenerate.
+/// smaller cell with some directions collapsed: bit d is set when direction d is. (A composite of the operators s^i_j
+/// is a monotone surjection in each component, and that is the set of steps that do not move.) 0: not degenerate.
 ///
 /// Source: S. Peltier's habilitation (2023), definitions 23 to 25; written this way the commutation rules of face and
 /// degeneracy operators need no list of cases.
@@ -52,9 +52,10 @@ void for_each_pair_of_degeneracies(int n, int p, int q, Visit&& visit) {
 /// Face k of a cell of some type with some directions collapsed.
 struct DegenerateFace {
   static constexpr std::uint32_t itself = UINT32_MAX;
-  TypeId type;            ///< of the face
-  Degeneracy collapsed;   ///< the directions of that type that are collapsed for certain
-  std::uint32_t of_cell;  ///< the face of the cell underneath that it is a degeneracy of, or `itself`: of the whole cell
+  TypeId type;           ///< of the face
+  Degeneracy collapsed;  ///< the directions of that type that are collapsed for certain
+  std::uint32_t
+      of_cell;  ///< the face of the cell underneath that it is a degeneracy of, or `itself`: of the whole cell
 };
 /// Requires: k is a face of the type. Cost O(dimension).
 [[nodiscard]] DegenerateFace face_of_degenerate(const TypeInfo& type, Degeneracy collapsed, std::uint32_t k);

@@ -42,11 +42,11 @@ enum class LazyPart : std::uint8_t {
 /// What a step that makes a family is to do.
 struct NewFamily {
   FamilyKind kind;
-  std::string name;                    ///< of the product; the apex of the cone
-  std::vector<BodyId> bodies;          ///< the factors, left and right; or all bodies under the cone
-  bool by_edges = false;               ///< a cone whose cells are products with an edge, its far end squashed
-  std::vector<std::uint64_t> counts;   ///< of its cells, by dimension; without the apex
-  std::uint64_t simploids = 0;         ///< of these, the ones of a type longer than one
+  std::string name;                   ///< of the product; the apex of the cone
+  std::vector<BodyId> bodies;         ///< the factors, left and right; or all bodies under the cone
+  bool by_edges = false;              ///< a cone whose cells are products with an edge, its far end squashed
+  std::vector<std::uint64_t> counts;  ///< of its cells, by dimension; without the apex
+  std::uint64_t simploids = 0;        ///< of these, the ones of a type longer than one
 };
 
 /// A family of lazy cells. The bodies that it is made of are frozen: nothing in them changes any more.

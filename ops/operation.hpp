@@ -102,9 +102,8 @@ struct Note {
   std::string text;
 };
 
-using Operation =
-    std::variant<MakeSimplex, MakeSimploid, MakeComplex, MakeCone, MakeProduct, Identify, Degenerate, Deidentify,
-                 Expect, AskClass, Undo, Note>;
+using Operation = std::variant<MakeSimplex, MakeSimploid, MakeComplex, MakeCone, MakeProduct, Identify, Degenerate,
+                               Deidentify, Expect, AskClass, Undo, Note>;
 
 /// The word that stands for an operation in a log: "simplex", "identify", ...
 [[nodiscard]] std::string_view keyword(const Operation& operation);

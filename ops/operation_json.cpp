@@ -256,25 +256,25 @@ Operation read_degenerate(Fields& in) {
 
 Operation read_deidentify(Fields& in) {
   Deidentify op;
-  op.splits = list(in, "split", in.need("split"), "a list of objects with \"cell\", \"as\" and \"moves\"",
-                   [&](const Json& item) {
-                     if (!item.is_object()) {
-                       in.wrong("split", "a list of objects with \"cell\", \"as\" and \"moves\"", item);
-                     }
-                     Fields fields(item, "a split");
-                     Deidentify::Split split;
-                     split.cell = text(fields, "cell", fields.need("cell"));
-                     split.copy = text(fields, "as", fields.need("as"));
-                     constexpr std::string_view expected = "a list of incidences, [[\"cell\",face number],...]";
-                     split.moves = list(fields, "moves", fields.need("moves"), expected, [&](const Json& move) {
-                       if (!move.is_array() || move.size() != 2) {
-                         fields.wrong("moves", expected, move);
-                       }
-                       return std::pair{text(fields, "moves", move[0]), std::int64_t{small(fields, "moves", move[1], 0)}};
-                     });
-                     fields.finish();
-                     return split;
-                   });
+  op.splits = list(
+      in, "split", in.need("split"), "a list of objects with \"cell\", \"as\" and \"moves\"", [&](const Json& item) {
+        if (!item.is_object()) {
+          in.wrong("split", "a list of objects with \"cell\", \"as\" and \"moves\"", item);
+        }
+        Fields fields(item, "a split");
+        Deidentify::Split split;
+        split.cell = text(fields, "cell", fields.need("cell"));
+        split.copy = text(fields, "as", fields.need("as"));
+        constexpr std::string_view expected = "a list of incidences, [[\"cell\",face number],...]";
+        split.moves = list(fields, "moves", fields.need("moves"), expected, [&](const Json& move) {
+          if (!move.is_array() || move.size() != 2) {
+            fields.wrong("moves", expected, move);
+          }
+          return std::pair{text(fields, "moves", move[0]), std::int64_t{small(fields, "moves", move[1], 0)}};
+        });
+        fields.finish();
+        return split;
+      });
   return op;
 }
 
@@ -286,8 +286,8 @@ Operation read_product(Fields& in) {
   if (const Json* kind_of_product = in.find("kind")) {
     const std::string word = text(in, "kind", *kind_of_product);
     if (word != "simploidal" && word != "simplicial") {
-      throw Wrong{fmt::format("field \"kind\" of a product should be \"simploidal\" or \"simplicial\", but is \"{}\"",
-                              word)};
+      throw Wrong{
+          fmt::format("field \"kind\" of a product should be \"simploidal\" or \"simplicial\", but is \"{}\"", word)};
     }
     op.simplicial = word == "simplicial";
   }
@@ -347,10 +347,18 @@ struct Reader {
   std::string_view keyword;
   Operation (*read)(Fields&);
 };
-constexpr Reader readers[] = {{"simplex", read_simplex}, {"simploid", read_simploid}, {"complex", read_complex},
-                              {"cone", read_cone}, {"product", read_product}, {"identify", read_identify},
-                              {"degenerate", read_degenerate}, {"deidentify", read_deidentify}, {"expect", read_expect},
-                              {"class", read_class},     {"undo", read_undo},         {"note", read_note}};
+constexpr Reader readers[] = {{"simplex", read_simplex},
+                              {"simploid", read_simploid},
+                              {"complex", read_complex},
+                              {"cone", read_cone},
+                              {"product", read_product},
+                              {"identify", read_identify},
+                              {"degenerate", read_degenerate},
+                              {"deidentify", read_deidentify},
+                              {"expect", read_expect},
+                              {"class", read_class},
+                              {"undo", read_undo},
+                              {"note", read_note}};
 
 Operation read_operation(const Json& object) {
   const auto op = object.find("op");

@@ -219,9 +219,10 @@ Result<CellId> Planner::resolve(const std::string& name) const {
   }
   if (structure_.is_consumed(*node)) {
     const LazyFamily& product = structure_.family(structure_.consumed_by(structure_.body_of(*node)));
-    return Error{Errc::unknown_name,
-                 fmt::format("the cell \"{}\" went into the product \"{}\", whose cells have names such as \"{}.(a|b)\"",
-                             name, product.name, product.name)};
+    return Error{
+        Errc::unknown_name,
+        fmt::format("the cell \"{}\" went into the product \"{}\", whose cells have names such as \"{}.(a|b)\"", name,
+                    product.name, product.name)};
   }
   return *node;
 }
@@ -515,8 +516,8 @@ Status Planner::plan_explicit_cone(const MakeCone& operation, std::vector<CellId
   if (Status s = check_room(static_cast<std::int64_t>(coned.size()) + 1); !s) {
     return s;
   }
-  const bool by_edges = std::any_of(coned.begin(), coned.end(),
-                                    [this](CellId c) { return !is_simplex(structure_.type(c).type); });
+  const bool by_edges =
+      std::any_of(coned.begin(), coned.end(), [this](CellId c) { return !is_simplex(structure_.type(c).type); });
   // All that may make lazy cells comes first: the plan counts on ids.
   std::vector<std::string> names;
   for (const CellId c : coned) {
@@ -597,8 +598,8 @@ Status Planner::check_family(const NewFamily& family) const {
   std::uint64_t sum = std::accumulate(others.begin(), others.end(), std::uint64_t{0});
   for (const std::uint64_t count : family.counts) {
     if (count > largest_count || (sum += count) > largest_count) {
-      return Error{Errc::refused, fmt::format("with \"{}\" there would be more than {} cells, the limit", family.name,
-                                              largest_count)};
+      return Error{Errc::refused,
+                   fmt::format("with \"{}\" there would be more than {} cells, the limit", family.name, largest_count)};
     }
   }
   return Done{};
@@ -621,8 +622,12 @@ Status Planner::plan(const MakeProduct& operation, Plan& plan) {
                                               name)};
     }
   }
-  NewFamily product{operation.simplicial ? FamilyKind::simplicial_product : FamilyKind::product, operation.name,
-                    {*left, *right}, false, {}, 0};
+  NewFamily product{operation.simplicial ? FamilyKind::simplicial_product : FamilyKind::product,
+                    operation.name,
+                    {*left, *right},
+                    false,
+                    {},
+                    0};
   const auto lefts = structure_.counts_of(*left);
   const auto rights = structure_.counts_of(*right);
   product.counts.assign(std::max<std::size_t>(lefts.size() + rights.size(), 1) - 1, 0);
@@ -661,8 +666,8 @@ Status Planner::plan(const MakeProduct& operation, Plan& plan) {
     const auto vertices = [](std::span<const std::uint64_t> counts) { return counts.empty() ? 0 : counts[0]; };
     const std::uint64_t left_simplices = total(lefts) - structure_.simploids_of(*left);
     const std::uint64_t right_simplices = total(rights) - structure_.simploids_of(*right);
-    const std::uint64_t simplices = left_simplices * vertices(rights) + vertices(lefts) * right_simplices -
-                                    vertices(lefts) * vertices(rights);
+    const std::uint64_t simplices =
+        left_simplices * vertices(rights) + vertices(lefts) * right_simplices - vertices(lefts) * vertices(rights);
     product.simploids = total(product.counts) - simplices;
   }
   plan.new_body = operation.name;
@@ -702,9 +707,9 @@ Value Planner::overlay_value(Value v) {
   }
 }
 
-void Planner::add_restrictions(const Value& one, const Value& other,
-                               std::vector<std::pair<Value, Value>>& out) const {
-  for (const int section : {1, 0}) {  // vertex j + 1 goes for a collapsed direction j: the least section; j: the greatest
+void Planner::add_restrictions(const Value& one, const Value& other, std::vector<std::pair<Value, Value>>& out) const {
+  for (const int section :
+       {1, 0}) {  // vertex j + 1 goes for a collapsed direction j: the least section; j: the greatest
     Value a = one;
     Value b = other;
     const CellType type = structure_.types().info(one.type).type;
@@ -721,9 +726,9 @@ void Planner::add_restrictions(const Value& one, const Value& other,
   }
 }
 
-/// Congruence closure. Closing under faces needs no look at cofaces, so its cost does not depend on the object. Cells of
-/// one type have faces of the same types in the same order, so nothing below can be refused. That two degenerate values
-/// are equal says, by the Eilenberg-Zilber lemma, no more and no less than what it says along sections of each.
+/// Congruence closure. Closing under faces needs no look at cofaces, so its cost does not depend on the object. Cells
+/// of one type have faces of the same types in the same order, so nothing below can be refused. That two degenerate
+/// values are equal says, by the Eilenberg-Zilber lemma, no more and no less than what it says along sections of each.
 Status Planner::plan_equation(std::vector<std::pair<Value, Value>> pending, Plan& plan) {
   overlay_.clear();
   touched_.clear();
@@ -825,8 +830,8 @@ Status Planner::plan(const Degenerate& operation, Plan& plan) {
   }
   const int component = operation.component.value_or(1) - 1;
   if (component < 0 || component >= static_cast<int>(type.size())) {
-    return bad_input(fmt::format("\"{}\" is a {}: its components are 1 to {}", operation.cell, describe(type),
-                                 type.size()));
+    return bad_input(
+        fmt::format("\"{}\" is a {}: its components are 1 to {}", operation.cell, describe(type), type.size()));
   }
   const int size = type[static_cast<std::size_t>(component)];
   if (operation.index < 0 || operation.index >= size) {
@@ -890,7 +895,8 @@ class SplitPlanner {
     }
     const CellId cell = structure_.find(*node);
     if (cell == none) {
-      return Error{Errc::refused, fmt::format("\"{}\" is degenerate: only a cell that is not can be split", split.cell)};
+      return Error{Errc::refused,
+                   fmt::format("\"{}\" is degenerate: only a cell that is not can be split", split.cell)};
     }
     const auto id = first_copy + static_cast<CellId>(copies_.size());
     if (!copy_names_.emplace(split.copy, id).second) {
@@ -918,15 +924,16 @@ class SplitPlanner {
     const CellId source = copies_[split].source;
     std::vector<Value>& faces = faces_of(cell);
     if (face < 0 || face >= static_cast<std::int64_t>(faces.size())) {
-      return bad_input(fmt::format("\"{}\" has {} faces, counted from 0: there is no face {}", name, faces.size(), face));
+      return bad_input(
+          fmt::format("\"{}\" has {} faces, counted from 0: there is no face {}", name, faces.size(), face));
     }
     Value& value = faces[static_cast<std::size_t>(face)];
     if (is_copy(value.cell)) {
       return bad_input(fmt::format("face {} of \"{}\" is moved twice in this step: it can go to one copy", face, name));
     }
     if (value.is_degenerate() || value.cell != source) {
-      return bad_input(fmt::format("face {} of \"{}\" is {}\"{}\", not \"{}\": it cannot go to the copy \"{}\"", face, name,
-                                   value.is_degenerate() ? "degenerate over " : "", name_of(value.cell),
+      return bad_input(fmt::format("face {} of \"{}\" is {}\"{}\", not \"{}\": it cannot go to the copy \"{}\"", face,
+                                   name, value.is_degenerate() ? "degenerate over " : "", name_of(value.cell),
                                    operation_.splits[split].cell, operation_.splits[split].copy));
     }
     value.cell = first_copy + static_cast<CellId>(split);
@@ -984,11 +991,12 @@ class SplitPlanner {
         const Value one = face(face(cell, law.first), law.second);
         const Value other = face(face(cell, law.other_first), law.other_second);
         if (!(one == other)) {
-          return Error{Errc::refused,
-                       fmt::format("after this split \"{}\" would break a face law: face {} of its face {} would be \"{}\", and "
-                                   "face {} of its face {} \"{}\", but they must be one cell: split more, or move more",
-                                   name_of(c), law.second, law.first, name_of(one.cell), law.other_second,
-                                   law.other_first, name_of(other.cell))};
+          return Error{
+              Errc::refused,
+              fmt::format("after this split \"{}\" would break a face law: face {} of its face {} would be \"{}\", and "
+                          "face {} of its face {} \"{}\", but they must be one cell: split more, or move more",
+                          name_of(c), law.second, law.first, name_of(one.cell), law.other_second, law.other_first,
+                          name_of(other.cell))};
         }
       }
     }

@@ -19,7 +19,7 @@ struct Limits {
   std::int64_t cells_of_standard = std::int64_t{1} << 20;  ///< of one simplex or simploid with its faces
   std::int64_t cells_per_step = 50'000'000;
   std::int64_t cells_of_explicit_cone = 4096;  ///< a cone over whole bodies of more cells is a lazy family
-  std::int64_t cells = 1'000'000'000;  ///< ids of cells and of removals share 32 bits in the big complex
+  std::int64_t cells = 1'000'000'000;          ///< ids of cells and of removals share 32 bits in the big complex
 };
 
 /// Works out plans; changes nothing. Keeps scratch memory between calls.

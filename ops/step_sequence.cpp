@@ -1,5 +1,7 @@
 #include "ops/step_sequence.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "sparse/contract.hpp"
@@ -124,8 +126,7 @@ StepSequence<R> removed_cells(const Structure& structure, Moment before, Moment 
     return Terms<R>{{removed.index(c), minus_one}};
   });
   auto j = map_with_columns(ring, all, kept, Rest::identity, removed, [&](CellId c) { return became(kept, c); });
-  auto s = map_with_columns(ring, kept, all, Rest::identity, none_stored,
-                            [&](CellId c) { return unit(ring, all, c); });
+  auto s = map_with_columns(ring, kept, all, Rest::identity, none_stored, [&](CellId c) { return unit(ring, all, c); });
   ChainComplex<R> c1 = chain_complex(structure, all, before, ring);
   ChainComplex<R> c0 = kernel_complex(ring, removed, c1, i, r);
   return {Direction::forward,
@@ -155,8 +156,8 @@ StepSequence<R> split_cells(const Structure& structure, Moment before, Moment af
   auto r = map_with_columns(ring, all, copies, Rest::zero, copies, [&](CellId c) { return unit(ring, copies, c); });
   auto j = map_with_columns(ring, all, old_cells, Rest::identity, copies,
                             [&](CellId c) { return unit(ring, old_cells, source(c)); });
-  auto s = map_with_columns(ring, old_cells, all, Rest::identity, none_stored,
-                            [&](CellId c) { return unit(ring, all, c); });
+  auto s =
+      map_with_columns(ring, old_cells, all, Rest::identity, none_stored, [&](CellId c) { return unit(ring, all, c); });
   ChainComplex<R> c1 = chain_complex(structure, all, after, ring);
   ChainComplex<R> c0 = kernel_complex(ring, copies, c1, i, r);
   return {Direction::backward,
@@ -195,6 +196,22 @@ CellBasis cells_at(const Structure& structure, Moment moment) {
     }
   }
   return basis;
+}
+
+std::optional<std::string> first_broken_face_law(const Structure& structure, const CellBasis& basis) {
+  for (const auto& cells : basis.cells()) {
+    for (const CellId c : cells) {
+      const Value cell = structure.value(c);
+      for (const FaceLaw& law : structure.type(c).laws) {
+        if (!(structure.face(structure.face(cell, law.first), law.second) ==
+              structure.face(structure.face(cell, law.other_first), law.other_second))) {
+          return fmt::format("face {} of face {} of {} is not its face {} of face {}", law.second, law.first,
+                             structure.name(c), law.other_second, law.other_first);
+        }
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 template <Ring R>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -36,6 +37,9 @@ class CellBasis {
 template <sparse::Ring R>
 [[nodiscard]] reductions::ChainComplex<R> chain_complex(const Structure& structure, const CellBasis& basis,
                                                         Moment moment, const R& ring);
+
+/// The first face law that a cell of the basis breaks now, as a sentence; nothing when all hold. Cost: the laws.
+[[nodiscard]] std::optional<std::string> first_broken_face_law(const Structure& structure, const CellBasis& basis);
 
 /// Which of its three complexes a sequence makes from the other two.
 enum class Direction : std::uint8_t {

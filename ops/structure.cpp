@@ -770,9 +770,7 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
     }
     const TypeInfo& type = types_->info(cell.type);
     const CellId source = plan.sources.empty() ? none : plan.sources[k];
-    const BodyId body = source != none     ? body_of(source)
-                        : new_body != none ? new_body
-                                           : plan.into_body.value();
+    const BodyId body = source != none ? body_of(source) : new_body != none ? new_body : plan.into_body.value();
     const CellId id = add_node(cell.type, names_.size(), none, body);
     for (std::size_t f = 0; f < type.faces.size(); ++f) {
       const CellId face = plan.faces[cell.first_face + f];
@@ -792,9 +790,10 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
     if (source != none) {
       bodies_[body].made.push_back({id, id + 1});
       copy_index_.emplace(id, copies());
-      copies_.push_back(
-          {id, source, {id - static_cast<CellId>(k), links(), static_cast<std::uint32_t>(moves_.size()), families(),
-                   copies() - static_cast<std::uint32_t>(k)}});
+      copies_.push_back({id,
+                         source,
+                         {id - static_cast<CellId>(k), links(), static_cast<std::uint32_t>(moves_.size()), families(),
+                          copies() - static_cast<std::uint32_t>(k)}});
       copies_of_[source].push_back(id);
     }
   }
@@ -999,8 +998,8 @@ void Structure::drop_last_node() {
       copies_.pop_back();
     }
   }
-  for (auto* column :
-       {&n.type, &n.first_incidence, &n.parent, &n.oldest, &n.size, &n.link_of, &n.last_child, &n.name, &n.lazy, &n.body}) {
+  for (auto* column : {&n.type, &n.first_incidence, &n.parent, &n.oldest, &n.size, &n.link_of, &n.last_child, &n.name,
+                       &n.lazy, &n.body}) {
     column->pop_back();
   }
   n.first_face.pop_back();

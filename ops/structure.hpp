@@ -49,20 +49,21 @@ struct Plan {
   CellId first = none;  ///< the id of the first new cell
   std::string names;
   std::vector<std::pair<std::string, CellId>> aliases;  ///< further names of new cells
-  std::vector<Merge> merges;            ///< by dimension, so that boundaries agree when their turn comes
+  std::vector<Merge> merges;  ///< by dimension, so that boundaries agree when their turn comes
   std::vector<std::pair<std::uint32_t, Value>> degenerate;  ///< new cells, by position, that are degenerate: no names
-  std::vector<CellId> sources;          ///< empty, or per new cell: the cell that it is a copy of
-  std::vector<Move> moves;              ///< incidences that go to a copy
-  std::optional<NewFamily> family;      ///< bodies become a product or a cone
-  std::optional<std::string> new_body;  ///< the new cells make a body of this name
-  std::optional<BodyId> into_body;      ///< the new cells join this body
-  std::vector<BodyId> joined_bodies;    ///< become one with `into_body` (the older name stays)
+  std::vector<CellId> sources;                              ///< empty, or per new cell: the cell that it is a copy of
+  std::vector<Move> moves;                                  ///< incidences that go to a copy
+  std::optional<NewFamily> family;                          ///< bodies become a product or a cone
+  std::optional<std::string> new_body;                      ///< the new cells make a body of this name
+  std::optional<BodyId> into_body;                          ///< the new cells join this body
+  std::vector<BodyId> joined_bodies;                        ///< become one with `into_body` (the older name stays)
 
   void clear();
   [[nodiscard]] bool changes_nothing() const { return cells.empty() && merges.empty() && !family; }
 };
 
-/// A moment of the history: how many cells had been created and removed, incidences moved, copies and lazy families made.
+/// A moment of the history: how many cells had been created and removed, incidences moved, copies and lazy families
+/// made.
 struct Moment {
   CellId created = 0;
   LinkId links = 0;
@@ -203,9 +204,7 @@ class Structure {
   /// The oldest member of the class of c: of the cell that it is now, or was last before it became degenerate.
   [[nodiscard]] CellId oldest(CellId c) const { return nodes_->oldest[last_root(c)]; }
   /// Whether a was created before b. Cells of one lazy family are as old as what they are made of.
-  [[nodiscard]] bool is_older(CellId a, CellId b) const {
-    return families_.empty() ? a < b : compare_age(a, b) < 0;
-  }
+  [[nodiscard]] bool is_older(CellId a, CellId b) const { return families_.empty() ? a < b : compare_age(a, b) < 0; }
   [[nodiscard]] bool is_name_taken(std::string_view name) const;
   /// True when some name begins with this and goes on with "*" or ".(": the prefix of a lazy family would be ambiguous.
   [[nodiscard]] bool is_prefix_taken(std::string_view prefix) const;
@@ -270,7 +269,7 @@ class Structure {
     std::vector<std::uint32_t> name;
     std::vector<std::uint32_t> lazy;
     std::vector<BodyId> body;
-    std::unordered_map<CellId, Value> squashed;  ///< what a node that became degenerate is
+    std::unordered_map<CellId, Value> squashed;                     ///< what a node that became degenerate is
     std::unordered_map<CellId, std::vector<CellId>> squashed_onto;  ///< per node: those that became degenerate over it
     std::deque<LazyCell> lazy_cells;
     std::unordered_map<LazyKey, CellId, LazyKeyHash> lazy_index;
@@ -345,8 +344,8 @@ class Structure {
     std::vector<CellId> faces;           ///< as they are now
     std::vector<std::uint32_t> history;  ///< numbers in moves_
   };
-  std::unordered_map<CellId, MovedFaces> moved_;                        ///< cells that have moved incidences
-  std::unordered_map<CellId, std::vector<std::uint32_t>> moved_onto_;   ///< per node: the moves that ended at it
+  std::unordered_map<CellId, MovedFaces> moved_;                       ///< cells that have moved incidences
+  std::unordered_map<CellId, std::vector<std::uint32_t>> moved_onto_;  ///< per node: the moves that ended at it
 
   NameTable names_;
   std::unordered_map<std::string, std::uint32_t> prefixes_;  ///< of names that could be those of lazy cells

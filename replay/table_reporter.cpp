@@ -24,13 +24,13 @@ class TableReporter final : public Reporter {
 
   void step(engine::Engine& engine, const ReportedStep& reported) override {
     if (!has_header_) {
-      out_ << bold(fmt::format("{:>6}  {:<9} {:<18} {:>6} {:>10}  homology over {}", "step", "op", "cells", "euler",
+      out_ << bold(fmt::format("{:>6}  {:<10} {:<18} {:>6} {:>10}  homology over {}", "step", "op", "cells", "euler",
                                "time", sparse::ring_name(engine.ring())))
            << '\n';
       has_header_ = true;
     }
     const std::string homology = homology_line(reported.homology, engine.ring());
-    out_ << fmt::format("{:>6}  {:<9} {:<18} {:>6} {:>10}  ", reported.step.step, reported.step.op,
+    out_ << fmt::format("{:>6}  {:<10} {:<18} {:>6} {:>10}  ", reported.step.step, reported.step.op,
                         fmt::format("{}", fmt::join(engine.cells(), " ")), engine.euler_characteristic(),
                         short_time(reported.microseconds))
          << (homology == last_ ? homology : changed(homology)) << '\n';
