@@ -136,14 +136,16 @@ std::vector<Index> BigComplex<R>::split(Index first, std::span<const Structure::
   if (!of_lazy.empty()) {
     lazy_maps_->add_gains(of_lazy, lazy_part_, changes);
   }
+  MoveSet made;
   std::set<std::pair<CellId, CellId>> candidates;
   for (const Structure::MadeMove& move : moves) {
+    made.emplace(move.cell, move.slot, move.after);
     if (!structure_.is_lazy(move.before)) {
       candidates.emplace(move.before, move.after);
     }
   }
   for (const auto& [node, copy] : candidates) {
-    if (moves_wholly(node, copy, moves)) {
+    if (moves_wholly(node, copy, made)) {
       shift(node, copy, first, changes);
     }
   }
@@ -165,22 +167,18 @@ std::vector<Index> BigComplex<R>::split(Index first, std::span<const Structure::
 /// Whether all incidences of a node go to one copy, and it pays to change the basis; a node with very many others is
 /// not looked through.
 template <Ring R>
-bool BigComplex<R>::moves_wholly(CellId node, CellId copy, std::span<const Structure::MadeMove> moves) const {
-  const auto goes = [&](CellId cell, std::uint32_t slot) {
-    return std::any_of(moves.begin(), moves.end(), [&](const Structure::MadeMove& move) {
-      return move.cell == cell && move.slot == slot && move.after == copy;
-    });
-  };
-  const auto places = structure_.places_of(node);
+bool BigComplex<R>::moves_wholly(CellId node, CellId copy, const MoveSet& moves) const {
   constexpr std::size_t most_others = 64;
   constexpr std::size_t most_generators = 8;  // else a place that is glued and split again and again collects them
-  if (places.size() > most_others + 4 * moves.size() || generators_of(node).size() > most_generators) {
+  const std::size_t most_places = most_others + 4 * moves.size();
+  const auto places = structure_.places_of(node, most_places);
+  if (places.size() > most_places || generators_of(node).size() > most_generators) {
     return false;
   }
   return std::all_of(places.begin(), places.end(), [&](const auto& place) {
     const auto& [owner, slot] = place;
     const CellId cell = structure_.find(owner);
-    if (cell == ops::none || goes(cell, slot)) {
+    if (cell == ops::none || moves.contains({cell, slot, copy})) {
       return true;
     }
     // An incidence that moved away before does not count.
@@ -345,6 +343,14 @@ void BigComplex<R>::truncate(const Mark& mark) {
 // --------------------------------------------------------------------------------------------------------------- maps
 
 template <Ring R>
+Terms<R> BigComplex<R>::g(CellId cell) const {
+  Terms<R> out;
+  add_g(cell, ring_.one(), out);
+  sparse::normalize(ring_, out);
+  return out;
+}
+
+template <Ring R>
 void BigComplex<R>::add_g(CellId cell, const typename R::Element& factor, Terms<R>& out) const {
   if (!structure_.moves().empty() || structure_.copies() > 0 || structure_.is_lazy(cell)) {
     add_g_at(cell, structure_.now(), factor, out);
@@ -424,6 +430,13 @@ void BigComplex<R>::add_cell(CellId node, const typename R::Element& factor, Ter
 }
 
 template <Ring R>
+void BigComplex<R>::add_as_now(std::span<const sparse::Term<R>> nodes, Terms<R>& out) const {
+  for (const auto& [node, coefficient] : nodes) {
+    add_cell(node, coefficient, out);
+  }
+}
+
+template <Ring R>
 void BigComplex<R>::add_f(Index generator, const typename R::Element& factor, Terms<R>& out) const {
   const std::uint32_t origin = origin_[generator];
   if (const auto part = lazy_part_.empty() ? lazy_part_.end() : lazy_part_.find(generator); part != lazy_part_.end()) {
@@ -431,9 +444,7 @@ void BigComplex<R>::add_f(Index generator, const typename R::Element& factor, Te
     for (const auto& [cell, coefficient] : part->second) {
       lazy_maps_->add_K(cell, ring_.negate(ring_.multiply(factor, coefficient)), bounded);
     }
-    for (const auto& [cell, coefficient] : bounded) {
-      add_cell(cell, coefficient, out);
-    }
+    add_as_now(bounded, out);
   }
   if ((origin & removal) != 0) {
     return;
@@ -441,9 +452,7 @@ void BigComplex<R>::add_f(Index generator, const typename R::Element& factor, Te
   if ((origin & pair) != 0) {
     Terms<R> cells;
     lazy_maps_->add_G(origin & ~pair, generator, factor, cells);
-    for (const auto& [cell, coefficient] : cells) {
-      add_cell(cell, coefficient, out);
-    }
+    add_as_now(cells, out);
     return;
   }
   const auto add_difference = [&](CellId node) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -102,7 +103,8 @@ class BigComplex {
   }
   void truncate(const Mark& mark);
 
-  /// g of a current cell times a factor, added to `out` (not in normal form).
+  /// g of a current cell, in normal form; times a factor, added to `out` (not in normal form).
+  [[nodiscard]] Terms<R> g(CellId cell) const;
   void add_g(CellId cell, const typename R::Element& factor, Terms<R>& out) const;
   /// The lazy cells in g of a cell, as chains of the lazy families: for a lazy cell itself, with the factor.
   void add_lazy_part(CellId cell, const typename R::Element& factor, Terms<R>& out) const;
@@ -112,6 +114,8 @@ class BigComplex {
   void add_as_created(Index generator, const typename R::Element& factor, Terms<R>& out) const;
   /// f of a generator times a factor, added to `out`: current cells, not in normal form.
   void add_f(Index generator, const typename R::Element& factor, Terms<R>& out) const;
+  /// A chain of cells as created, as the current cells that they are now, added to `out` (not in normal form).
+  void add_as_now(std::span<const sparse::Term<R>> nodes, Terms<R>& out) const;
   /// f of a chain of B, as a chain of current cells (indices are cell ids), in normal form.
   [[nodiscard]] Terms<R> f(std::span<const sparse::Term<R>> chain) const;
   /// h of a generator, in normal form. Requires: there are no lazy families.
@@ -126,7 +130,8 @@ class BigComplex {
   void add_cell(CellId node, const typename R::Element& factor, Terms<R>& out) const;
   [[nodiscard]] std::vector<Index> generators_of(CellId node) const;
   [[nodiscard]] std::vector<Index> columns_with(Index generator) const;
-  [[nodiscard]] bool moves_wholly(CellId node, CellId copy, std::span<const Structure::MadeMove> moves) const;
+  using MoveSet = std::set<std::tuple<CellId, std::uint32_t, CellId>>;  ///< (cell, face number, copy)
+  [[nodiscard]] bool moves_wholly(CellId node, CellId copy, const MoveSet& moves) const;
   void shift(CellId node, CellId copy, Index first, std::map<Index, Terms<R>>& changes);
 
   R ring_;

@@ -136,10 +136,7 @@ const Terms<R>& LazyMaps<R>::F_of(CellId cell) {
   if (const auto known = images_.find(cell); known != images_.end()) {
     return known->second;
   }
-  Terms<R> g;
-  big_.add_g(cell, ring_.one(), g);
-  sparse::normalize(ring_, g);
-  Terms<R> image = rewriter_.rewrite(g);
+  Terms<R> image = rewriter_.rewrite(big_.g(cell));
   images_known_.push_back(cell);
   return images_.emplace(cell, std::move(image)).first->second;
 }
@@ -159,21 +156,9 @@ const typename LazyMaps<R>::Homotopy& LazyMaps<R>::homotopy_of(CellId cell) {
   if (const auto known = homotopies_.find(cell); known != homotopies_.end()) {
     return known->second;
   }
-  Terms<R> g;
-  big_.add_g(cell, ring_.one(), g);
-  sparse::normalize(ring_, g);
+  const Terms<R> g = big_.g(cell);
   Terms<R> bounded = big_.f(rewriter_.lift({}, rewriter_.trace(g)));
-  Terms<R> part;
-  big_.add_lazy_part(cell, ring_.one(), part);
-  for (const auto& [lazy, coefficient] : part) {
-    Terms<R> more;
-    add_K(lazy, coefficient, more);
-    for (const auto& [node, factor] : more) {
-      if (const CellId now = structure_.find(node); now != ops::none) {
-        bounded.push_back({now, factor});
-      }
-    }
-  }
+  add_K_of_lazy_part(cell, ring_.one(), bounded);
   sparse::normalize(ring_, bounded);
   Terms<R> image = big_.f(rewriter_.lift(rewriter_.rewrite(g)));
   homotopies_known_.push_back(cell);
@@ -285,6 +270,17 @@ void LazyMaps<R>::add_K_of_product(FamilyId family, CellId left, CellId right, c
   const Terms<R> of_right = homotopy_of(right).K;
   add_pairs(family, of_left.K, {{right, ring_.one()}}, factor, out);
   add_pairs(family, of_left.GF, of_right, structure_.dimension(left) % 2 == 0 ? factor : ring_.negate(factor), out);
+}
+
+template <Ring R>
+void LazyMaps<R>::add_K_of_lazy_part(CellId cell, const Element& factor, Terms<R>& out) {
+  Terms<R> part;
+  big_.add_lazy_part(cell, factor, part);
+  Terms<R> nodes;
+  for (const auto& [lazy, coefficient] : part) {
+    add_K(lazy, coefficient, nodes);
+  }
+  big_.add_as_now(nodes, out);
 }
 
 template <Ring R>

@@ -44,6 +44,10 @@ class LazyMaps {
   void add_G(ops::FamilyId family, Index generator, const Element& factor, Terms<R>& out);
   void add_K(CellId cell, const Element& factor, Terms<R>& out);
 
+  /// K of the lazy cells in g of a current cell, times a factor, in current cells (not in normal form): the part of K
+  /// of that cell that no lift has.
+  void add_K_of_lazy_part(CellId cell, const Element& factor, Terms<R>& out);
+
   /// The boundaries of lazy cells have gained terms: adds what those of generators gain by that. `lazy_parts`: the lazy
   /// cells in the boundaries of other generators.
   void add_gains(const Gains& gains, const std::unordered_map<Index, Terms<R>>& lazy_parts,

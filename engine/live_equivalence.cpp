@@ -442,18 +442,8 @@ CellChain LiveEquivalence<R>::apply_K(const CellChain& chain) {
 template <Ring R>
 CellChain LiveEquivalence<R>::bounding(const CellChain& z, const Terms<R>& chain_of_s, const Trace<R>& trace) {
   Terms<R> cells = big_.f(rewriter_.lift(chain_of_s, trace));
-  Terms<R> lazy;
   for (const auto& [coefficient, cell] : z.terms) {
-    Terms<R> part;
-    big_.add_lazy_part(cell, ring_.from(coefficient), part);
-    for (const Term<R>& term : part) {
-      lazy_.add_K(term.index, term.coefficient, lazy);
-    }
-  }
-  for (const Term<R>& term : lazy) {
-    if (const CellId cell = structure_.find(term.index); cell != ops::none) {
-      cells.push_back({cell, term.coefficient});
-    }
+    lazy_.add_K_of_lazy_part(cell, ring_.from(coefficient), cells);
   }
   sparse::normalize(ring_, cells);
   return to_chain(z.degree + 1, cells);

@@ -89,15 +89,32 @@ StepSequence<R> added(const Structure& structure, Moment before, Moment after, c
           std::move(fresh)};
 }
 
-/// d0 = r d1 i.
-template <Ring R>
-ChainComplex<R> kernel_complex(const R& ring, const CellBasis& basis, const ChainComplex<R>& c1, const GradedMap<R>& i,
-                               const GradedMap<R>& r) {
+/// The sequence in which C0 is spanned by some cells of C1 as differences: i, j and r have a column for each of those,
+/// s and the rest of j are identities, and d0 = r d1 i.
+template <Ring R, class I, class J>
+StepSequence<R> differences(const Structure& structure, const R& ring, Direction direction, CellBasis small,
+                            CellBasis all, Moment moment_of_all, CellBasis quotient, Moment moment_of_quotient, I i_of,
+                            J j_of, const typename R::Element& r_of) {
+  const CellBasis none_stored;
+  auto i = map_with_columns(ring, small, all, Rest::zero, small, i_of);
+  auto r = map_with_columns(ring, all, small, Rest::zero, small, [&](CellId c) {
+    return Terms<R>{{small.index(c), r_of}};
+  });
+  auto j = map_with_columns(ring, all, quotient, Rest::identity, small, j_of);
+  auto s =
+      map_with_columns(ring, quotient, all, Rest::identity, none_stored, [&](CellId c) { return unit(ring, all, c); });
+  ChainComplex<R> c1 = chain_complex(structure, all, moment_of_all, ring);
   std::vector<Matrix<R>> d0;
-  for (int p = 0; p < static_cast<int>(basis.cells().size()); ++p) {
+  for (int p = 0; p < static_cast<int>(small.cells().size()); ++p) {
     d0.push_back(r.at(p - 1) * c1.boundary(p) * i.at(p));
   }
-  return ChainComplex<R>(ring, basis.sizes(), std::move(d0));
+  ChainComplex<R> c0(ring, small.sizes(), std::move(d0));
+  return {direction,
+          {std::move(c0), std::move(c1), chain_complex(structure, quotient, moment_of_quotient, ring), std::move(i),
+           std::move(j), std::move(r), std::move(s)},
+          std::move(small),
+          std::move(all),
+          std::move(quotient)};
 }
 
 template <Ring R>
@@ -116,25 +133,13 @@ StepSequence<R> removed_cells(const Structure& structure, Moment before, Moment 
     const CellId survivor = structure.find_at(c, after.links);
     return survivor == none ? Terms<R>{} : unit(ring, basis, survivor);
   };
-  const CellBasis none_stored;
-  auto i = map_with_columns(ring, removed, all, Rest::zero, removed, [&](CellId c) {
+  const auto i_of = [&](CellId c) {
     Terms<R> terms = became(all, c);
     terms.push_back({all.index(c), minus_one});
     return terms;
-  });
-  auto r = map_with_columns(ring, all, removed, Rest::zero, removed, [&](CellId c) {
-    return Terms<R>{{removed.index(c), minus_one}};
-  });
-  auto j = map_with_columns(ring, all, kept, Rest::identity, removed, [&](CellId c) { return became(kept, c); });
-  auto s = map_with_columns(ring, kept, all, Rest::identity, none_stored, [&](CellId c) { return unit(ring, all, c); });
-  ChainComplex<R> c1 = chain_complex(structure, all, before, ring);
-  ChainComplex<R> c0 = kernel_complex(ring, removed, c1, i, r);
-  return {Direction::forward,
-          {std::move(c0), std::move(c1), chain_complex(structure, kept, after, ring), std::move(i), std::move(j),
-           std::move(r), std::move(s)},
-          std::move(removed),
-          std::move(all),
-          std::move(kept)};
+  };
+  const auto j_of = [&](CellId c) { return became(kept, c); };
+  return differences(structure, ring, Direction::forward, removed, all, before, kept, after, i_of, j_of, minus_one);
 }
 
 template <Ring R>
@@ -149,23 +154,12 @@ StepSequence<R> split_cells(const Structure& structure, Moment before, Moment af
     }
   }
   const auto source = [&](CellId c) { return structure.copy(c)->source; };
-  const CellBasis none_stored;
-  auto i = map_with_columns(ring, copies, all, Rest::zero, copies, [&](CellId c) {
+  const auto i_of = [&](CellId c) {
     return Terms<R>{{all.index(c), ring.one()}, {all.index(source(c)), ring.negate(ring.one())}};
-  });
-  auto r = map_with_columns(ring, all, copies, Rest::zero, copies, [&](CellId c) { return unit(ring, copies, c); });
-  auto j = map_with_columns(ring, all, old_cells, Rest::identity, copies,
-                            [&](CellId c) { return unit(ring, old_cells, source(c)); });
-  auto s =
-      map_with_columns(ring, old_cells, all, Rest::identity, none_stored, [&](CellId c) { return unit(ring, all, c); });
-  ChainComplex<R> c1 = chain_complex(structure, all, after, ring);
-  ChainComplex<R> c0 = kernel_complex(ring, copies, c1, i, r);
-  return {Direction::backward,
-          {std::move(c0), std::move(c1), chain_complex(structure, old_cells, before, ring), std::move(i), std::move(j),
-           std::move(r), std::move(s)},
-          std::move(copies),
-          std::move(all),
-          std::move(old_cells)};
+  };
+  const auto j_of = [&](CellId c) { return unit(ring, old_cells, source(c)); };
+  return differences(structure, ring, Direction::backward, copies, all, after, old_cells, before, i_of, j_of,
+                     ring.one());
 }
 
 }  // namespace

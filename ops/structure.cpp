@@ -155,9 +155,10 @@ CellId Structure::owner_of(std::uint32_t entry) const {
   return static_cast<CellId>(std::upper_bound(first.begin(), first.end(), entry) - first.begin() - 1);
 }
 
-std::vector<std::pair<CellId, std::uint32_t>> Structure::places_of(CellId node) const {
+std::vector<std::pair<CellId, std::uint32_t>> Structure::places_of(CellId node, std::size_t most) const {
   std::vector<std::pair<CellId, std::uint32_t>> places;
-  for (std::uint32_t entry = nodes_->first_incidence[node]; entry != none; entry = nodes_->next_incidence[entry]) {
+  for (std::uint32_t entry = nodes_->first_incidence[node]; entry != none && places.size() <= most;
+       entry = nodes_->next_incidence[entry]) {
     const CellId owner = owner_of(entry);
     places.emplace_back(owner, entry - static_cast<std::uint32_t>(nodes_->first_face[owner]));
   }
@@ -309,11 +310,6 @@ CellId Structure::lazy_cell(FamilyId family, LazyPart part, const Value& left, c
     nodes_->lazy_made[family].push_back(made.cell);
   }
   return made.is_degenerate() ? node_of(normal_form(made)) : made.cell;
-}
-
-std::optional<CellId> Structure::known_lazy_cell(const LazyKey& key) const {
-  const auto known = nodes_->lazy_index.find(key);
-  return known == nodes_->lazy_index.end() ? std::nullopt : std::optional{known->second};
 }
 
 std::vector<CellId> Structure::faces_of_lazy(const LazyKey& key) const {

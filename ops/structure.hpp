@@ -192,7 +192,8 @@ class Structure {
   [[nodiscard]] std::vector<CellId> cofaces(CellId current) const;
 
   /// The places where a node was given as a face: at the creation of cells, and by moves. As (cell as created, number).
-  [[nodiscard]] std::vector<std::pair<CellId, std::uint32_t>> places_of(CellId node) const;
+  /// Stops when there are more than `most`.
+  [[nodiscard]] std::vector<std::pair<CellId, std::uint32_t>> places_of(CellId node, std::size_t most = SIZE_MAX) const;
 
   // ---- names
   /// The node of a name, or empty. Cells of bodies that a cone was taken over are those of the cone.
@@ -242,8 +243,6 @@ class Structure {
   }
   /// The node of a lazy cell, made if need be; of a degenerate one too. The parts are values in normal form.
   [[nodiscard]] CellId lazy_cell(FamilyId family, LazyPart part, const Value& left, const Value& right = {}) const;
-  /// The same, but only if it has been asked for before.
-  [[nodiscard]] std::optional<CellId> known_lazy_cell(const LazyKey& key) const;
   /// Makes all lazy cells of the object: for looking at the whole of it. Cost: the cells of all families.
   void make_all_lazy_cells() const;
 
@@ -363,9 +362,7 @@ void Structure::for_each_member(CellId current, Visit&& visit) const {
     const CellId node = pending.back();
     pending.pop_back();
     visit(node);
-    for (LinkId link = nodes_->last_child[node]; link != none; link = links_[link].previous_child) {
-      pending.push_back(links_[link].removed);
-    }
+    for_each_child_link(node, [&](LinkId link) { pending.push_back(links_[link].removed); });
   }
 }
 

@@ -8,18 +8,10 @@ using namespace sesame;
 using namespace sesame::ops;
 using namespace sesame::tests;
 using Catch::Contains;
-using Texts = std::vector<std::string>;
-using Counts = std::vector<std::uint64_t>;
 
 namespace {
 
 const Limits lazy{.cells_of_explicit_cone = 0};
-
-Counts counts(const Workshop& shop) {
-  const auto all = shop.structure().counts();
-  return {all.begin(), all.end()};
-}
-Texts faces(const Workshop& shop, const std::string& name) { return face_texts(shop.structure(), shop.cell(name)); }
 
 /// Cells by the age of what their names denote first.
 std::vector<CellId> by_age(const Structure& structure, std::vector<CellId> cells) {

@@ -9,7 +9,6 @@
 using namespace sesame;
 using namespace sesame::ops;
 using namespace sesame::tests;
-using Texts = std::vector<std::string>;
 
 namespace {
 
@@ -135,12 +134,6 @@ void build_checked(Workshop& shop, const std::vector<std::string>& lines) {
     REQUIRE(slow.difference(shop.structure()) == "");
   }
 }
-
-std::vector<std::uint64_t> counts(const Workshop& shop) {
-  const auto all = shop.structure().counts();
-  return {all.begin(), all.end()};
-}
-using Counts = std::vector<std::uint64_t>;
 
 }  // namespace
 

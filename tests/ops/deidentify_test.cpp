@@ -8,16 +8,8 @@ using namespace sesame;
 using namespace sesame::ops;
 using namespace sesame::tests;
 using Catch::Contains;
-using Texts = std::vector<std::string>;
-using Counts = std::vector<std::uint64_t>;
 
 namespace {
-
-Counts counts(const Workshop& shop) {
-  const auto all = shop.structure().counts();
-  return {all.begin(), all.end()};
-}
-Texts faces(const Workshop& shop, const std::string& name) { return face_texts(shop.structure(), shop.cell(name)); }
 
 /// Two triangles s and t, glued along s.1-2 = t.0-1.
 Workshop& two_triangles(Workshop& shop) {

@@ -9,16 +9,8 @@ using namespace sesame;
 using namespace sesame::ops;
 using namespace sesame::tests;
 using Catch::Contains;
-using Texts = std::vector<std::string>;
-using Counts = std::vector<std::uint64_t>;
 
 namespace {
-
-Counts counts(const Workshop& shop) {
-  const auto all = shop.structure().counts();
-  return {all.begin(), all.end()};
-}
-Texts faces(const Workshop& shop, const std::string& name) { return face_texts(shop.structure(), shop.cell(name)); }
 
 /// The cells of the body "P", oldest first.
 Texts cells_of(const Workshop& shop, const std::string& body = "P") {

@@ -257,4 +257,17 @@ inline Error refused(Workshop& shop, const ops::Operation& op) {
 }
 inline Error refused(Workshop& shop, const std::string& line) { return refused(shop, operation(line)); }
 
+using Texts = std::vector<std::string>;
+using Counts = std::vector<std::uint64_t>;
+
+/// The number of current cells of each dimension.
+inline Counts counts(const Workshop& shop) {
+  const auto all = shop.structure().counts();
+  return {all.begin(), all.end()};
+}
+/// What the faces of the cell of a name are.
+inline Texts faces(const Workshop& shop, const std::string& name) {
+  return face_texts(shop.structure(), shop.cell(name));
+}
+
 }  // namespace sesame::tests
