@@ -34,16 +34,16 @@ std::optional<Index> BigComplex<R>::append_cell(CellId cell) {
   }
   column_.clear();
   lazy_column_.clear();
-  const ops::TypeInfo& type = structure_.type(cell);
   const auto faces = structure_.faces_as_created(cell);
-  for (std::size_t k = 0; k < faces.size(); ++k) {
+  for (std::uint32_t k = 0; k < faces.size(); ++k) {
     if (structure_.parent(faces[k]) != ops::none) {
-      add_g(faces[k], ring_.from(type.faces[k].sign), column_);
-      add_lazy_part(faces[k], ring_.from(type.faces[k].sign), lazy_column_);
+      const auto sign = ring_.from(structure_.face_sign(cell, k));
+      add_g(faces[k], sign, column_);
+      add_lazy_part(faces[k], sign, lazy_column_);
     }
   }
   of_cell_.push_back(size());
-  return append(cell, type.dimension);
+  return append(cell, structure_.dimension(cell));
 }
 
 template <Ring R>
@@ -54,8 +54,9 @@ Index BigComplex<R>::append_removal(LinkId link) {
   const CellId removed = structure_.removed(link);
   const auto minus_one = ring_.negate(ring_.one());
   if (const CellId survivor = structure_.parent(removed); survivor != ops::none) {
-    add_g(survivor, ring_.one(), column_);
-    add_lazy_part(survivor, ring_.one(), lazy_column_);
+    const auto sign = ring_.from(structure_.sign_of(link));
+    add_g(survivor, sign, column_);
+    add_lazy_part(survivor, sign, lazy_column_);
   }
   add_g(removed, minus_one, column_);
   add_lazy_part(removed, minus_one, lazy_column_);
@@ -357,11 +358,10 @@ void BigComplex<R>::add_g(CellId cell, const typename R::Element& factor, Terms<
     return;
   }
   out.push_back({of_cell_[cell], factor});  // without copies there are no changes of basis
-  const ops::TypeInfo& type = structure_.type(cell);
   const auto faces = structure_.faces_as_created(cell);
-  for (std::size_t k = 0; k < faces.size(); ++k) {
+  for (std::uint32_t k = 0; k < faces.size(); ++k) {
     if (!structure_.is_current(faces[k])) {
-      add_path(faces[k], structure_.links(), type.faces[k].sign > 0 ? factor : ring_.negate(factor), out);
+      add_path(faces[k], structure_.links(), structure_.face_sign(cell, k) > 0 ? factor : ring_.negate(factor), out);
     }
   }
 }
@@ -378,9 +378,9 @@ void BigComplex<R>::add_g_at(CellId cell, const ops::Moment& moment, const typen
   } else {
     add_as_created(of_cell_[cell], factor, out);
   }
-  const std::vector<ops::FaceOperator>& operators = structure_.type(cell).faces;
-  for (std::uint32_t k = 0; k < operators.size(); ++k) {
-    const auto signed_factor = operators[k].sign > 0 ? factor : ring_.negate(factor);
+  const auto arity = static_cast<std::uint32_t>(structure_.type(cell).faces.size());
+  for (std::uint32_t k = 0; k < arity; ++k) {
+    const auto signed_factor = structure_.face_sign(cell, k) > 0 ? factor : ring_.negate(factor);
     structure_.for_each_face_of_history(cell, k, moment,
                                         [&](CellId node, LinkId links) { add_path(node, links, signed_factor, out); });
   }
@@ -412,20 +412,22 @@ void BigComplex<R>::add_lazy_part(CellId cell, const typename R::Element& factor
 
 template <Ring R>
 void BigComplex<R>::add_path(CellId x, LinkId links, const typename R::Element& factor, Terms<R>& out) const {
+  int sign = 1;
   while (x != ops::none) {
     const LinkId link = structure_.link_of(x);
     if (link >= links) {  // none is more than any: it is current, or degenerate from the start
       return;
     }
-    out.push_back({of_link_[link], factor});
+    out.push_back({of_link_[link], sign > 0 ? factor : ring_.negate(factor)});
+    sign *= structure_.sign_of(link);
     x = structure_.parent(x);
   }
 }
 
 template <Ring R>
 void BigComplex<R>::add_cell(CellId node, const typename R::Element& factor, Terms<R>& out) const {
-  if (const CellId cell = structure_.find(node); cell != ops::none) {
-    out.push_back({cell, factor});
+  if (const auto [cell, sign] = structure_.find_oriented(node); cell != ops::none) {
+    out.push_back({cell, sign > 0 ? factor : ring_.negate(factor)});
   }
 }
 

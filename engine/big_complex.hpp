@@ -28,7 +28,9 @@ class LazyMaps;
 /// The big complex. It has one generator per cell ever created and one per removal of a cell, so |B| <= 2 |cells|.
 ///
 ///   a cell c created with faces c_k     generator [c] of degree dim c,      boundary g(d c)
-///   a cell x removed in favour of y     generator <x> of degree dim x + 1,  boundary g(y) - g(x)
+///   a cell x removed in favour of y     generator <x> of degree dim x + 1,  boundary g(y) - g(x), or -g(y) - g(x)
+///                                                                           when x became y with the opposite
+///                                                                           orientation
 ///   a cell x that became degenerate     generator <x> of degree dim x + 1,  boundary -g(x)
 ///   a copy y of a cell x                generator e of degree dim x,        boundary: that of y - x in other copies
 ///
@@ -41,8 +43,9 @@ class LazyMaps;
 ///   g y   = e + g x as it was when y was made, plus corrections since
 ///   h [c] = -P(c), h <x> = 0, h e = P(x) - P(y)
 ///
-/// where P(x) is the sum of the generators <y> on the path of the forest from x to the cell that x is now. For a face
-/// that has moved, P runs along the path of what the face was until then, and along that of what it is since.
+/// where P(x) is the sum of the generators <y> on the path of the forest from x to the cell that x is now, each with
+/// the sign with which x had become y; f has the sign of the whole path. For a face that has moved, P runs along the
+/// path of what the face was until then, and along that of what it is since.
 ///
 /// *Changes of basis.* When all incidences of a node go to a copy, its generators go with them: G becomes G + e. Then
 /// the boundaries of its cofaces need no change, and what has to change is young: the <x> that had glued it. `shifts_`

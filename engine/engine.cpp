@@ -186,6 +186,38 @@ Status Engine::check_room(const ops::Operation& operation) const {
   return Done{};
 }
 
+Result<Barcode> Engine::barcode() const {
+  if (std::holds_alternative<sparse::Integers>(ring_)) {
+    return Error{Errc::refused, "barcodes need a field: compute over Z/p, such as Z/2, instead of Z"};
+  }
+  for (std::size_t k = 0; k < history_.size(); ++k) {
+    const ops::Moment before = before_step(k + 1);
+    const ops::Moment after = k + 1 < history_.size() ? before_step(k + 2) : ops::now(structure_);
+    const char* reason = nullptr;
+    if (after.copies > before.copies) {
+      reason = "splits cells, and so maps the object before it nowhere";
+    } else if (after.families > before.families) {
+      reason = structure_.family(before.families).kind == ops::FamilyKind::cone
+                   ? "is a cone over more cells than are written out, whose base's classes are no longer told apart"
+                   : "is a product, which consumes the bodies before it";
+    }
+    if (reason != nullptr) {
+      return Error{Errc::refused, "there is no barcode: step " + std::to_string(steps_[k]) + " " + reason};
+    }
+  }
+  Barcode barcode;
+  for (const Lifetime& life : tracker_->lifetimes()) {
+    if (life.born == life.died) {
+      ++barcode.hidden;
+      continue;
+    }
+    const double death = life.died == Lifetime::never ? never : static_cast<double>(steps_[life.died]);
+    barcode.bars.push_back({life.degree, static_cast<double>(steps_[life.born]), death});
+  }
+  std::sort(barcode.bars.begin(), barcode.bars.end());
+  return barcode;
+}
+
 Status Engine::check(const ops::Expect& expected) {
   std::string differences;
   compare("cells", expected.cells, integers(cells()), differences);
@@ -211,6 +243,7 @@ Result<StepReport> Engine::take_back(const ops::Undo& operation) {
   for (std::uint64_t k = 0; k < operation.steps; ++k) {
     structure_.truncate(history_.back());
     history_.pop_back();
+    steps_.pop_back();
     tracker_->undo_to_mark();
   }
   report.after = ops::now(structure_);
@@ -227,6 +260,7 @@ StepReport Engine::begin_report(const ops::Operation& operation) const {
 
 void Engine::push_history() {
   history_.push_back(structure_.mark());
+  steps_.push_back(log_.size() + 1);
   tracker_->push_mark();
 }
 
@@ -265,8 +299,9 @@ Result<CellChain> Engine::chain(const std::vector<std::pair<Integer, std::string
                                         "\" has dimension " + std::to_string(chain.degree) + " and \"" + name +
                                         "\" has dimension " + std::to_string(dimension)};
     }
-    if (const ops::CellId cell = structure_.find(*node); cell != ops::none) {  // a degenerate one counts as 0
-      coefficients[cell] += coefficient;
+    if (const auto [cell, sign] = structure_.find_oriented(*node); cell != ops::none) {  // a degenerate one counts as 0
+      const bool agrees = sign * structure_.sign_of_name(name) * structure_.sign_of_name(cell) > 0;
+      coefficients[cell] += agrees ? coefficient : -coefficient;
     }
   }
   for (auto& [cell, coefficient] : coefficients) {

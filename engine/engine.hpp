@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/barcode.hpp"
 #include "engine/homology_tracker.hpp"
 #include "ops/operation.hpp"
 #include "ops/planner.hpp"
@@ -104,6 +105,15 @@ class Engine {
     return dynamic_cast<LiveEquivalence<R>*>(tracker_.get());
   }
 
+  // ---- persistence
+  /// The barcode of the spaces after each step that is not undone, and the maps between them; times are the numbers of
+  /// the steps among all those of the log, as in their reports.
+  ///
+  /// Errors    refused, over Z, and when a step is no map of the object before it to that after it: a de-identification
+  ///           or a product; or a cone that is a lazy family.
+  /// Cost      The size of the big complex, times the logarithm of the number of steps.
+  [[nodiscard]] Result<Barcode> barcode() const;
+
   // ---- the last step as an exact sequence, and the laws
   /// The moment before the step with this number among those not undone (1: the first). Requires: 1 <= n <= undoable().
   [[nodiscard]] ops::Moment before_step(std::uint64_t n) const;
@@ -136,6 +146,7 @@ class Engine {
   std::unique_ptr<HomologyTracker> tracker_;
   std::vector<ops::Operation> log_;
   std::vector<ops::StructureMark> history_;  ///< before each step that can be undone
+  std::vector<std::uint64_t> steps_;         ///< the numbers of those steps
   std::vector<Observer> observers_;
   bool is_broken_ = false;  ///< a step began and has not come to its end
 };

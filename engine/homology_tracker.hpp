@@ -16,7 +16,8 @@ namespace sesame::engine {
 
 using sparse::Integer;
 
-/// A chain of current cells with integer coefficients (in [0, p) over Z/p), by the age of the cells' canonical names.
+/// A chain of current cells with integer coefficients (in [0, p) over Z/p), by the age of the cells' canonical names,
+/// and with the orientations that these stand for: Structure::sign_of_name.
 struct CellChain {
   struct Term {
     Integer coefficient;
@@ -64,6 +65,13 @@ struct Homology {
   std::vector<std::uint32_t> big;             ///< generators of the big complex
 };
 
+/// A class of homology: the steps that are remembered, counted from 0, at which it was born and died.
+struct Lifetime {
+  static constexpr std::size_t never = SIZE_MAX;
+  int degree;
+  std::size_t born, died;
+};
+
 /// How much has been done, in terms and entries: what a step costs, independent of the machine. Only grows.
 struct Work {
   std::uint64_t boundary_entries = 0;  ///< appended to the boundary of the big complex
@@ -100,6 +108,10 @@ class HomologyTracker {
   [[nodiscard]] virtual CellChain apply_K(const CellChain& chain) = 0;
   [[nodiscard]] virtual CellChain boundary(const CellChain& chain) const = 0;
   [[nodiscard]] virtual SmallChain boundary(const SmallChain& chain) = 0;
+
+  /// Which class was born and died at which step. Requires: the ring is a field; every step not undone is remembered by
+  /// `push_mark`, and no cells were split or consumed. Cost: the generators of B.
+  [[nodiscard]] virtual std::vector<Lifetime> lifetimes() const = 0;
 
   [[nodiscard]] virtual Work work() const = 0;
 

@@ -139,6 +139,24 @@ std::uint64_t LiveEquivalence<R>::small_of(ops::BodyId body) const {
   return count;
 }
 
+template <Ring R>
+std::vector<Lifetime> LiveEquivalence<R>::lifetimes() const {
+  expects(R::is_field, "classes live and die over fields");
+  const auto step_of = [this](Index generator) {
+    const auto next = std::upper_bound(marks_.begin(), marks_.end(), generator,
+                                       [](Index g, const Mark& mark) { return g < mark.big.generators; });
+    return static_cast<std::size_t>(next - marks_.begin()) - 1;
+  };
+  std::vector<Lifetime> lifetimes;
+  rewriter_.for_each_pair([&](Index a, Index b) { lifetimes.push_back({big_.degree(a), step_of(a), step_of(b)}); });
+  for (int p = 0; p < static_cast<int>(rewriter_.small_counts().size()); ++p) {
+    for (const Symbol x : rewriter_.small(p)) {
+      lifetimes.push_back({p, step_of(rewriter_.generator_in(x)), Lifetime::never});
+    }
+  }
+  return lifetimes;
+}
+
 // ------------------------------------------------------------------------------------------------------------ groups
 
 /// The core's columns as a matrix on the rows that occur, in the order in which they do.
@@ -375,10 +393,16 @@ Terms<R> LiveEquivalence<R>::g(const CellChain& chain) const {
   for (const auto& [coefficient, cell] : chain.terms) {
     expects(structure_.is_current(cell) && !structure_.is_consumed(cell) && structure_.dimension(cell) == chain.degree,
             "a chain is made of current cells of its degree");
-    big_.add_g(cell, ring_.from(coefficient), out);
+    big_.add_g(cell, in_own_orientation(cell, coefficient), out);
   }
   sparse::normalize(ring_, out);
   return out;
+}
+
+/// The coefficient of a current cell as it is oriented itself, where it is given as its canonical name says.
+template <Ring R>
+typename R::Element LiveEquivalence<R>::in_own_orientation(CellId cell, const Integer& coefficient) const {
+  return ring_.from(structure_.sign_of_name(cell) > 0 ? coefficient : -coefficient);
 }
 
 template <Ring R>
@@ -390,7 +414,8 @@ template <Ring R>
 CellChain LiveEquivalence<R>::to_chain(int degree, const Terms<R>& cells) const {
   CellChain chain{degree, {}};
   for (const Term<R>& term : cells) {
-    chain.terms.push_back({ring_.to_integer(term.coefficient), term.index});
+    const bool agrees = structure_.sign_of_name(CellId{term.index}) > 0;
+    chain.terms.push_back({ring_.to_integer(agrees ? term.coefficient : ring_.negate(term.coefficient)), term.index});
   }
   std::sort(chain.terms.begin(), chain.terms.end(), [this](const CellChain::Term& a, const CellChain::Term& b) {
     return structure_.is_older(structure_.oldest(a.cell), structure_.oldest(b.cell));
@@ -443,7 +468,7 @@ template <Ring R>
 CellChain LiveEquivalence<R>::bounding(const CellChain& z, const Terms<R>& chain_of_s, const Trace<R>& trace) {
   Terms<R> cells = big_.f(rewriter_.lift(chain_of_s, trace));
   for (const auto& [coefficient, cell] : z.terms) {
-    lazy_.add_K_of_lazy_part(cell, ring_.from(coefficient), cells);
+    lazy_.add_K_of_lazy_part(cell, in_own_orientation(cell, coefficient), cells);
   }
   sparse::normalize(ring_, cells);
   return to_chain(z.degree + 1, cells);
@@ -453,12 +478,11 @@ template <Ring R>
 CellChain LiveEquivalence<R>::boundary(const CellChain& chain) const {
   Terms<R> out;
   for (const auto& [coefficient, cell] : chain.terms) {
-    const ops::TypeInfo& type = structure_.type(cell);
     const auto faces = structure_.faces(cell);
-    const auto element = ring_.from(coefficient);
-    for (std::size_t k = 0; k < faces.size(); ++k) {
-      if (const CellId face = structure_.find(faces[k]); face != ops::none) {
-        out.push_back({face, type.faces[k].sign > 0 ? element : ring_.negate(element)});
+    const auto element = in_own_orientation(cell, coefficient);
+    for (std::uint32_t k = 0; k < faces.size(); ++k) {
+      if (const auto [face, sign] = structure_.find_oriented(faces[k]); face != ops::none) {
+        out.push_back({face, sign * structure_.face_sign(cell, k) > 0 ? element : ring_.negate(element)});
       }
     }
   }

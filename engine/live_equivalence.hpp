@@ -33,6 +33,7 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] CellChain apply_K(const CellChain& chain) override;
   [[nodiscard]] CellChain boundary(const CellChain& chain) const override;
   [[nodiscard]] SmallChain boundary(const SmallChain& chain) override;
+  [[nodiscard]] std::vector<Lifetime> lifetimes() const override;
   [[nodiscard]] Work work() const override { return {big_.entries_appended(), rewriter_.terms_read()}; }
   [[nodiscard]] std::optional<std::string> first_defect(ops::Moment before_last_step) override;
 
@@ -78,6 +79,7 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] sparse::Matrix<R> core_matrix(const std::vector<Symbol>& columns) const;
   [[nodiscard]] Group group(int degree) const;
   [[nodiscard]] Terms<R> g(const CellChain& chain) const;
+  [[nodiscard]] typename R::Element in_own_orientation(CellId cell, const Integer& coefficient) const;
   /// K z for the chain of B g z, plus f of a lift; with the trace of g z this is K, with a chain of S on top G y + K z.
   [[nodiscard]] CellChain bounding(const CellChain& z, const Terms<R>& chain_of_s, const Trace<R>& trace);
   [[nodiscard]] std::optional<std::string> defect_of_matrices();

@@ -87,6 +87,16 @@ class Rewriter {
   [[nodiscard]] int degree(Symbol x) const { return degree_[x]; }
   /// The generator of B that a symbol is, or one of those that it is a combination of.
   [[nodiscard]] Index generator_in(Symbol x) const;
+  /// Calls visit(a, b) for each elimination, with the two generators of B. Requires: the ring is a field, so that every
+  /// symbol is a generator.
+  template <class Visit>
+  void for_each_pair(Visit visit) const {
+    for (const Rule& rule : rules_) {
+      if (rule.b != no_symbol) {
+        visit(Index{generator_[rule.a]}, Index{generator_[rule.b]});
+      }
+    }
+  }
   /// The terms ever read while rewriting: what rewriting has cost.
   [[nodiscard]] std::uint64_t terms_read() const { return terms_read_; }
   [[nodiscard]] RuleId rules() const { return static_cast<RuleId>(rules_.size()); }

@@ -1,5 +1,6 @@
 #include "ops/name_table.hpp"
 
+#include <boost/locale/utf.hpp>
 #include <functional>
 
 #include "sparse/contract.hpp"
@@ -9,7 +10,26 @@ namespace {
 
 constexpr std::uint32_t vacant = UINT32_MAX;
 
+/// The Unicode characters of categories Z (separators) and Cc (control), and the byte order mark.
+bool is_space_or_control(std::uint32_t c) {
+  return c <= 0x20 || (c >= 0x7f && c <= 0xa0) || c == 0x1680 || (c >= 0x2000 && c <= 0x200a) || c == 0x2028 ||
+         c == 0x2029 || c == 0x202f || c == 0x205f || c == 0x3000 || c == 0xfeff;
+}
+
 }  // namespace
+
+bool is_name(std::string_view name) {
+  namespace utf = boost::locale::utf;
+  const char* at = name.data();
+  const char* const end = at + name.size();
+  while (at != end) {
+    const utf::code_point c = utf::utf_traits<char>::decode(at, end);
+    if (c == utf::illegal || c == utf::incomplete || is_space_or_control(c)) {
+      return false;
+    }
+  }
+  return !name.empty();
+}
 
 std::uint32_t NameTable::hash_of(std::string_view text) {
   const std::size_t hash = std::hash<std::string_view>{}(text);

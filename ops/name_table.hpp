@@ -10,6 +10,9 @@
 
 namespace sesame::ops {
 
+/// Not empty, UTF-8, without white space or control characters.
+[[nodiscard]] bool is_name(std::string_view text);
+
 /// What names denote, in the order in which they were given. The last names can be taken back.
 ///
 /// The index is one open table of (hash, number) pairs: a lookup that fails, as each new name's does, reads one cache

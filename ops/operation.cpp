@@ -12,6 +12,8 @@ struct Keyword {
   std::string_view operator()(const MakeProduct&) const { return "product"; }
   std::string_view operator()(const Degenerate&) const { return "degenerate"; }
   std::string_view operator()(const Deidentify&) const { return "deidentify"; }
+  std::string_view operator()(const Insert&) const { return "insert"; }
+  std::string_view operator()(const Collapse&) const { return "collapse"; }
   std::string_view operator()(const Expect&) const { return "expect"; }
   std::string_view operator()(const AskClass&) const { return "class"; }
   std::string_view operator()(const Undo&) const { return "undo"; }

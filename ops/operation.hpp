@@ -80,6 +80,17 @@ struct MakeProduct {
   bool simplicial = false;
 };
 
+/// Adds the simplex on some vertices, and its faces as far as they are missing, to an abstract simplicial complex.
+/// A label is a text; an integer is written in decimal, so 3 and "3" are the same label.
+struct Insert {
+  std::vector<std::string> simplex;
+};
+
+/// The simplicial map of an abstract complex that sends one vertex to another.
+struct Collapse {
+  std::string from, to;
+};
+
 /// What the state should be; a field that is absent is not looked at.
 struct Expect {
   std::optional<std::vector<Integer>> betti;
@@ -103,7 +114,7 @@ struct Note {
 };
 
 using Operation = std::variant<MakeSimplex, MakeSimploid, MakeComplex, MakeCone, MakeProduct, Identify, Degenerate,
-                               Deidentify, Expect, AskClass, Undo, Note>;
+                               Deidentify, Insert, Collapse, Expect, AskClass, Undo, Note>;
 
 /// The word that stands for an operation in a log: "simplex", "identify", ...
 [[nodiscard]] std::string_view keyword(const Operation& operation);

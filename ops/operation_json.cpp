@@ -1,6 +1,7 @@
 // The text form of operations. Every field is checked by name and by kind; what is not known is an error that names it.
 #include <fmt/format.h>
 
+#include <charconv>
 #include <initializer_list>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -294,6 +295,31 @@ Operation read_product(Fields& in) {
   return op;
 }
 
+/// A label as a text: integers in decimal.
+std::string label(Fields& in, const std::string& field, const Json& value) {
+  if (value.is_string()) {
+    return value.get<std::string>();
+  }
+  if (!value.is_number_unsigned()) {
+    in.wrong(field, "made of labels, which are strings or integers from 0 on", value);
+  }
+  return std::to_string(value.get<std::uint64_t>());
+}
+
+Operation read_insert(Fields& in) {
+  Insert op;
+  op.simplex = list(in, "simplex", in.need("simplex"), "a list of vertex labels",
+                    [&](const Json& item) { return label(in, "simplex", item); });
+  return op;
+}
+
+Operation read_collapse(Fields& in) {
+  Collapse op;
+  op.from = label(in, "from", in.need("from"));
+  op.to = label(in, "to", in.need("to"));
+  return op;
+}
+
 std::vector<Integer> integers(Fields& in, const std::string& field, const Json& value) {
   return list(in, field, value, "a list of integers", [&](const Json& n) { return integer(in, field, n); });
 }
@@ -355,6 +381,8 @@ constexpr Reader readers[] = {{"simplex", read_simplex},
                               {"identify", read_identify},
                               {"degenerate", read_degenerate},
                               {"deidentify", read_deidentify},
+                              {"insert", read_insert},
+                              {"collapse", read_collapse},
                               {"expect", read_expect},
                               {"class", read_class},
                               {"undo", read_undo},
@@ -479,6 +507,13 @@ Json json_integer(const Integer& n) {
   return word ? Json(*word) : Json(n.to_string());
 }
 
+/// An integer that 64 bits can say as a number, any other label as a string.
+Json json_label(const std::string& label) {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(label.data(), label.data() + label.size(), number);
+  return error == std::errc{} && std::to_string(number) == label ? Json(number) : Json(label);
+}
+
 Json json_integers(const std::vector<Integer>& numbers) {
   Json out = Json::array();
   for (const Integer& n : numbers) {
@@ -563,6 +598,16 @@ struct Writer {
       }
       splits.push_back(Json{{"cell", split.cell}, {"as", split.copy}, {"moves", std::move(moves)}});
     }
+  }
+  void operator()(const Insert& op) const {
+    Json& simplex = out["simplex"] = Json::array();
+    for (const std::string& label : op.simplex) {
+      simplex.push_back(json_label(label));
+    }
+  }
+  void operator()(const Collapse& op) const {
+    out["from"] = json_label(op.from);
+    out["to"] = json_label(op.to);
   }
   void operator()(const Expect& op) const {
     if (op.betti) {

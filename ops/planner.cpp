@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <boost/locale/utf.hpp>
 #include <numeric>
 #include <set>
 #include <unordered_set>
@@ -17,26 +16,6 @@ Error bad_input(std::string what) { return {Errc::bad_input, std::move(what)}; }
 /// Ends the name begun at the end of plan.names and adds the cell that bears it.
 void add_cell(Plan& plan, TypeId type, std::size_t first_face) {
   plan.cells.push_back({type, static_cast<std::uint32_t>(first_face), plan.names.size()});
-}
-
-/// The Unicode characters of categories Z (separators) and Cc (control), and the byte order mark.
-bool is_space_or_control(std::uint32_t c) {
-  return c <= 0x20 || (c >= 0x7f && c <= 0xa0) || c == 0x1680 || (c >= 0x2000 && c <= 0x200a) || c == 0x2028 ||
-         c == 0x2029 || c == 0x202f || c == 0x205f || c == 0x3000 || c == 0xfeff;
-}
-
-/// Not empty, UTF-8, without white space or control characters.
-bool is_name(std::string_view name) {
-  namespace utf = boost::locale::utf;
-  const char* at = name.data();
-  const char* const end = at + name.size();
-  while (at != end) {
-    const utf::code_point c = utf::utf_traits<char>::decode(at, end);
-    if (c == utf::illegal || c == utf::incomplete || is_space_or_control(c)) {
-      return false;
-    }
-  }
-  return !name.empty();
 }
 
 /// The text form cannot say such a type, but a program can.
@@ -227,6 +206,27 @@ Result<CellId> Planner::resolve(const std::string& name) const {
   return *node;
 }
 
+Status Planner::check_orders(BodyId body) const {
+  if (structure_.kind_of(body) == BodyKind::unordered) {
+    return Error{Errc::refused,
+                 fmt::format("cells of the body \"{}\" have their vertices in another order than their faces, which "
+                             "comes of collapses: only insert and collapse can change it; for other operations make a "
+                             "complex of its simplices",
+                             structure_.body_name(body))};
+  }
+  return Done{};
+}
+
+Result<CellId> Planner::resolve_to_change(const std::string& name) const {
+  Result<CellId> node = resolve(name);
+  if (node) {
+    if (const Status s = check_orders(structure_.body_of(*node)); !s) {
+      return s.error();
+    }
+  }
+  return node;
+}
+
 Result<BodyId> Planner::resolve_body(const std::string& name) const {
   const auto body = structure_.lookup_body(name);
   if (!body) {
@@ -277,7 +277,7 @@ Status Planner::check_room(std::int64_t new_cells) const {
   return Done{};
 }
 
-Status Planner::check_standard(const CellType& type) const {
+Status Planner::check_size(const CellType& type) const {
   if (has_bad_entry(type)) {
     return bad_input(
         fmt::format("there is no simploid of type [{}]: dimensions are >= 0, and the entries of a type >= 1",
@@ -288,7 +288,12 @@ Status Planner::check_standard(const CellType& type) const {
     return Error{Errc::refused,
                  fmt::format("a {} has {} cells; the limit is {}", describe(type), cells, limits_.cells_of_standard)};
   }
-  return check_room(cells);
+  return Done{};
+}
+
+Status Planner::check_standard(const CellType& type) const {
+  const Status s = check_size(type);
+  return s ? check_room(standard_cell_count(type)) : s;
 }
 
 Status Planner::plan(const MakeSimplex& operation, Plan& plan) {
@@ -395,7 +400,7 @@ Result<std::vector<CellId>> Planner::closure(const std::vector<std::string>& nam
   std::unordered_set<CellId> seen;
   std::vector<CellId> pending;
   for (const std::string& name : names) {
-    const Result<CellId> node = resolve(name);
+    const Result<CellId> node = resolve_to_change(name);
     if (!node) {
       return node.error();
     }
@@ -427,6 +432,9 @@ Status Planner::plan(const MakeCone& operation, Plan& plan) {
   if (bodies->has_value()) {
     std::uint64_t cells = 0;
     for (const BodyId body : **bodies) {
+      if (Status s = check_orders(body); !s) {
+        return s;
+      }
       for (const std::uint64_t count : structure_.counts_of(body)) {
         cells += count;
       }
@@ -616,6 +624,9 @@ Status Planner::plan(const MakeProduct& operation, Plan& plan) {
     return left ? right.error() : left.error();
   }
   for (const auto& [body, name] : {std::pair{*left, operation.left}, std::pair{*right, operation.right}}) {
+    if (Status s = check_orders(body); !s) {
+      return s;
+    }
     if (operation.simplicial && !structure_.has_only_simplices(body)) {
       return Error{Errc::refused, fmt::format("the body \"{}\" has cells that are no simplices: a simplicial product "
                                               "needs simplices, a simploidal one takes all",
@@ -799,8 +810,8 @@ Status Planner::plan(const Identify& operation, Plan& plan) {
   plan.clear();
   std::vector<std::pair<Value, Value>> equations;
   for (const auto& [one, other] : operation.pairs) {
-    const Result<CellId> a = resolve(one);
-    const Result<CellId> b = resolve(other);
+    const Result<CellId> a = resolve_to_change(one);
+    const Result<CellId> b = resolve_to_change(other);
     if (!a || !b) {
       return a ? b.error() : a.error();
     }
@@ -816,7 +827,7 @@ Status Planner::plan(const Identify& operation, Plan& plan) {
 
 Status Planner::plan(const Degenerate& operation, Plan& plan) {
   plan.clear();
-  const Result<CellId> node = resolve(operation.cell);
+  const Result<CellId> node = resolve_to_change(operation.cell);
   if (!node) {
     return node.error();
   }
@@ -889,7 +900,7 @@ class SplitPlanner {
   }
 
   Status add_copy(const Deidentify::Split& split) {
-    const Result<CellId> node = planner_.resolve(split.cell);
+    const Result<CellId> node = planner_.resolve_to_change(split.cell);
     if (!node) {
       return node.error();
     }
@@ -912,7 +923,7 @@ class SplitPlanner {
     if (const auto copy = copy_names_.find(name); copy != copy_names_.end()) {
       cell = copy->second;
     } else {
-      const Result<CellId> node = planner_.resolve(name);
+      const Result<CellId> node = planner_.resolve_to_change(name);
       if (!node) {
         return node.error();
       }

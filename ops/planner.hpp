@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -40,20 +41,33 @@ class Planner {
   Status plan(const Identify& operation, Plan& plan);
   Status plan(const Degenerate& operation, Plan& plan);
   Status plan(const Deidentify& operation, Plan& plan);
+  Status plan(const Insert& operation, Plan& plan);
+  /// Cost: the smaller of the two stars, times the square of the dimension.
+  Status plan(const Collapse& operation, Plan& plan);
 
   [[nodiscard]] const Limits& limits() const { return limits_; }
   /// The node that a name denotes, of a cell of the object, or unknown_name with what would be right.
   [[nodiscard]] Result<CellId> resolve(const std::string& name) const;
+  /// The same for an operation that is not insert or collapse and changes the cell's body: refused when faces there
+  /// obey the face laws up to orientations only.
+  [[nodiscard]] Result<CellId> resolve_to_change(const std::string& name) const;
 
  private:
   Status check_new_name(const std::string& name) const;
   /// The name of a lazy family, whose cells' names begin with it.
   Status check_new_prefix(const std::string& name) const;
   Status check_room(std::int64_t new_cells) const;
+  Status check_size(const CellType& type) const;
   Status check_standard(const CellType& type) const;
+  [[nodiscard]] Status check_orders(BodyId body) const;
   Status plan_standard(const std::string& name, TypeId type, Plan& plan);
 
   [[nodiscard]] Result<BodyId> resolve_body(const std::string& name) const;
+  [[nodiscard]] Result<LabelId> resolve_label(const std::string& text) const;
+  [[nodiscard]] Result<BodyId> abstract_body(LabelId label) const;
+  Status plan_insert(std::vector<std::string> labels, std::vector<VertexId> vertices, const std::set<BodyId>& bodies,
+                     Plan& plan);
+
   /// The bodies that a cone is taken over wholly, or nothing when it is taken over listed cells.
   [[nodiscard]] Result<std::optional<std::vector<BodyId>>> coned_bodies(const MakeCone& operation) const;
   /// The closure of the listed cells.

@@ -128,10 +128,10 @@ StepSequence<R> removed_cells(const Structure& structure, Moment before, Moment 
     removed.add(structure.dimension(c), c);
   }
   const auto minus_one = ring.negate(ring.one());
-  /// The cell that c became, or 0 when that is degenerate.
+  /// The cell that c became, with its orientation, or 0 when that is degenerate.
   const auto became = [&](const CellBasis& basis, CellId c) {
-    const CellId survivor = structure.find_at(c, after.links);
-    return survivor == none ? Terms<R>{} : unit(ring, basis, survivor);
+    const auto [survivor, sign] = structure.find_oriented_at(c, after.links);
+    return survivor == none ? Terms<R>{} : Terms<R>{{basis.index(survivor), ring.from(sign)}};
   };
   const auto i_of = [&](CellId c) {
     Terms<R> terms = became(all, c);
@@ -192,9 +192,38 @@ CellBasis cells_at(const Structure& structure, Moment moment) {
   return basis;
 }
 
+namespace {
+
+/// The faces of an abstract simplex should be those on all but one of its vertices, with the orientation of its order.
+std::optional<std::string> broken_vertex_law(const Structure& structure, CellId cell) {
+  const AbstractComplex& complex = structure.abstract();
+  const auto vertices = complex.vertices(cell);
+  const auto faces = structure.faces(cell);
+  for (std::uint32_t k = 0; k < faces.size(); ++k) {
+    std::vector<VertexId> opposite(vertices.begin(), vertices.end());
+    opposite.erase(opposite.begin() + k);
+    const auto [face, sign] = structure.find_oriented(faces[k]);
+    const int alternating = structure.type(cell).faces[k].sign;
+    if (face == none || face != complex.find(opposite) ||
+        sign * structure.face_sign(cell, k) != alternating * sign_between(opposite, complex.vertices(face))) {
+      return fmt::format("face {} of {} is not the simplex opposite to its vertex {}", k, structure.name(cell), k);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<std::string> first_broken_face_law(const Structure& structure, const CellBasis& basis) {
   for (const auto& cells : basis.cells()) {
     for (const CellId c : cells) {
+      const BodyKind kind = structure.kind_of(structure.body_of(c));
+      if (auto broken = kind == BodyKind::other ? std::nullopt : broken_vertex_law(structure, c)) {
+        return broken;
+      }
+      if (kind == BodyKind::unordered) {
+        continue;
+      }
       const Value cell = structure.value(c);
       for (const FaceLaw& law : structure.type(c).laws) {
         if (!(structure.face(structure.face(cell, law.first), law.second) ==
@@ -216,11 +245,11 @@ ChainComplex<R> chain_complex(const Structure& structure, const CellBasis& basis
     Matrix<R> boundary(ring, p == 0 ? 0 : sizes[p - 1], 0);
     for (const CellId cell : basis.cells()[p]) {
       Terms<R> terms;
-      const std::vector<FaceOperator>& operators = structure.type(cell).faces;
-      for (std::uint32_t k = 0; k < operators.size(); ++k) {
-        const CellId face = structure.find_at(structure.face_at(cell, k, moment), moment.links);
+      const auto arity = static_cast<std::uint32_t>(structure.type(cell).faces.size());
+      for (std::uint32_t k = 0; k < arity; ++k) {
+        const auto [face, sign] = structure.find_oriented_at(structure.face_at(cell, k, moment), moment.links);
         if (face != none && basis.contains(face)) {
-          terms.push_back({basis.index(face), ring.from(operators[k].sign)});
+          terms.push_back({basis.index(face), ring.from(sign * structure.face_sign(cell, k))});
         }
       }
       sparse::normalize(ring, terms);

@@ -38,7 +38,8 @@ template <sparse::Ring R>
 [[nodiscard]] reductions::ChainComplex<R> chain_complex(const Structure& structure, const CellBasis& basis,
                                                         Moment moment, const R& ring);
 
-/// The first face law that a cell of the basis breaks now, as a sentence; nothing when all hold. Cost: the laws.
+/// The first face law that a cell of the basis breaks now, as a sentence; nothing when all hold. Abstract simplices
+/// should have the faces that their vertices say, too. Cost: the laws.
 [[nodiscard]] std::optional<std::string> first_broken_face_law(const Structure& structure, const CellBasis& basis);
 
 /// Which of its three complexes a sequence makes from the other two.
@@ -50,9 +51,9 @@ enum class Direction : std::uint8_t {
 /// A step as an effective short exact sequence 0 -> C0 -i-> C1 -j-> C2 -> 0 with retractions r and s.
 ///
 /// Identification and degeneracy (forward): C1 is the object before, C2 after, C0 = the removed cells; for a cell x
-/// removed in favour of y, or of y = 0 when it became degenerate: i(x) = y - x, r(x) = -x, j(x) = y, s(y) = y, and
-/// d0 = r d1 i. C1 lists the cells that stay first, in the order of C2: so s and the rest of j are implicit identities,
-/// and only the removed cells have stored columns.
+/// removed in favour of y, or of y = 0 when it became degenerate (y is -1 times a cell when orientations differ): i(x)
+/// = y - x, r(x) = -x, j(x) = y, s(y) = y, and d0 = r d1 i. C1 lists the cells that stay first, in the order of C2: so
+/// s and the rest of j are implicit identities, and only the removed cells have stored columns.
 ///
 /// Adding cells, cones (backward): C0 is the object before, C1 after, C2 = the new cells modulo the old ones; i and r
 /// are implicit identities, and only the new cells have stored columns.

@@ -24,6 +24,7 @@ void Plan::clear() {
   sources.clear();
   moves.clear();
   family.reset();
+  abstract.reset();
   new_body.reset();
   into_body.reset();
   joined_bodies.clear();
@@ -68,6 +69,19 @@ CellId Structure::find_at(CellId c, LinkId links) const {
   }
   // A node that was degenerate from the start has no link.
   return c != none && nodes_->parent[c] == none && nodes_->link_of[c] == none ? none : c;
+}
+
+Structure::Oriented Structure::find_oriented_at(CellId c, LinkId links) const {
+  int sign = 1;
+  for (CellId at = c; reversals_ != 0 && at != none && nodes_->link_of[at] < links; at = nodes_->parent[at]) {
+    sign *= sign_of(nodes_->link_of[at]);
+  }
+  return {find_at(c, links), sign};
+}
+
+bool Structure::is_face_reversed(CellId c, std::uint32_t k) const {
+  const auto at = reversed_faces_.find(c);
+  return at != reversed_faces_.end() && (at->second >> k & 1) != 0;
 }
 
 CellId Structure::last_root(CellId c) const {
@@ -476,6 +490,9 @@ std::optional<CellId> Structure::lookup_any(std::string_view name) const {
   if (const NameTable::Name* found = names_.find(name); found != nullptr && found->cell != none) {
     return found->cell;
   }
+  if (const auto named = abstract_.find_named(name)) {
+    return named->cell;
+  }
   std::optional<CellId> cell;
   if (families_.empty()) {
     return cell;
@@ -562,7 +579,12 @@ std::optional<CellId> Structure::lookup(std::string_view name) const {
 }
 
 bool Structure::is_name_taken(std::string_view name) const {
-  return names_.find(name) != nullptr || (!families_.empty() && lookup_any(name).has_value());
+  return names_.find(name) != nullptr || ((!families_.empty() || !abstract_.empty()) && lookup_any(name).has_value());
+}
+
+int Structure::sign_of_name(std::string_view name) const {
+  const auto named = names_.find(name) == nullptr ? abstract_.find_named(name) : std::nullopt;
+  return named ? named->sign : 1;
 }
 
 bool Structure::is_prefix_taken(std::string_view prefix) const {
@@ -688,7 +710,9 @@ StructureMark Structure::mark() const {
           static_cast<std::uint32_t>(moves_.size()),
           copies(),
           families(),
-          static_cast<std::uint32_t>(nodes_->expanded.size())};
+          static_cast<std::uint32_t>(nodes_->expanded.size()),
+          static_cast<std::uint32_t>(kind_changes_.size()),
+          abstract_.mark()};
 }
 
 void Structure::apply(const Plan& plan) {
@@ -699,6 +723,7 @@ void Structure::apply(const Plan& plan) {
     bodies_.emplace_back();
     bodies_.back().name = none;
     bodies_.back().parent = bodies_.back().oldest = new_body;
+    bodies_.back().kind = plan.abstract ? BodyKind::ordered : BodyKind::other;
   }
   add_cells(plan, new_body);
   if (plan.family) {
@@ -721,6 +746,70 @@ void Structure::apply(const Plan& plan) {
       join_bodies(body_of(merge.becomes.cell), body_of(merge.removed));
     }
   }
+  if (plan.abstract) {
+    change_abstract(plan, first);
+  } else if (!abstract_.empty()) {
+    leave_abstract(plan);
+  }
+}
+
+void Structure::change_abstract(const Plan& plan, CellId first) {
+  const AbstractChange& change = *plan.abstract;
+  for (const std::string& label : change.labels) {
+    abstract_.add_label(label);
+  }
+  std::span<const VertexId> vertices = change.vertices;
+  for (CellId c = first; c < created(); ++c) {
+    const auto size = static_cast<std::size_t>(dimension(c)) + 1;
+    abstract_.add(c, vertices.first(size));
+    vertices = vertices.subspan(size);
+  }
+  if (const auto& collapse = change.collapse) {
+    for (const Merge& merge : plan.merges) {
+      abstract_.remove(merge.removed);
+    }
+    for (const CellId c : change.renamed) {
+      abstract_.replace(c, collapse->gone, collapse->kept);
+    }
+    abstract_.join_labels(collapse->from, collapse->to, collapse->kept);
+  }
+  if (!change.keeps_orders) {
+    lower_kind(body_of(change.collapse ? plan.merges.front().removed : first), BodyKind::unordered);
+  }
+}
+
+/// The bodies that another operation changes are no abstract complexes any more.
+void Structure::leave_abstract(const Plan& plan) {
+  const auto leave = [this](BodyId body) { lower_kind(find_body(body), BodyKind::other); };
+  for (const Merge& merge : plan.merges) {
+    leave(body_of(merge.removed));
+  }
+  for (const CellId source : plan.sources) {
+    leave(body_of(source));
+  }
+  for (const Move& move : plan.moves) {
+    leave(body_of(move.cell));
+  }
+  if (plan.into_body) {
+    leave(*plan.into_body);
+  }
+  if (plan.family) {
+    for (const BodyId body : plan.family->bodies) {
+      leave(body);
+    }
+  }
+}
+
+void Structure::lower_kind(BodyId body, BodyKind kind) {
+  if (bodies_[body].kind < kind) {
+    kind_changes_.push_back({body, bodies_[body].kind, static_cast<std::uint32_t>(body_links_.size())});
+    bodies_[body].kind = kind;
+  }
+}
+
+void Structure::undo_last_kind_change() {
+  bodies_[kind_changes_.back().body].kind = kind_changes_.back().before;
+  kind_changes_.pop_back();
 }
 
 CellId Structure::add_node(TypeId type, std::uint32_t name, std::uint32_t lazy, BodyId body) const {
@@ -768,6 +857,9 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
     const CellId source = plan.sources.empty() ? none : plan.sources[k];
     const BodyId body = source != none ? body_of(source) : new_body != none ? new_body : plan.into_body.value();
     const CellId id = add_node(cell.type, names_.size(), none, body);
+    if (plan.abstract && plan.abstract->reversed[k] != 0) {
+      reversed_faces_.emplace(id, plan.abstract->reversed[k]);
+    }
     for (std::size_t f = 0; f < type.faces.size(); ++f) {
       const CellId face = plan.faces[cell.first_face + f];
       const auto entry = static_cast<std::uint32_t>(nodes_->faces.size());
@@ -842,12 +934,14 @@ void Structure::undo_last_family() {
 }
 
 void Structure::link(const Merge& merge) {
-  const auto& [removed, survivor, becomes] = merge;
+  const auto& [removed, survivor, becomes, reverses] = merge;
   expects(is_current(removed) && removed != survivor && (survivor == none || is_current(survivor)),
           "a merge joins two current cells");
   Nodes& n = *nodes_;
   n.link_of[removed] = links();
   count(removed, -1);
+  reverses_.push_back(reverses);
+  reversals_ += reverses ? 1 : 0;
   if (survivor == none) {
     links_.push_back({removed, none, none, created()});
     squash(removed, becomes);
@@ -866,6 +960,8 @@ void Structure::undo_last_link() {
   Nodes& n = *nodes_;
   const Link link = links_.back();
   links_.pop_back();
+  reversals_ -= reverses_.back() ? 1 : 0;
+  reverses_.pop_back();
   const CellId survivor = n.parent[link.removed];
   if (survivor == none) {
     unsquash(link.removed);
@@ -916,7 +1012,8 @@ void Structure::join_bodies(BodyId a, BodyId b) {
   if (bodies_[a].size < bodies_[b].size) {
     std::swap(a, b);
   }
-  body_links_.push_back({b, bodies_[a].oldest, created(), links()});
+  body_links_.push_back({b, bodies_[a].oldest, created(), links(), bodies_[a].kind});
+  bodies_[a].kind = std::max(bodies_[a].kind, bodies_[b].kind);
   bodies_[b].parent = a;
   bodies_[a].children.push_back(b);
   bodies_[a].size += bodies_[b].size;
@@ -935,6 +1032,7 @@ void Structure::undo_last_body_link() {
   above.children.pop_back();
   above.size -= child.size;
   above.oldest = link.oldest_before;
+  above.kind = link.kind_before;
   child.parent = link.child;
 }
 
@@ -979,6 +1077,9 @@ void Structure::drop_last_node() {
     unsquash(c);
   } else {
     count(c, -1);
+    if (!reversed_faces_.empty()) {
+      reversed_faces_.erase(c);
+    }
     while (n.faces.size() > n.first_face[c]) {
       n.first_incidence[n.faces.back()] = n.next_incidence.back();
       n.faces.pop_back();
@@ -1002,6 +1103,7 @@ void Structure::drop_last_node() {
 }
 
 void Structure::truncate(const StructureMark& mark) {
+  abstract_.truncate(mark.abstract);
   while (moves_.size() > mark.moves) {
     undo_last_move();
   }
@@ -1014,8 +1116,10 @@ void Structure::truncate(const StructureMark& mark) {
   }
   // The last event first: a body link, a removal or a family that was made when there were as many nodes as there are.
   while (true) {
-    if (families() > mark.families && families_.back().first == created() && families_.back().links == links() &&
-        families_.back().body_links == body_links_.size()) {
+    if (kind_changes_.size() > mark.body_kinds && kind_changes_.back().body_links == body_links_.size()) {
+      undo_last_kind_change();
+    } else if (families() > mark.families && families_.back().first == created() && families_.back().links == links() &&
+               families_.back().body_links == body_links_.size()) {
       undo_last_family();
     } else if (body_links_.size() > mark.body_links && body_links_.back().created == created() &&
                body_links_.back().links == links()) {

@@ -1,6 +1,7 @@
 /// \file
 /// The cell structure under construction: simploids with faces, names, bodies, the union-find of identifications and
-/// degeneracies, copies made by de-identification, and families of cells that are made when they are asked for.
+/// degeneracies, copies made by de-identification, families of cells that are made when they are asked for, and the
+/// abstract simplicial complexes among the bodies.
 /// Append-only but for undo, which is truncation.
 #pragma once
 
@@ -14,6 +15,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "ops/abstract_complex.hpp"
 #include "ops/cell_type.hpp"
 #include "ops/degeneracy.hpp"
 #include "ops/lazy_family.hpp"
@@ -22,11 +24,13 @@
 namespace sesame::ops {
 
 /// `removed` becomes the cell `survivor`: two current cells of one type whose boundaries agree by then. Or, with
-/// survivor = none, it becomes degenerate: the value `becomes`, whose boundary is 0 by then.
+/// survivor = none, it becomes degenerate: the value `becomes`, whose boundary is 0 by then. A merge that `reverses`
+/// makes it the survivor with the opposite orientation: boundaries agree up to the sign.
 struct Merge {
   CellId removed;
   CellId survivor;
   Value becomes;
+  bool reverses = false;
 };
 
 /// Face number `slot` of a current cell becomes the cell `to`.
@@ -34,6 +38,29 @@ struct Move {
   CellId cell;
   std::uint32_t slot;
   CellId to;
+};
+
+/// What an insertion or a collapse changes in the abstract simplicial complexes.
+struct AbstractChange {
+  struct Collapse {
+    LabelId from, to;
+    VertexId gone, kept;
+  };
+  std::vector<std::string> labels;  ///< of new vertices, whose numbers follow those in use
+  /// The vertices of the new cells in their orders, one cell after the other.
+  std::vector<VertexId> vertices;
+  /// Per new cell: bit k is set when face k has the opposite orientation, since its vertices are in another order.
+  std::vector<std::uint64_t> reversed;
+  std::optional<Collapse> collapse;
+  std::vector<CellId> renamed;  ///< cells that have the vertex `gone` and will have `kept` in its place
+  bool keeps_orders = true;     ///< else some cell and its face will not have their vertices in the same order
+};
+
+/// Whether a body is an abstract simplicial complex, made by insertions and collapses only.
+enum class BodyKind : std::uint8_t {
+  ordered,    ///< it is, and each face of a cell has its vertices in the order of the cell: faces obey the face laws
+  unordered,  ///< it is, but they obey them up to orientations only: a sign for each incidence
+  other,      ///< it is not
 };
 
 /// What an operation would do, as a value: worked out by the planner without touching the structure, then applied
@@ -54,6 +81,7 @@ struct Plan {
   std::vector<CellId> sources;                              ///< empty, or per new cell: the cell that it is a copy of
   std::vector<Move> moves;                                  ///< incidences that go to a copy
   std::optional<NewFamily> family;                          ///< bodies become a product or a cone
+  std::optional<AbstractChange> abstract;                   ///< of an insertion or a collapse
   std::optional<std::string> new_body;                      ///< the new cells make a body of this name
   std::optional<BodyId> into_body;                          ///< the new cells join this body
   std::vector<BodyId> joined_bodies;                        ///< become one with `into_body` (the older name stays)
@@ -84,6 +112,8 @@ struct StructureMark {
   std::uint32_t copies = 0;
   FamilyId families = 0;
   std::uint32_t expansions = 0;
+  std::uint32_t body_kinds = 0;
+  std::uint32_t abstract = 0;
   friend bool operator==(const StructureMark&, const StructureMark&) = default;
 };
 
@@ -123,7 +153,19 @@ class Structure {
   }
   /// The cell that c was (or none) when there had been only `links` removals.
   [[nodiscard]] CellId find_at(CellId c, LinkId links) const;
-  /// The normal form of what c is now.
+  /// The current cell that c is now, or none, and with which orientation: sign 1, or -1 when it is the opposite one.
+  struct Oriented {
+    CellId cell;
+    int sign;
+  };
+  [[nodiscard]] Oriented find_oriented(CellId c) const { return find_oriented_at(c, links()); }
+  [[nodiscard]] Oriented find_oriented_at(CellId c, LinkId links) const;
+  /// The sign of face k, as created, in the boundary of c.
+  [[nodiscard]] int face_sign(CellId c, std::uint32_t k) const {
+    const int sign = type(c).faces[k].sign;
+    return !reversed_faces_.empty() && is_face_reversed(c, k) ? -sign : sign;
+  }
+  /// The normal form of what c is now. (In an unordered body only the cell of a degenerate value has a meaning.)
   [[nodiscard]] Value value(CellId c) const;
   /// The same for a value whose cell is any node.
   [[nodiscard]] Value normal_form(Value v) const;
@@ -143,6 +185,8 @@ class Structure {
   // ---- the union-find forest: one link per removed cell, each tree at most log2(cells) deep
   [[nodiscard]] LinkId links() const { return static_cast<LinkId>(links_.size()); }
   [[nodiscard]] CellId removed(LinkId link) const { return links_[link].removed; }
+  /// -1 when the removed cell became the other one with the opposite orientation.
+  [[nodiscard]] int sign_of(LinkId link) const { return reverses_[link] ? -1 : 1; }
   /// What c was removed in favour of: a node, or none when it became degenerate; c itself when it is current.
   [[nodiscard]] CellId parent(CellId c) const { return nodes_->parent[c]; }
   /// The link by which c was removed, or `none`.
@@ -200,6 +244,14 @@ class Structure {
   [[nodiscard]] std::optional<CellId> lookup(std::string_view name) const;
   /// The canonical name of the cell that c is now: that of its oldest member.
   [[nodiscard]] std::string_view name(CellId c) const { return own_name(oldest(c)); }
+  /// The sign with which the canonical name of a current cell denotes it: a name stands for the orientation that the
+  /// cell had which it was made for.
+  [[nodiscard]] int sign_of_name(CellId current) const {
+    return reversals_ == 0 ? 1 : find_oriented(oldest(current)).sign;
+  }
+  /// The sign with which any name denotes the node that `lookup` finds: -1 when it lists the labels of an abstract
+  /// simplex and those, sorted, are in an order opposite to that of the node's vertices.
+  [[nodiscard]] int sign_of_name(std::string_view name) const;
   /// The name that c was created with.
   [[nodiscard]] std::string_view own_name(CellId c) const;
   /// The oldest member of the class of c: of the cell that it is now, or was last before it became degenerate.
@@ -232,6 +284,10 @@ class Structure {
 
   /// True when all cells of a body are simplices: vertices or of a type of length 1.
   [[nodiscard]] bool has_only_simplices(BodyId body) const { return simploids_of(body) == 0; }
+
+  // ---- abstract simplicial complexes
+  [[nodiscard]] const AbstractComplex& abstract() const { return abstract_; }
+  [[nodiscard]] BodyKind kind_of(BodyId body) const { return bodies_[find_body(body)].kind; }
 
   // ---- lazy families: products, and cones over whole bodies
   [[nodiscard]] FamilyId families() const { return static_cast<FamilyId>(families_.size()); }
@@ -294,11 +350,19 @@ class Structure {
     FamilyId family = none;             ///< that it was made as
     FamilyId consumed_by = none;
     std::uint64_t simploids = 0;  ///< of those counted, the ones of a type longer than one
+    BodyKind kind = BodyKind::other;
   };
   struct BodyLink {
     BodyId child, oldest_before;
     CellId created;
     LinkId links;
+    BodyKind kind_before;
+  };
+  /// A body became less of an abstract complex than it was.
+  struct KindChange {
+    BodyId body;
+    BodyKind before;
+    std::uint32_t body_links;
   };
 
   CellId add_node(TypeId type, std::uint32_t name, std::uint32_t lazy, BodyId body) const;
@@ -314,6 +378,11 @@ class Structure {
   void undo_last_move();
   void make_move(const Move& move);
   void join_bodies(BodyId a, BodyId b);
+  void change_abstract(const Plan& plan, CellId first);
+  void leave_abstract(const Plan& plan);
+  void lower_kind(BodyId body, BodyKind kind);
+  void undo_last_kind_change();
+  [[nodiscard]] bool is_face_reversed(CellId c, std::uint32_t k) const;
   void count(CellId c, int change);
   static void add_counts(std::span<const std::uint64_t> from, std::vector<std::uint64_t>& to, bool subtract);
   void add_name(std::string_view text, CellId cell, BodyId body);
@@ -333,6 +402,8 @@ class Structure {
   std::unique_ptr<TypeTable> types_;  // behind a pointer: planning interns types, and that changes no state
   std::unique_ptr<Nodes> nodes_;
   std::vector<Link> links_;
+  std::vector<bool> reverses_;  ///< per link
+  LinkId reversals_ = 0;        ///< links that do
   std::vector<std::uint64_t> counts_;
 
   std::vector<Copy> copies_;
@@ -351,6 +422,9 @@ class Structure {
 
   std::deque<Body> bodies_;
   std::vector<BodyLink> body_links_;
+  std::vector<KindChange> kind_changes_;
+  AbstractComplex abstract_;
+  std::unordered_map<CellId, std::uint64_t> reversed_faces_;  ///< of cells that have some, as bits
   std::deque<LazyFamily> families_;
   std::unordered_map<std::string, FamilyId> family_names_;
 };

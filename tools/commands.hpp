@@ -10,6 +10,9 @@ namespace sesame::tools {
 void add_replay_command(CLI::App& app, int& status);
 void add_import_command(CLI::App& app, int& status);
 void add_mesh_command(CLI::App& app, int& status);
+void add_generate_command(CLI::App& app, int& status);
+void add_tower_command(CLI::App& app, int& status);
+void add_distance_command(CLI::App& app, int& status);
 
 /// Accepts whole numbers from 1 on.
 [[nodiscard]] CLI::Validator from_one_on();

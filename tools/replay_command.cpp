@@ -3,7 +3,6 @@
 
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -13,27 +12,12 @@
 
 #include "replay/replay.hpp"
 #include "tools/commands.hpp"
+#include "tools/interrupt.hpp"
 
 namespace sesame::tools {
 namespace {
 
 using replay::Outcome;
-
-/// Set by Ctrl-C: the current step is finished, then the summary so far is printed. A second Ctrl-C ends at once.
-std::atomic<bool> stop_requested{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
-
-extern "C" void request_stop(int) {
-  stop_requested.store(true);
-  std::signal(SIGINT, SIG_DFL);
-}
-
-/// Without SA_RESTART, so that a read that waits for input ends too.
-void catch_interrupt() {
-  struct sigaction action {};
-  action.sa_handler = request_stop;
-  sigaction(SIGINT, &action, nullptr);
-}
 
 /// Standard input that ends at Ctrl-C; std::cin would go on waiting.
 class StandardInput final : public std::streambuf {
@@ -42,7 +26,7 @@ class StandardInput final : public std::streambuf {
 
  protected:
   int_type underflow() override {
-    const ssize_t got = stop_requested.load() ? 0 : ::read(STDIN_FILENO, buffer_.data(), buffer_.size());
+    const ssize_t got = stop_requested().load() ? 0 : ::read(STDIN_FILENO, buffer_.data(), buffer_.size());
     is_unreadable_ = is_unreadable_ || (got < 0 && errno != EINTR);
     if (got <= 0) {
       return traits_type::eof();
@@ -110,7 +94,7 @@ std::optional<std::uint64_t> operations_of(const Arguments& arguments) {
 /// Waits for a followed file to grow, until Ctrl-C.
 bool wait_for_growth() {
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  return !stop_requested.load();
+  return !stop_requested().load();
 }
 
 int run_replay(const Arguments& arguments) {
@@ -158,7 +142,7 @@ int run_replay(const Arguments& arguments) {
   options.verify = arguments.verify;
   options.limits.cells_of_explicit_cone = arguments.explicit_cones;
   options.generators = arguments.generators;
-  options.stop = &stop_requested;
+  options.stop = &stop_requested();
   catch_interrupt();
 
   std::unique_ptr<replay::Reporter> reporter;

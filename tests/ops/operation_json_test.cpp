@@ -47,6 +47,9 @@ TEST_CASE("every op has one canonical text, which says the same operation", "[op
       R"({"op":"degenerate","cell":"q.0-1x0-1","along":[2,1]})",
       R"({"op":"deidentify","split":[]})",
       R"({"op":"deidentify","split":[{"cell":"x","as":"x2","moves":[]},{"cell":"x","as":"x3","moves":[["t",0],["x2",12]]}]})",
+      R"({"op":"insert","simplex":["a",3,"03",18446744073709551615,"18446744073709551616","-1"]})",
+      R"({"op":"insert","simplex":[]})",
+      R"({"op":"collapse","from":"u","to":7})",
       R"({"op":"expect"})",
       R"({"op":"expect","betti":[1,2,1],"torsion":[[],[2,4]],"euler":-3,"cells":[1,2,1]})",
       R"({"op":"class","chain":[]})",
@@ -119,7 +122,7 @@ TEST_CASE("integers of any size are read from strings of digits, and from number
 TEST_CASE("an unknown op is named, and the known ones listed", "[ops]") {
   CHECK_THAT(complaint(R"({"op":"frobnicate"})"), Contains("\"frobnicate\""));
   for (const std::string word : {"simplex", "simploid", "complex", "cone", "product", "identify", "degenerate",
-                                 "deidentify", "expect", "class", "undo", "note"}) {
+                                 "deidentify", "insert", "collapse", "expect", "class", "undo", "note"}) {
     CHECK_THAT(complaint(R"({"op":"frobnicate"})"), Contains("the ops are: ") && Contains(" " + word));
   }
   for (const std::string line : {R"({})", R"({"op":3})", R"({"op":null})", R"({"name":"t"})", R"({"op":["note"]})"}) {
@@ -134,7 +137,9 @@ TEST_CASE("an unknown field is named, in every op", "[ops]") {
         R"({"op":"complex","name":"t","cells":[{"id":"a","odd":1}]})", R"({"op":"cone","apex":"v","odd":1})",
         R"({"op":"identify","pairs":[],"odd":1})", R"({"op":"product","name":"P","left":"A","right":"B","odd":1})",
         R"({"op":"degenerate","cell":"t","along":0,"odd":1})", R"({"op":"deidentify","split":[],"odd":1})",
-        R"({"op":"deidentify","split":[{"cell":"x","as":"y","moves":[],"odd":1}]})", R"({"op":"expect","odd":1})",
+        R"({"op":"deidentify","split":[{"cell":"x","as":"y","moves":[],"odd":1}]})",
+        R"({"op":"insert","simplex":[1],"odd":1})", R"({"op":"collapse","from":1,"to":2,"odd":1})",
+        R"({"op":"expect","odd":1})",
         R"({"op":"class","chain":[],"odd":1})", R"({"op":"undo","odd":1})", R"({"op":"note","text":"","odd":1})"}) {
     CHECK_THAT(complaint(line), Contains("unknown field \"odd\"") && Contains("its fields are"));
   }
@@ -160,6 +165,9 @@ TEST_CASE("a missing field is named, in every op", "[ops]") {
       {R"({"op":"deidentify","split":[{"as":"y","moves":[]}]})", "cell"},
       {R"({"op":"deidentify","split":[{"cell":"x","moves":[]}]})", "as"},
       {R"({"op":"deidentify","split":[{"cell":"x","as":"y"}]})", "moves"},
+      {R"({"op":"insert"})", "simplex"},
+      {R"({"op":"collapse","to":1})", "from"},
+      {R"({"op":"collapse","from":1})", "to"},
       {R"({"op":"class"})", "chain"},
       {R"({"op":"note"})", "text"}};
   for (const auto& [line, field] : lines) {
@@ -172,6 +180,10 @@ TEST_CASE("a field of the wrong kind is named, with what it should be and is", "
       {R"({"op":"simplex","name":3,"dim":1})", "field \"name\" of \"simplex\" should be a string, but is a number"},
       {R"({"op":"simplex","name":"t","dim":[1]})", "field \"dim\""},
       {R"({"op":"simplex","name":"t","dim":true})", "a truth value"},
+      {R"({"op":"insert","simplex":"a"})", "should be a list of vertex labels, but is a string"},
+      {R"({"op":"insert","simplex":[-1]})", "labels, which are strings or integers from 0 on, but is a number"},
+      {R"({"op":"insert","simplex":[1.5]})", "labels"},
+      {R"({"op":"collapse","from":null,"to":1})", "field \"from\" of \"collapse\""},
       {R"({"op":"simplex","name":"t","dim":-1})", "from 0 on"},
       {R"({"op":"simplex","name":"t","dim":1000000000})", "1000000000"},
       {R"({"op":"simplex","name":"t","dim":"99999999999999999999"})", "99999999999999999999"},

@@ -8,13 +8,18 @@ Replays a script and prints one JSON object a step with the keys step, op, cells
 of the effective complexes. It shares no idea with the engine: a step copies the whole state, and homology is computed
 from scratch with a Smith form on Python's integers. Where both agree, they agree for different reasons.
 
-Covered: simplex, simploid, complex, cone, identify, degenerate, deidentify, product, expect, class, undo, note.
+Covered: simplex, simploid, complex, cone, identify, degenerate, deidentify, product, insert, collapse, expect, class,
+undo, note.
 Exit status as `sesame replay`: 0 done, 1 wrong usage or unreadable file, 2 the script is wrong, 3 an expect failed.
 
 A *value* is a cell that may be degenerate: a pair (y, shape). The shape has one entry for each component of the type
 and in it one for each direction, from a vertex to the next: True where the direction is collapsed. The cell y is not
 degenerate, and its type is what the uncollapsed directions leave (a component without any vanishes). By the
 Eilenberg-Zilber lemma there is exactly one such pair for each cell, degenerate or not. Faces of cells are values.
+
+A simplex of an abstract complex is the frozenset of the labels that its vertices have now. The order in which its
+canonical name lists them, each as the label that it has become, is its orientation. While all simplices of a body and
+their faces agree about that order the body is like any other; otherwise signs are worked out from the orders.
 """
 
 import collections
@@ -328,6 +333,10 @@ class State:
         self.bodies = {}  # body name -> number of the body
         self.body_merged_into = []
         self.consumed = set()  # numbers of bodies
+        self.labels = {}  # of a vertex of an abstract complex, as inserted -> the label that the vertex has now
+        self.orders = {}  # frozenset of labels -> tuple of them; a simplex is a name as well: its frozenset
+        self.abstract = {}  # number of an abstract body, of its root -> whether orders agree
+        self.for_a_change = False  # names are looked up by an operation that wants cells whose orders agree
 
     def copy(self):
         other = State()
@@ -337,6 +346,9 @@ class State:
         other.bodies = dict(self.bodies)
         other.body_merged_into = list(self.body_merged_into)
         other.consumed = set(self.consumed)
+        other.labels = dict(self.labels)
+        other.orders = dict(self.orders)
+        other.abstract = dict(self.abstract)
         return other
 
     # -- reading
@@ -352,6 +364,7 @@ class State:
         body = self.body_root(self.bodies[name])
         if body in self.consumed:
             raise ScriptError(f'the body "{name}" is a factor of a product now')
+        self.check_orders(body)
         return body
 
     def cells_of_body(self, body):
@@ -361,11 +374,28 @@ class State:
         """What a name denotes; it may be degenerate."""
         if not isinstance(name, str):
             raise ScriptError("a cell's name must be a string")
-        if name not in self.names:
+        key = name if name in self.names else frozenset(self.listed(name))
+        if key not in self.names:
             raise ScriptError(f'no cell is called "{name}"')
-        if self.names[name] is None:
+        if self.names[key] is None:
             raise ScriptError(f'"{name}" is a cell of a factor of a product')
-        return self.names[name]
+        self.check_orders(self.body_root(self.cells[self.names[key][0]].body))
+        return self.names[key]
+
+    def listed(self, name):
+        """The labels that a name {a,b,...} lists, sorted, as what they have become; empty when they are none."""
+        labels = sorted(name[1:-1].split(","), key=label_key) if name[:1] + name[-1:] == "{}" and name[1:-1] else []
+        now = [self.labels[label] for label in labels if label in self.labels]
+        return now if len(set(now)) == len(labels) else []
+
+    def sign(self, name):
+        """The orientation that a name stands for, against that of the cell."""
+        listed = self.listed(name)
+        return sign_between(listed, self.orders[frozenset(listed)]) if frozenset(listed) in self.orders else 1
+
+    def check_orders(self, body):
+        if self.for_a_change and self.abstract.get(body) is False:
+            raise ScriptError("the orders of vertices of this body do not agree")
 
     def find(self, name):
         """The number of a cell that is not degenerate."""
@@ -400,8 +430,24 @@ class State:
             lists[self.dim(c)].append(c)
         return lists
 
+    def simplices_of(self, body):
+        """The simplices of an abstract body, oldest first, as {frozenset of labels: number}."""
+        found = {key: self.names[key][0] for key in self.orders if self.names[key]}
+        return dict(sorted(((key, number) for key, number in found.items()
+                            if self.body_root(self.cells[number].body) == body), key=lambda entry: entry[1]))
+
+    def faces_by_order(self, order):
+        """(number, sign) of the faces of a simplex with this order: what is opposite to each of its vertices."""
+        for k in range(len(order) if len(order) > 1 else 0):
+            rest = order[:k] + order[k + 1:]
+            key = frozenset(rest)
+            yield self.names[key][0], sign_between(rest, self.orders[key])
+
     def boundary(self, number):
         """Sum of (-1)^(j + a_1 + ... + a_{i-1}) d^i_j as {cell: coefficient}; degenerate faces count as 0."""
+        if self.abstract.get(self.body_root(self.cells[number].body)) is False:
+            key = next(key for key in self.orders if self.names[key] == self.plain(number))
+            return {c: sign * (-1) ** k for k, (c, sign) in enumerate(self.faces_by_order(self.orders[key]))}
         kind = self.cells[number].kind
         chain = {}
         for (i, j), face in zip(face_slots(kind), self.faces(number)):
@@ -424,6 +470,8 @@ class State:
     def broken_law(self):
         """The first cell that breaks a face law, as a sentence, or None."""
         for c in self.alive():
+            if self.abstract.get(self.body_root(self.cells[c].body)) is False:
+                continue
             problem = broken_law(self.cells[c].kind, self.faces(c), self.faces)
             if problem:
                 return f'"{self.cells[c].name}" breaks the face law {problem}'
@@ -442,8 +490,12 @@ class State:
         return self.bodies[name]
 
     def merge_bodies(self, a, b):
-        a, b = self.body_root(a), self.body_root(b)
-        self.body_merged_into[max(a, b)] = min(a, b)
+        a, b = sorted((self.body_root(a), self.body_root(b)))
+        if a != b:
+            self.body_merged_into[b] = a
+            kinds = [self.abstract.pop(body, None) for body in (a, b)]
+            if None not in kinds:
+                self.abstract[a] = all(kinds)
 
     def add(self, name, kind, faces, body, body_name=None):
         self.check_free(name, body_name)
@@ -544,7 +596,7 @@ def read_chain(state, chain, prime):
         value, factor = state.value(term[1]), integer(term[0], "a coefficient")
         dims.add(sum(type_of(value[1])))
         if not is_degenerate(value):
-            total[value[0]] = total.get(value[0], 0) + factor
+            total[value[0]] = total.get(value[0], 0) + factor * state.sign(term[1])
     if len(dims) > 1:
         raise ScriptError("the cells of a chain must have one dimension")
     return {c: (v % prime if prime else v) for c, v in total.items() if (v % prime if prime else v)}
@@ -678,6 +730,8 @@ def op_complex(state, step, _prime):
 
 def cells_to_cone(state, over):
     if over is None:
+        for body in state.abstract:
+            state.check_orders(body)
         return state.alive()
     if isinstance(over, str):
         return state.cells_of_body(state.find_body(over))
@@ -855,7 +909,7 @@ def op_product(state, step, _prime):
     made = list((simplicial_product if kind == "simplicial" else simploidal_product)(state, first, second))
     aliases = {c: [] for c in first + second}
     for alias, value in state.names.items():
-        if value and value[0] in aliases and not is_degenerate(value):
+        if value and value[0] in aliases and not is_degenerate(value) and isinstance(alias, str):
             aliases[value[0]].append(alias)
     canonical = {c: state.cells[c].name for c in aliases}
     for alias, value in state.names.items():
@@ -876,6 +930,131 @@ def op_product(state, step, _prime):
             if pair != (canonical[a], canonical[b]):
                 state.check_free(f"{name}.{label(*pair)}")
                 state.names[f"{name}.{label(*pair)}"] = state.plain(numbers[key])
+
+
+def label_key(label):
+    """Integers numerically, before other labels bytewise."""
+    is_number = label.isascii() and label.isdigit() and (label == "0" or label[0] != "0")
+    return (0, int(label), b"") if is_number else (1, 0, label.encode("utf-8"))
+
+
+def sign_between(one, other):
+    places = [other.index(x) for x in one]
+    return (-1) ** sum(a > b for k, a in enumerate(places) for b in places[k + 1:])
+
+
+def read_label(value):
+    if type(value) is int and 0 <= value < 2**64:
+        return str(value)
+    check_name(value, "a label")
+    if any(ch in "{}," for ch in value):
+        raise ScriptError(f'the label "{value}" has one of the characters {{}},')
+    return value
+
+
+def usable_body(state, label):
+    """The body of a vertex that insert or collapse may change."""
+    if state.labels[label] != label:
+        raise ScriptError(f'"{label}" was collapsed into "{state.labels[label]}"')
+    vertex = state.names[frozenset([label])]
+    body = None if vertex is None else state.body_root(state.cells[vertex[0]].body)
+    if body not in state.abstract:
+        raise ScriptError(f'the body of "{label}" is no abstract complex any more')
+    return body
+
+
+def refresh_faces(state, body):
+    """Writes the faces of the simplices out, as for other cells, while their orders agree; then they have none."""
+    for key, number in state.simplices_of(body).items():
+        faces = state.faces_by_order(state.orders[key]) if state.abstract[body] else ()
+        faces = tuple(state.plain(face) for face, _ in faces)
+        state.cells[number] = state.cells[number]._replace(faces=faces)
+
+
+def op_insert(state, step, _prime):
+    fields(step, ("simplex",))
+    if not isinstance(step["simplex"], list) or not step["simplex"]:
+        raise ScriptError("simplex must be a list of labels, not empty")
+    labels = sorted(map(read_label, step["simplex"]), key=label_key)
+    if len(set(labels)) < len(labels):
+        raise ScriptError("the labels of a simplex must differ")
+    if len(labels) > LARGEST_DIMENSION + 1:
+        raise ScriptError(f"a simplex has at most {LARGEST_DIMENSION + 1} vertices")
+    bodies = sorted({usable_body(state, label) for label in labels if label in state.labels})
+    faces = [face for size in range(1, len(labels) + 1) for face in itertools.combinations(labels, size)]
+    missing = [face for face in faces if frozenset(face) not in state.orders]
+    if not missing:
+        raise ScriptError(f"the simplex {labels} is there")
+    first = "{" + labels[0] + "}"
+    if bodies:
+        body = bodies[0]
+        for other in bodies[1:]:
+            state.merge_bodies(body, other)
+    else:
+        body = state.new_body(first)
+        state.abstract[body] = True
+    for face in missing:
+        number = state.add("{" + ",".join(face) + "}", (len(face) - 1,) if len(face) > 1 else (), (), body, first)
+        state.orders[frozenset(face)] = face
+        state.names[frozenset(face)] = state.plain(number)
+        for k in range(len(face) if len(face) > 1 else 0):
+            rest = face[:k] + face[k + 1:]
+            if state.orders[frozenset(rest)] != rest:
+                state.abstract[body] = False
+    state.labels.update((label, label) for label in labels)
+    refresh_faces(state, body)
+
+
+def op_collapse(state, step, _prime):
+    fields(step, ("from", "to"))
+    u, v = read_label(step["from"]), read_label(step["to"])
+    for label in (u, v):
+        if label not in state.labels:
+            raise ScriptError(f'there is no vertex "{label}"')
+    bodies = [usable_body(state, label) for label in (u, v)]
+    if u == v:
+        raise ScriptError("a vertex cannot be collapsed into itself")
+    state.merge_bodies(*bodies)
+    body = state.body_root(bodies[0])
+    became = {}  # number of a cell that goes -> value
+    for key in sorted((key for key in state.orders if u in key), key=len):
+        order, number = state.orders.pop(key), state.names.pop(key)[0]
+        image = key - {u} | {v}
+        if v in key:
+            low, high = sorted((order.index(u), order.index(v)))
+            state.abstract[body] = state.abstract[body] and high == low + 1
+            became[number] = state.names[image][0], (tuple(k == low for k in range(len(order) - 1)),)
+            continue
+        order = tuple(v if label == u else label for label in order)
+        if image in state.orders:
+            state.abstract[body] = state.abstract[body] and order == state.orders[image]
+            other = state.names[image][0]
+            if number > other:
+                order = state.orders[image]
+            became[max(number, other)] = state.plain(min(number, other))
+            number = min(number, other)
+        state.orders[image] = order
+        state.names[image] = state.plain(number)
+
+    def now(value):
+        while value[0] in became:
+            other, inner = became[value[0]]
+            value = other, fill(value[1], inner)
+        return value
+
+    state.names = {name: value and now(value) for name, value in state.names.items()}
+    for number in became:
+        del state.cells[number]
+    state.labels = {label: v if at == u else at for label, at in state.labels.items()}
+    refresh_faces(state, body)
+
+
+def leave_abstract(before, after):
+    """The abstract bodies that another operation has changed are abstract no more."""
+    for body in list(after.abstract):
+        was = {c: cell for c, cell in before.cells.items() if after.body_root(cell.body) == body}
+        if body in after.consumed or was != {c: after.cells[c] for c in after.cells_of_body(body)}:
+            del after.abstract[body]
 
 
 def trimmed(values, empty):
@@ -927,10 +1106,23 @@ OPERATIONS = {
     "degenerate": op_degenerate,
     "deidentify": op_deidentify,
     "product": op_product,
+    "insert": op_insert,
+    "collapse": op_collapse,
     "expect": op_expect,
     "class": op_class,
     "note": op_note,
 }
+
+
+def carried_out(state, step, prime):
+    """The state after a step, and the answer to it."""
+    after = state.copy()
+    after.for_a_change = step["op"] not in ("insert", "collapse", "class")
+    answer = OPERATIONS[step["op"]](after, step, prime)
+    if after.for_a_change:
+        leave_abstract(state, after)
+    after.for_a_change = False
+    return after, answer
 
 
 class Oracle:
@@ -957,8 +1149,7 @@ class Oracle:
             self.state = self.history[-count]
             del self.history[-count:]
         elif step["op"] in OPERATIONS:
-            after = self.state.copy()
-            answer = OPERATIONS[step["op"]](after, step, self.prime)
+            after, answer = carried_out(self.state, step, self.prime)
             self.history.append(self.state)
             self.state = after
         else:

@@ -455,6 +455,45 @@ class OperationsTest(unittest.TestCase):
                     cut += bool(split)
         self.assertGreater(cut, 20)
 
+    def test_a_circle_is_contracted_edge_by_edge(self):
+        twin = run(*(("insert", {"simplex": [k, (k + 1) % 4]}) for k in range(4)))
+        self.assertEqual(found(twin), ([4, 4], [1, 1], []))
+        twin.apply({"op": "collapse", "from": 0, "to": 1})
+        self.assertEqual(found(twin), ([3, 3], [1, 1], []))
+        twin.apply({"op": "collapse", "from": 2, "to": "1"})
+        self.assertEqual(found(twin), ([2, 1], [1], []))
+        self.assertEqual(twin.state.find("{0,3}"), twin.state.find("{1,3}"))
+        self.assertTrue(oracle.is_degenerate(twin.state.value("{0,1}")))
+
+    def test_edges_that_meet_head_to_tail_are_opposite(self):
+        twin = run(("insert", {"simplex": ["a", "b"]}), ("insert", {"simplex": ["b", "c"]}),
+                   ("collapse", {"from": "c", "to": "a"}))
+        chain = oracle.read_chain(twin.state, [[1, "{a,b}"], [1, "{b,c}"]], 0)
+        self.assertEqual({c: v for c, v in chain.items() if v}, {})
+        self.assertEqual(list(twin.state.abstract.values()), [False])
+
+    def test_boundaries_of_boundaries_are_zero_in_random_abstract_complexes(self):
+        unordered = 0
+        for seed in range(15):
+            writer = random_script.WriterOfAbstract(seed, "Z")
+            writer.write(30)
+            state = writer.oracle.state
+            for c in state.alive():
+                self.assertEqual(oracle.boundary_of_chain(state, state.boundary(c), 0), {})
+            unordered += False in state.abstract.values()
+        self.assertGreater(unordered, 4)
+
+    def test_a_collapse_is_what_it_does_to_sets_of_labels(self):
+        for seed in range(15):
+            writer = random_script.WriterOfAbstract(seed, "Z")
+            writer.weights = {"insert": 3, "query": 1, "simplex": 0, "cone": 0, "product": 0}
+            writer.write(12)
+            known = writer.live_labels()
+            before, (u, v) = {*writer.oracle.state.orders}, writer.random.sample(known, 2)
+            writer.oracle.apply({"op": "collapse", "from": u, "to": v})
+            after = {frozenset(v if label == u else label for label in simplex) for simplex in before}
+            self.assertEqual({*writer.oracle.state.orders}, after)
+
     def test_undo_takes_back_every_operation(self):
         for seed in range(10):
             text = random_script.write_script(seed, 30, operations="all", weights={"undo": 0})

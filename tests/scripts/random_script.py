@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Prints a random legal script for `sesame replay`.
 
-    random_script.py --seed N [--steps M] [--ring Z|Z/p] [--ops basic|all|tear] [--weight NAME=N]... [--illegal]
+    random_script.py --seed N [--steps M] [--ring Z|Z/p] [--ops basic|all|tear|nest|abstract] [--weight NAME=N]... [--illegal]
 
 basic: simplex, simploid, complex, cone, identify, expect, class, undo and note: several bodies, self-gluings and
 twisted ones (torsion), simploids of mixed types up to dimension 3, cones over bodies and over lists, classes of
@@ -11,6 +11,8 @@ cells split along their links, gluings taken back), in any order and on top of e
 or less frequent (0: never); a wrong NAME is answered with the names that there are.
 tear: a random complex is glued from simploids and torn apart again, cell by cell, to isolated ones. It may need more
 steps than asked for.
+abstract: simplices on labelled vertices are inserted, any two vertices are collapsed, some bodies are changed by all the
+other operations.
 What is legal, the oracle knows. With --illegal the last step is wrong, and only that one.
 The same options give the same script.
 """
@@ -290,9 +292,9 @@ class WriterOfAll(Writer):
     def attempt(self, step):
         """Refuses as well what grows too much and, mostly, what collapses most of the object."""
         if step["op"] not in ("undo", "expect", "class", "note"):
-            before, after = self.oracle.state, self.oracle.state.copy()
+            before = self.oracle.state
             try:
-                oracle.OPERATIONS[step["op"]](after, step, self.oracle.prime)
+                after, _ = oracle.carried_out(before, step, self.oracle.prime)
             except oracle.ScriptError:
                 return False
             if len(after.cells) > max(LARGEST_RESULT, len(before.cells)):
@@ -431,7 +433,7 @@ class WriterOfAll(Writer):
         state = self.oracle.state
         dim = state.dim(next(iter(chain))) if chain else 0
         zeros = [name for name, value in state.names.items()
-                 if value and oracle.is_degenerate(value) and sum(oracle.type_of(value[1])) == dim]
+                 if value and isinstance(name, str) and oracle.is_degenerate(value) and sum(oracle.type_of(value[1])) == dim]
         if zeros and self.random.random() < 0.3:
             terms.append([self.random.choice([-1, 2]), self.random.choice(zeros)])
         return terms
@@ -525,7 +527,114 @@ class WriterOfNests(WriterOfAll):
         super().write(steps)
 
 
-WRITERS = {"basic": Writer, "all": WriterOfAll, "tear": WriterOfTearing, "nest": WriterOfNests}
+class WriterOfAbstract(WriterOfAll):
+    """Insertions and collapses; other operations only now and then, since they end a body's being abstract."""
+
+    weights = {
+        **{name: 0 for name in WriterOfAll.weights}, "insert": 22, "collapse": 12, "query": 8, "expect": 2, "note": 1, "undo": 4,
+        "simplex": 1, "identify": 1, "degenerate": 1, "cone": 1, "product": 1, "isolate": 1, "split": 1, "unglue": 1,
+    }
+    growing = ("insert", "simplex", "cone", "product")
+    pool = [*range(9), "10", "a", "b", "B", "é", "u*v", "w.(x|y)", "z^0"]
+
+    def as_label(self, text):
+        return int(text) if text.isdigit() and self.random.random() < 0.7 else text
+
+    def live_labels(self, same_body=False):
+        """Those that may be used, or those of one body."""
+        state = self.oracle.state
+        by_body = {}
+        for label in sorted({*state.labels.values()}):
+            try:
+                by_body.setdefault(oracle.usable_body(state, label), []).append(label)
+            except oracle.ScriptError:
+                pass
+        if same_body and by_body:
+            return self.random.choice(list(by_body.values()))
+        return [label for labels in by_body.values() for label in labels]
+
+    def insert(self):
+        size = self.random.choice([1, 2, 2, 3, 3, 3, 3, 4, 4, 5])
+        known = self.live_labels(self.random.random() < 0.6)
+        fresh = [str(x) for x in self.pool if str(x) not in self.oracle.state.labels]
+        count = min(len(known), size if self.random.random() < 0.6 else size - 1)
+        labels = self.random.sample(known, count)
+        labels += self.random.sample(fresh, min(len(fresh), size - count))
+        self.random.shuffle(labels)
+        return bool(labels) and self.attempt({"op": "insert", "simplex": [self.as_label(x) for x in labels]})
+
+    def projective_plane(self):
+        """On six vertices; what is left of it after collapses may keep its torsion."""
+        fresh = [str(x) for x in self.pool if str(x) not in self.oracle.state.labels]
+        if len(fresh) < 6:
+            return False
+        labels = self.random.sample(fresh, 6)
+        for triangle in ("012", "013", "024", "035", "045", "125", "134", "145", "234", "235"):
+            self.attempt({"op": "insert", "simplex": [self.as_label(labels[int(k)]) for k in triangle]})
+        return True
+
+    def write(self, steps):
+        if self.random.random() < 0.25:
+            self.projective_plane()
+        super().write(steps)
+
+    def collapse(self):
+        known = self.live_labels(self.random.random() < 0.9)
+        if len(known) < 2:
+            return False
+        u, v = self.random.sample(known, 2)
+        edges = [sorted(key) for key in self.oracle.state.orders if len(key) == 2 and key <= {*known}]
+        if edges and self.random.random() < 0.6:
+            u, v = self.random.sample(self.random.choice(sorted(edges)), 2)
+        return self.attempt({"op": "collapse", "from": self.as_label(u), "to": self.as_label(v)})
+
+    def name_of(self, cell):
+        state = self.oracle.state
+        if self.random.random() < 0.4:
+            return state.cells[cell].name
+        plain = state.plain(cell)
+        names = [name for name, value in state.names.items() if value == plain and isinstance(name, str)]
+        names += ["{" + ",".join(sorted(key, key=oracle.label_key)) + "}" for key in state.orders
+                  if state.names[key] == plain]
+        return self.random.choice(names)
+
+    def chain_terms(self, chain):
+        """A name may stand for the opposite orientation."""
+        terms = [[v, self.name_of(c)] for c, v in sorted(chain.items())]
+        terms = [[v * self.oracle.state.sign(name), name] for v, name in terms]
+        self.random.shuffle(terms)
+        return terms
+
+    def some_cells(self, count):
+        state = self.oracle.state
+        alive = [c for c in state.alive() if state.abstract.get(state.body_root(state.cells[c].body)) is not False]
+        return self.random.sample(alive, min(len(alive), count))
+
+    def wrong_steps(self):
+        state = self.oracle.state
+        known = self.live_labels()
+        steps = [{"op": "insert", "simplex": []}, {"op": "insert", "simplex": [3, "3"]},
+                 {"op": "insert", "simplex": ["a,b"]}, {"op": "insert", "simplex": [-1]},
+                 {"op": "collapse", "from": "nobody", "to": "nobody else"}]
+        steps += [{"op": "collapse", "from": label, "to": label} for label in known[:1]]
+        steps += [{"op": "insert", "simplex": [label]} for label in known[:1]]
+        dead = [label for label, now in state.labels.items() if label != now]
+        left = [label for label, now in state.labels.items() if label == now and label not in known]
+        for label in self.random.sample(dead, min(len(dead), 2)) + left[:2]:
+            steps.append({"op": "insert", "simplex": [label, "fresh"]})
+            steps.append({"op": "collapse", "from": label, "to": known[0] if known else "0"})
+        for body, orders_agree in state.abstract.items():
+            if not orders_agree:
+                cell = state.cells[state.cells_of_body(body)[0]].name
+                steps.append({"op": "degenerate", "cell": cell, "along": 0})
+                steps.append({"op": "cone", "apex": "fresh", "over": [cell]})
+                steps.append({"op": "cone", "apex": "fresh"})
+                steps.append({"op": "identify", "pairs": [[cell, cell]]})
+        return steps
+
+
+WRITERS = {"basic": Writer, "all": WriterOfAll, "tear": WriterOfTearing, "nest": WriterOfNests,
+           "abstract": WriterOfAbstract}
 
 
 def combine(a, x, b, y):

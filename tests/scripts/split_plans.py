@@ -122,7 +122,7 @@ def link_classes(state, x):
 
     for u in state.alive():
         kind, below = state.cells[u].kind, faces_of(u)
-        for (first, then), (other, last) in oracle.law_pairs(kind):
+        for (first, then), (other, last) in oracle.law_pairs(kind) if below else ():
             one, _ = oracle.face_of(below[oracle.slot_number(kind, *first)], *then, faces_of)
             two, _ = oracle.face_of(below[oracle.slot_number(kind, *other)], *last, faces_of)
             if one != two:

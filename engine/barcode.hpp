@@ -1,0 +1,28 @@
+/// \file
+/// Barcodes: the intervals over which homology classes live.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace sesame::engine {
+
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+/// A class of dimension `dimension` that lives in the half-open interval [birth, death); death = never: to the end.
+struct Bar {
+  int dimension;
+  double birth, death;
+
+  friend auto operator<=>(const Bar&, const Bar&) = default;
+};
+
+/// The bars of positive length, sorted, and the number of those that were born and died at the same time.
+struct Barcode {
+  std::vector<Bar> bars;
+  std::uint64_t hidden = 0;
+};
+
+}  // namespace sesame::engine

@@ -1,0 +1,425 @@
+#include "engine/cycle_tracker.hpp"
+
+#include <algorithm>
+#include <queue>
+#include <tuple>
+#include <variant>
+
+#include "engine/accumulator.hpp"
+#include "engine/class_space.hpp"
+#include "sparse/contract.hpp"
+
+namespace sesame::engine {
+namespace {
+
+using ops::TowerComplex;
+using sparse::Ring;
+using sparse::Terms;
+using TermRange = std::pair<std::uint64_t, std::uint32_t>;  ///< the first one, how many
+
+template <Ring R>
+class Tracker final : public CycleTracker {
+ public:
+  Tracker(R ring, OnBar on_bar)
+      : ring_{ring}, any_ring_{ring}, on_bar_{std::move(on_bar)}, sum_{ring}, expansion_{ring} {}
+
+  void include(int dimension, Slot slot, std::span<const Slot> facets, double time) override {
+    times_.push_back(time);
+    const auto d = static_cast<std::size_t>(dimension);
+    reach(d);
+    typename R::Element sign = ring_.one();
+    boundary_.clear();
+    for (const Slot facet : facets) {
+      add_cell(d - 1, facet, sign);
+      sign = ring_.negate(sign);
+    }
+    std::vector<Image>& images = images_[d];
+    if (slot >= images.size()) {
+      images.resize(std::max<std::size_t>(slot + std::size_t{1}, images.size() + images.size() / 2));
+    }
+    images[slot] = Image{static_cast<Generator>(generators_.size()), false, no_terms};
+    append(d, inclusions_++);
+  }
+
+  void contract(const TowerComplex& complex, const TowerComplex::Changes& changes, double time) override {
+    times_.push_back(time);
+    reach(changes.size());
+    shifts_.clear();
+    for (std::size_t d = 0; d < changes.size(); ++d) {
+      below_.swap(shifts_);
+      std::ranges::sort(below_);
+      shifts_.clear();
+      for (const TowerComplex::Change& change : changes[d]) {
+        apply(complex, d, change);
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<std::uint64_t> betti() const override {
+    std::vector<std::uint64_t> alive = alive_;
+    while (!alive.empty() && alive.back() == 0) {
+      alive.pop_back();
+    }
+    return alive;
+  }
+
+  [[nodiscard]] std::vector<Bar> open_bars() const override {
+    std::vector<Bar> bars;
+    for (const Cell& generator : generators_) {
+      if (generator.partner == alive_mark) {
+        bars.push_back({static_cast<int>(generator.dimension), times_[generator.operation], never});
+      }
+    }
+    std::ranges::sort(bars);
+    return bars;
+  }
+
+  [[nodiscard]] std::uint64_t hidden() const override { return hidden_; }
+  [[nodiscard]] const sparse::AnyRing& ring() const override { return any_ring_; }
+  [[nodiscard]] Work work() const override {
+    return {terms_touched_, terms_.size() + additions_.size(), generators_.size()};
+  }
+
+  [[nodiscard]] std::vector<TracedBar> bars() const override {
+    std::vector<TracedBar> found;
+    for (Generator a = 0; a < generators_.size(); ++a) {
+      const Cell& cell = generators_[a];
+      const auto dimension = static_cast<int>(cell.dimension);
+      if (cell.partner == alive_mark) {
+        found.push_back({{dimension, times_[cell.operation], never}, cell.operation, cell.operation, a, a});
+      } else if (cell.partner != negative_mark && generators_[cell.partner].operation != cell.operation) {
+        const std::uint32_t killer = generators_[cell.partner].operation;
+        found.push_back({{dimension, times_[cell.operation], times_[killer]}, cell.operation, killer, a, cell.partner});
+      }
+    }
+    std::ranges::stable_sort(found, {}, &TracedBar::bar);
+    return found;
+  }
+
+  [[nodiscard]] InclusionChain cycle(const TracedBar& bar) override {
+    if (bar.bar.death == never) {
+      const TermRange range = kept_[bar.birth];
+      const Terms<R> boundary(terms_.begin() + static_cast<std::ptrdiff_t>(range.first),
+                              terms_.begin() + static_cast<std::ptrdiff_t>(range.first + range.second));
+      std::vector<Addition> additions{{bar.birth, ring_.one()}};
+      reduce(boundary, [&](Generator killer, const typename R::Element& factor) {
+        additions.push_back({killer, factor});
+      });
+      return expand(additions);
+    }
+    const TermRange range = kept_[bar.death];
+    return inclusions(std::span{terms_}.subspan(range.first, range.second));
+  }
+
+  [[nodiscard]] InclusionChain bounded_chain(const TracedBar& bar) override {
+    sparse::expects(bar.bar.death != never, "a bar that has ended has a chain that its cycle bounds");
+    const Addition whole{bar.death, ring_.one()};
+    return expand({&whole, 1});
+  }
+
+ private:
+  using Generator = std::uint32_t;
+  using TermType = sparse::Term<R>;
+  static constexpr std::uint32_t alive_mark = UINT32_MAX;
+  static constexpr std::uint32_t negative_mark = UINT32_MAX - 1;
+  static constexpr std::uint32_t no_inclusion = UINT32_MAX;
+  static constexpr std::uint32_t no_terms = UINT32_MAX;
+
+  /// A generator of the big complex.
+  struct Cell {
+    Generator partner;  ///< what killed it, or alive_mark, or negative_mark: it killed another one
+    std::uint32_t operation;
+    std::uint32_t inclusion;  ///< no_inclusion when it is that of a merged or squashed simplex
+    std::uint8_t dimension;
+  };
+  /// g of a current cell: plus or minus a generator, and corrections.
+  struct Image {
+    Generator generator = 0;
+    bool is_negative = false;
+    std::uint32_t corrections = no_terms;  ///< in corrections_
+  };
+
+  struct Addition {
+    Generator killer;
+    typename R::Element factor;
+  };
+  /// The classes of a dimension, which say at once who kills and whom.
+  using Node = typename ClassSpace<R>::Node;
+  static constexpr Node no_node = UINT32_MAX;
+  struct Level {
+    explicit Level(R ring) : space{ring} {}
+    ClassSpace<R> space;
+    std::vector<Generator> generators;  ///< per node
+  };
+
+  void reach(std::size_t dimension) {
+    if (images_.size() < dimension + 2) {
+      images_.resize(dimension + 2);
+      alive_.resize(dimension + 2, 0);
+    }
+    while (levels_.size() < dimension + 2) {
+      levels_.emplace_back(ring_);
+    }
+  }
+
+  // ---- reduction
+
+  /// boundary_ += factor g(cell).
+  void add_cell(std::size_t d, Slot slot, const typename R::Element& factor) {
+    const Image& image = images_[d][slot];
+    boundary_.push_back({image.generator, image.is_negative ? ring_.negate(factor) : factor});
+    if (image.corrections != no_terms) {
+      for (const TermType& each : corrections_[image.corrections]) {
+        boundary_.push_back({each.index, ring_.multiply(factor, each.coefficient)});
+      }
+    }
+  }
+
+  /// The next generator, whose boundary is boundary_.
+  void append(std::size_t dimension, std::uint32_t inclusion) {
+    sparse::expects(generators_.size() < negative_mark, "fewer than 2^32 - 2 generators");
+    sparse::normalize(ring_, boundary_);
+    const auto b = static_cast<Generator>(generators_.size());
+    const auto operation = static_cast<std::uint32_t>(times_.size() - 1);
+    generators_.push_back({alive_mark, operation, inclusion, static_cast<std::uint8_t>(dimension)});
+    kept_.emplace_back(terms_.size(), static_cast<std::uint32_t>(boundary_.size()));
+    added_.emplace_back(additions_.size(), 0);
+    scale_.push_back(ring_.one());
+    if (!is_killer(dimension)) {
+      // That V(b) is a cycle will do; which one is worked out when somebody asks.
+      terms_.insert(terms_.end(), boundary_.begin(), boundary_.end());
+      nodes_.push_back(levels_[dimension].space.add(0));
+      levels_[dimension].generators.push_back(b);
+      ++alive_[dimension];
+      return;
+    }
+    Level& below = levels_[dimension - 1];
+    const Generator pivot = below.generators[below.space.kill_sum()];
+    nodes_.push_back(no_node);
+    reduce(boundary_, [&](Generator killer, const typename R::Element& factor) {
+      additions_.push_back({killer, factor});
+    });
+    added_[b].second = static_cast<std::uint32_t>(additions_.size() - added_[b].first);
+    sparse::expects(!column_.empty() && column_.back().index == pivot, "two methods find the same pair");
+    kill(pivot, b);
+  }
+
+  /// Whether boundary_ is no boundary yet: then the sum of the classes below is what it is.
+  bool is_killer(std::size_t dimension) {
+    if (dimension == 0) {
+      return false;
+    }
+    ClassSpace<R>& space = levels_[dimension - 1].space;
+    space.clear_sum();
+    for (const TermType& each : boundary_) {
+      if (nodes_[each.index] != no_node) {
+        add_multiple(space, nodes_[each.index], each.coefficient);
+      }
+    }
+    return !space.sum_is_zero();
+  }
+
+  /// The sum of a space += coefficient * node. Coefficients are small: 1 or -1, or a few of them added up.
+  void add_multiple(ClassSpace<R>& space, Node node, const typename R::Element& coefficient) {
+    const sparse::Integer value = ring_.to_integer(coefficient);
+    const sparse::Integer opposite = ring_.to_integer(ring_.negate(coefficient));
+    const bool is_negative = opposite < value;
+    for (sparse::Integer left = is_negative ? opposite : value; left > 0; left -= 1) {
+      space.add_to_sum(node, is_negative);
+    }
+  }
+
+  /// Leaves in column_ a boundary with multiples of R(killer) added until its youngest generator is alive, or nothing is
+  /// left; tells note(killer, factor) of each. For a cycle that is worked out late that is what it would have been when
+  /// it was born: all classes in its boundary were dead by then.
+  template <class Note>
+  void reduce(std::span<const TermType> boundary, Note&& note) {
+    heap_.clear();
+    for (const TermType& each : boundary) {
+      add_term(each.index, ring_.one(), each.coefficient);
+    }
+    while (!heap_.empty()) {
+      std::ranges::pop_heap(heap_);
+      const Generator top = heap_.back();
+      heap_.pop_back();
+      const typename R::Element value = sum_.take(top);
+      if (ring_.is_zero(value)) {
+        continue;
+      }
+      const Generator killer = generators_[top].partner;
+      sparse::expects(killer != negative_mark, "the youngest generator of a cycle is a class");
+      if (killer == alive_mark) {
+        sum_.add_product(top, value, ring_.one());
+        break;
+      }
+      // R(killer) ends with 1 times `top`.
+      const TermRange range = kept_[killer];
+      const typename R::Element factor = ring_.negate(value);
+      for (const TermType& each : std::span{terms_}.subspan(range.first, range.second - 1)) {
+        add_term(each.index, factor, each.coefficient);
+      }
+      note(killer, factor);
+    }
+    sum_.finish(column_);
+  }
+
+  void add_term(Generator generator, const typename R::Element& factor, const typename R::Element& coefficient) {
+    ++terms_touched_;
+    if (sum_.add_product(generator, factor, coefficient)) {
+      heap_.push_back(generator);
+      std::ranges::push_heap(heap_);
+    }
+  }
+
+  /// Keeps the reduced boundary of b, made to end with 1 times the pivot, and notes the bar.
+  void kill(Generator pivot, Generator b) {
+    scale_[b] = ring_.inverse(column_.back().coefficient);
+    kept_[b] = {terms_.size(), static_cast<std::uint32_t>(column_.size())};
+    for (const TermType& each : column_) {
+      terms_.push_back({each.index, ring_.multiply(scale_[b], each.coefficient)});
+    }
+    Cell& dead = generators_[pivot];
+    dead.partner = b;
+    generators_[b].partner = negative_mark;
+    --alive_[dead.dimension];
+    if (dead.operation == generators_[b].operation) {
+      return;  // born and dead within one contraction: nobody's
+    }
+    const Bar bar{static_cast<int>(dead.dimension), times_[dead.operation], times_.back()};
+    if (bar.birth == bar.death) {
+      ++hidden_;
+    } else {
+      on_bar_(bar);
+    }
+  }
+
+  // ---- contraction: see the other tracker, engine/barcode_tracker.cpp
+
+  void apply(const TowerComplex& complex, std::size_t d, const TowerComplex::Change& change) {
+    boundary_.clear();
+    correct(complex, d, change);
+    Image& image = images_[d][change.slot];
+    if (change.fate == TowerComplex::Fate::renamed) {
+      if (change.is_reversed) {
+        reverse(image);
+      }
+      return;
+    }
+    add_cell(d, change.slot, ring_.one());
+    if (change.fate == TowerComplex::Fate::merged) {
+      add_cell(d, change.survivor, change.is_reversed ? ring_.one() : ring_.negate(ring_.one()));
+    }
+    shifts_.emplace_back(change.slot, static_cast<Generator>(generators_.size()));
+    append(d + 1, no_inclusion);
+  }
+
+  /// Adds to g of a simplex the generators of its facets that were merged or squashed.
+  void correct(const TowerComplex& complex, std::size_t d, const TowerComplex::Change& change) {
+    for (std::size_t k = 0; k <= d && !below_.empty(); ++k) {
+      if (k == change.moved_at) {
+        continue;
+      }
+      const Slot facet = complex.facet(static_cast<int>(d), change.slot, k);
+      const auto shift = std::ranges::lower_bound(below_, facet, {}, &Shift::first);
+      if (shift == below_.end() || shift->first != facet) {
+        continue;
+      }
+      Image& image = images_[d][change.slot];
+      if (image.corrections == no_terms) {
+        image.corrections = static_cast<std::uint32_t>(corrections_.size());
+        corrections_.emplace_back();
+      }
+      corrections_[image.corrections].push_back({shift->second, ring_.from(k % 2 == 0 ? -1 : 1)});
+    }
+  }
+
+  void reverse(Image& image) {
+    image.is_negative = !image.is_negative;
+    if (image.corrections != no_terms) {
+      for (TermType& each : corrections_[image.corrections]) {
+        each.coefficient = ring_.negate(each.coefficient);
+      }
+    }
+  }
+
+  // ---- chains
+
+  [[nodiscard]] InclusionChain inclusions(std::span<const TermType> terms) const {
+    InclusionChain chain;
+    for (const TermType& each : terms) {
+      if (generators_[each.index].inclusion != no_inclusion) {
+        chain.emplace_back(generators_[each.index].inclusion, ring_.to_integer(each.coefficient));
+      }
+    }
+    return chain;
+  }
+
+  /// The sum of multiples of V(b): younger generators first, so that each is expanded once.
+  [[nodiscard]] InclusionChain expand(std::span<const Addition> sum) {
+    std::priority_queue<Generator> pending;
+    for (const Addition& each : sum) {
+      if (expansion_.add_product(each.killer, ring_.one(), each.factor)) {
+        pending.push(each.killer);
+      }
+    }
+    Terms<R> found;
+    while (!pending.empty()) {
+      const Generator top = pending.top();
+      pending.pop();
+      const typename R::Element value = expansion_.take(top);
+      if (ring_.is_zero(value)) {
+        continue;
+      }
+      const typename R::Element scaled = ring_.multiply(value, scale_[top]);
+      found.push_back({top, scaled});
+      const TermRange range = added_[top];
+      for (const Addition& each : std::span{additions_}.subspan(range.first, range.second)) {
+        if (expansion_.add_product(each.killer, scaled, each.factor)) {
+          pending.push(each.killer);
+        }
+      }
+    }
+    expansion_.finish(column_);
+    std::ranges::reverse(found);
+    return inclusions(found);
+  }
+
+  using Shift = std::pair<Slot, Generator>;
+
+  R ring_;
+  sparse::AnyRing any_ring_;
+  OnBar on_bar_;
+  std::vector<Cell> generators_;
+  std::vector<double> times_;  ///< per operation
+  std::vector<std::uint64_t> alive_;
+  std::uint64_t hidden_ = 0;
+  std::uint64_t terms_touched_ = 0;
+  std::uint32_t inclusions_ = 0;
+  // Per generator b that killed a class: V(b) = scale (b + sum factor V(killer)), and R(b) = dV(b) with the youngest
+  // term last, coefficient 1. For the others the boundary is kept.
+  std::vector<TermRange> kept_, added_;
+  std::vector<typename R::Element> scale_;
+  Terms<R> terms_;
+  std::vector<Addition> additions_;
+  std::vector<std::vector<Image>> images_;  ///< per dimension and slot
+  std::vector<Terms<R>> corrections_;
+  std::vector<Shift> shifts_, below_;
+  Accumulator<R> sum_, expansion_;
+  std::vector<Generator> heap_;  ///< of the terms of sum_, the youngest on top
+  Terms<R> boundary_, column_;
+  std::vector<Level> levels_;
+  std::vector<Node> nodes_;  ///< per generator: its class, or no_node
+};
+
+}  // namespace
+
+std::unique_ptr<CycleTracker> make_cycle_tracker(const sparse::AnyRing& ring, BarcodeTracker::OnBar on_bar) {
+  if (const auto* z2 = std::get_if<sparse::Z2>(&ring)) {
+    return std::make_unique<Tracker<sparse::Z2>>(*z2, std::move(on_bar));
+  }
+  const auto* zp = std::get_if<sparse::Zp>(&ring);
+  sparse::expects(zp != nullptr, "a barcode is taken over a field");
+  return std::make_unique<Tracker<sparse::Zp>>(*zp, std::move(on_bar));
+}
+
+}  // namespace sesame::engine

@@ -1,0 +1,43 @@
+/// \file
+/// Pictures of barcodes: as SVG files, and as a page that needs nothing else.
+///
+/// Every dimension has a colour of a palette for all kinds of colour vision, and in the diagram a shape as well. The
+/// same barcode gives the same bytes. Size and time of a picture are bounded: at most 2,000 bars are drawn as lines,
+/// points in the diagram that cannot be told apart are one, and curves have a few steps per pixel.
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include "engine/barcode.hpp"
+#include "replay/barcode_files.hpp"
+
+namespace sesame::replay {
+
+struct DrawingOptions {
+  std::string title;                    ///< empty: the source's name, or else "Barcode"
+  std::string time_name = "operation";  ///< what births and deaths count, for the axes
+};
+
+/// All three pictures in one file: the bars, and below them the diagram beside the Betti curves.
+void write_svg(std::ostream& out, const engine::Barcode& barcode, const Provenance& provenance,
+               const DrawingOptions& options);
+
+/// A line for each bar; of very many the longest, which the picture says.
+void write_barcode_svg(std::ostream& out, const engine::Barcode& barcode, const Provenance& provenance,
+                       const DrawingOptions& options);
+
+/// A point for each bar, with the diagonal, and a line for those that never end.
+void write_diagram_svg(std::ostream& out, const engine::Barcode& barcode, const Provenance& provenance,
+                       const DrawingOptions& options);
+
+/// Betti numbers against time.
+void write_betti_svg(std::ostream& out, const engine::Barcode& barcode, const Provenance& provenance,
+                     const DrawingOptions& options);
+
+/// The three pictures, the numbers of bars, the longest bars and the provenance as one HTML page, light or dark as the
+/// reader's system is, without scripts or anything from outside.
+void write_html(std::ostream& out, const engine::Barcode& barcode, const Provenance& provenance,
+                const DrawingOptions& options);
+
+}  // namespace sesame::replay

@@ -1,0 +1,73 @@
+/// \file
+/// Barcodes in files: `.pers`, JSON, and Betti numbers against time as CSV.
+///
+/// All numbers are written as the shortest text that reads back as the same double, and the same barcode gives the same
+/// bytes (but for the seconds in JSON).
+#pragma once
+
+#include <cstdint>
+#include <istream>
+#include <optional>
+#include <ostream>
+#include <string>
+
+#include "engine/barcode.hpp"
+#include "replay/text_buffer.hpp"
+#include "sparse/result.hpp"
+
+namespace sesame::replay {
+
+/// Where a barcode comes from; goes, with the version of sesame and the number of hidden bars, into every output.
+struct Provenance {
+  std::string ring;              ///< as people write it: "Z/2"
+  std::uint64_t operations = 0;  ///< that made the barcode
+  std::string source;            ///< the name of the input; may be empty
+};
+
+/// "sesame 0.1.0, coefficients Z/2, 12 operations, 3 bars of length 0 left out, from torus.tower": one line, UTF-8.
+[[nodiscard]] std::string provenance_line(const engine::Barcode& barcode, const Provenance& provenance);
+
+/// Writes lines `dim birth death`, `inf` for the death of an essential class, as bars come, between two comment lines:
+/// the first says where they come from, the last how many operations there were. GUDHI reads it too.
+class PersWriter {
+ public:
+  PersWriter(std::ostream& out, const std::string& ring, const std::string& source);
+  void add(const engine::Bar& bar);
+  /// After the last bar.
+  void finish(std::uint64_t operations, std::uint64_t hidden);
+
+ private:
+  TextBuffer text_;
+};
+
+/// The same for a barcode, in order.
+void write_pers(std::ostream& out, const engine::Barcode& barcode, const Provenance& provenance);
+
+/// The fields of a JSON object, without the braces: ring, ops, bars ([dim,birth,death], death null when essential),
+/// hidden, source and version.
+void add_barcode_fields(TextBuffer& text, const engine::Barcode& barcode, const Provenance& provenance);
+
+/// One object on one line: these fields and, when it is given, seconds.
+void write_barcode_json(std::ostream& out, const engine::Barcode& barcode, const Provenance& provenance,
+                        std::optional<double> seconds);
+
+/// A comment line with the provenance, the header `time,b0,b1,...` and a row for each time at which a Betti number
+/// changes; see for_each_betti_change.
+void write_betti_csv(std::ostream& out, const engine::Barcode& barcode, const Provenance& provenance);
+
+/// What a `.pers` file says.
+struct PersFile {
+  engine::Barcode barcode;     ///< bars of length 0 are only counted
+  bool has_dimensions = true;  ///< false: the lines have no dimension, and it is 0 in all bars
+};
+
+/// No bar that is read has a larger dimension; a file that says so is no barcode.
+inline constexpr int largest_dimension_read = 1000;
+
+/// Reads lines `[[field] dimension] birth death`, as GUDHI writes them too: 2, 3 or 4 numbers, the same count and the
+/// same field on all lines; `inf`, `Inf`, `infinity` for the death of an essential class; comments after `#`; line ends
+/// \n or \r\n. Lines may stand in any order.
+/// Errors: `NAME:LINE: what, and what would be right` (bad_input); io when the stream breaks.
+[[nodiscard]] Result<PersFile> read_pers(std::istream& input, const std::string& name);
+
+}  // namespace sesame::replay

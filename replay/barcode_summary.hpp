@@ -1,0 +1,33 @@
+/// \file
+/// What is said around the pictures of a barcode.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "replay/barcode_drawing.hpp"
+
+namespace sesame::replay {
+
+/// The bars of one dimension that has some.
+struct DimensionSummary {
+  int dimension;
+  std::uint64_t bars = 0;
+  std::uint64_t essential = 0;
+  double longest = 0;  ///< of those that end; 0 when none does
+};
+
+[[nodiscard]] std::vector<DimensionSummary> by_dimension(const engine::Barcode& barcode);
+
+[[nodiscard]] std::string title_of(const Provenance& provenance, const DrawingOptions& options);
+
+/// The provenance and the numbers of bars in pieces: "coefficients Z/2", "1,234 operations", ... What the title says
+/// is not said again.
+[[nodiscard]] std::vector<std::string> facts(const engine::Barcode& barcode, const Provenance& provenance,
+                                             const DrawingOptions& options);
+
+/// "1 bar", "1,234 bars".
+[[nodiscard]] std::string counted(std::uint64_t n, const std::string& thing);
+
+}  // namespace sesame::replay

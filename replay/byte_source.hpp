@@ -1,0 +1,61 @@
+/// \file
+/// The bytes of a file or of a pipe, of any length, unpacked when they are gzip data.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sparse/result.hpp"
+
+namespace sesame::replay {
+
+/// Bytes in the order of the input, read in pieces. Memory: the window, which grows only when `more` is called while
+/// little of it has been consumed, and only as bytes arrive.
+class ByteSource {
+ public:
+  /// `path` may be "-": standard input. gzip data are known by their first bytes. When `stop` is there and set, the
+  /// input ends; a signal that sets it should interrupt a read that waits (no SA_RESTART).
+  /// Errors: io when the input cannot be read; bad_input when it starts like gzip data and is none.
+  static Result<ByteSource> open(const std::string& path, const std::atomic<bool>* stop = nullptr);
+  ByteSource(ByteSource&&) noexcept;
+  ByteSource& operator=(ByteSource&&) noexcept;
+  ByteSource(const ByteSource&) = delete;
+  ByteSource& operator=(const ByteSource&) = delete;
+  ~ByteSource();
+
+  /// What messages call the input.
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// The bytes that are read and not consumed. Valid until `more`. Aligned as a std::uint64_t when the bytes before
+  /// them are a multiple of 8, so that numbers can be used where they lie.
+  [[nodiscard]] std::string_view window() const { return {bytes() + begin_, end_ - begin_}; }
+  /// Removes the first `count` bytes of the window.
+  void consume(std::size_t count) { begin_ += count; }
+  /// Adds bytes to the window, as many as there are without waiting, one at least; false at the end of the input.
+  /// Errors: io when the input cannot be read; bad_input when gzip data are damaged or cut off.
+  Result<bool> more();
+
+  /// All that has not been consumed, as a stream. A read that fails looks like the end of the input.
+  static std::unique_ptr<std::istream> as_stream(ByteSource source);
+
+ private:
+  class Input;
+  class GzipInput;
+
+  ByteSource(std::string name, std::unique_ptr<Input> input);
+  [[nodiscard]] char* bytes() { return reinterpret_cast<char*>(words_.data()); }
+  [[nodiscard]] const char* bytes() const { return reinterpret_cast<const char*>(words_.data()); }
+  void make_room();
+
+  std::string name_;
+  std::unique_ptr<Input> input_;
+  std::vector<std::uint64_t> words_;  ///< the window lies in it; words, so that it is aligned
+  std::size_t begin_ = 0, end_ = 0;   ///< of the window, in bytes
+};
+
+}  // namespace sesame::replay

@@ -1,0 +1,61 @@
+#include "replay/group_sequence.hpp"
+
+#include <fmt/format.h>
+
+#include "replay/groups.hpp"
+
+namespace sesame::replay {
+
+void GroupSequence::add(double time, const engine::Homology& homology, const sparse::AnyRing& ring) {
+  Change change{time, {homology.betti.begin(), homology.betti.end()}, homology.torsion};
+  while (!change.ranks.empty() && change.ranks.back() == 0 && change.torsion.back().empty()) {
+    change.ranks.pop_back();
+    change.torsion.pop_back();
+  }
+  if (!changes_.empty() && changes_.back().ranks == change.ranks && changes_.back().torsion == change.torsion) {
+    return;
+  }
+  if (lines_ != nullptr) {
+    *lines_ << fmt::format("{:>10}  {}\n", number_text(time), homology_line(homology, ring));
+    changes_.clear();
+  }
+  changes_.push_back(std::move(change));
+}
+
+void GroupSequence::add_json(TextBuffer& text) const {
+  text.add('[');
+  for (std::size_t at = 0; at < changes_.size(); ++at) {
+    const Change& change = changes_[at];
+    text.add(at == 0 ? "[" : ",[").add_number(change.time).add(",[");
+    for (std::size_t p = 0; p < change.ranks.size(); ++p) {
+      text.add(p == 0 ? R"({"rank":)" : R"(,{"rank":)").add_integer(change.ranks[p]).add(R"(,"torsion":[)");
+      for (std::size_t k = 0; k < change.torsion[p].size(); ++k) {
+        text.add(k == 0 ? "" : ",").add(change.torsion[p][k].to_string());
+      }
+      text.add("]}");
+    }
+    text.add("]]");
+  }
+  text.add(']');
+}
+
+Status EngineTower::apply(const TowerOperation& operation) {
+  const Status status = complex_.apply(operation);
+  if (!status) {
+    return status;
+  }
+  ops::Operation step;
+  if (operation.kind == TowerOperation::Kind::insert) {
+    ops::Insert insert;
+    for (const std::uint64_t label : operation.labels) {
+      insert.simplex.push_back(std::to_string(label));
+    }
+    step = std::move(insert);
+  } else {
+    step = ops::Collapse{std::to_string(operation.labels[0]), std::to_string(operation.labels[1])};
+  }
+  const Result<engine::StepReport> report = engine_.apply(std::move(step));
+  return report ? Status{Done{}} : Status{report.error()};
+}
+
+}  // namespace sesame::replay

@@ -1,0 +1,51 @@
+/// \file
+/// The homology groups of a tower over Z, torsion and all, each time they change.
+#pragma once
+
+#include <cstdint>
+#include <ostream>
+#include <vector>
+
+#include "engine/engine.hpp"
+#include "replay/reporter.hpp"
+#include "replay/text_buffer.hpp"
+#include "replay/tower_replay.hpp"
+
+namespace sesame::replay {
+
+/// Collects or prints the groups after each operation, unless they are those before.
+class GroupSequence {
+ public:
+  /// With `lines`, a line for each change is written there as it happens, and nothing is kept.
+  explicit GroupSequence(std::ostream* lines) : lines_{lines} {}
+
+  void add(double time, const engine::Homology& homology, const sparse::AnyRing& ring);
+  /// [[time,[{"rank":1,"torsion":[]},...]],...]: the groups from a time on, one per dimension, those that are 0 at the
+  /// end left out.
+  void add_json(TextBuffer& text) const;
+
+ private:
+  struct Change {
+    double time;
+    std::vector<std::uint64_t> ranks;
+    std::vector<std::vector<sparse::Integer>> torsion;
+  };
+  std::ostream* lines_;
+  std::vector<Change> changes_;
+};
+
+/// A tower of simplices in an engine, for what needs more than a field. Requires operations on simplices, not columns.
+class EngineTower {
+ public:
+  explicit EngineTower(const sparse::AnyRing& ring) : engine_{ring} {}
+
+  /// Applies the next operation, or leaves everything as it was. Errors: bad_input, without the place.
+  Status apply(const TowerOperation& operation);
+  [[nodiscard]] engine::Engine& engine() { return engine_; }
+
+ private:
+  TowerReplay complex_{{}};  ///< says what is wrong with an operation, as it does over a field
+  engine::Engine engine_;
+};
+
+}  // namespace sesame::replay

@@ -1,0 +1,170 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <span>
+#include <string_view>
+
+#include "replay/barcode_files.hpp"
+
+namespace sesame::replay {
+namespace {
+
+using engine::Bar;
+
+constexpr std::string_view spaces = " \t\r\v\f";
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr std::size_t most_numbers = 4;
+
+std::string_view without_plus(std::string_view word) {
+  return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
+}
+
+template <class Number>
+bool parse(std::string_view word, Number& value) {
+  word = without_plus(word);
+  const char* const end = word.data() + word.size();
+  const auto [stop, problem] = std::from_chars(word.data(), end, value);
+  return problem == std::errc{} && stop == end;
+}
+
+/// A word as messages show it: printable, and cut when it is long.
+std::string shown(std::string_view word) {
+  constexpr std::size_t longest = 40;
+  std::string text{word.substr(0, longest)};
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return fmt::format("\"{}{}\"", text, word.size() > longest ? "..." : "");
+}
+
+/// Takes the lines one after the other.
+class PersReader {
+ public:
+  explicit PersReader(std::string name) : name_{std::move(name)} {}
+
+  /// Reads one line, counted from `number`, without its end. Errors: bad_input.
+  Status line(std::string_view text, std::uint64_t number) {
+    line_ = number;
+    std::array<std::string_view, most_numbers> words;
+    const std::size_t count = split(text.substr(0, text.find('#')), words);
+    if (count == 0) {
+      return Done{};
+    }
+    if (count < 2 || count > most_numbers) {
+      return error(fmt::format("a line should have 2, 3 or 4 numbers, [[field] dimension] birth death, not {}",
+                               count == 1 ? "1" : "more"));
+    }
+    if (first_line_ == 0) {
+      first_line_ = number;
+      count_ = count;
+      file_.has_dimensions = count > 2;
+    }
+    if (count != count_) {
+      return error(
+          fmt::format("{} numbers, but line {} has {}; all lines should have the same", count, first_line_, count_));
+    }
+    return bar({words.data(), count});
+  }
+
+  PersFile finished() && {
+    std::sort(file_.barcode.bars.begin(), file_.barcode.bars.end());
+    return std::move(file_);
+  }
+
+ private:
+  /// The number of words, at most one more than there is room for.
+  static std::size_t split(std::string_view text, std::array<std::string_view, most_numbers>& words) {
+    std::size_t count = 0;
+    while (true) {
+      text.remove_prefix(std::min(text.find_first_not_of(spaces), text.size()));
+      if (text.empty() || count == words.size()) {
+        return count + (text.empty() ? 0 : 1);
+      }
+      words[count] = text.substr(0, text.find_first_of(spaces));
+      text.remove_prefix(words[count++].size());
+    }
+  }
+
+  Status bar(std::span<const std::string_view> words) {
+    Bar bar{0, 0, 0};
+    if (words.size() == 4) {
+      if (Status done = field(words[0]); !done) {
+        return done;
+      }
+    }
+    const std::string_view birth = words[words.size() - 2];
+    const std::string_view death = words[words.size() - 1];
+    if (words.size() > 2) {
+      const std::string_view dimension = words[words.size() - 3];
+      if (!parse(dimension, bar.dimension) || bar.dimension < 0 || bar.dimension > largest_dimension_read) {
+        return error(fmt::format("{} should be a dimension, a whole number from 0 to {}", shown(dimension),
+                                 largest_dimension_read));
+      }
+    }
+    if (!parse(birth, bar.birth) || !std::isfinite(bar.birth)) {
+      return error(fmt::format("{} should be a birth, a finite number", shown(birth)));
+    }
+    if (!parse(death, bar.death) || std::isnan(bar.death)) {
+      return error(fmt::format("{} should be a death, a number or inf", shown(death)));
+    }
+    if (bar.death < bar.birth) {
+      return error(fmt::format("the death {} should not be before the birth {}", shown(death), shown(birth)));
+    }
+    if (bar.birth == bar.death) {
+      ++file_.barcode.hidden;
+    } else {
+      file_.barcode.bars.push_back(bar);
+    }
+    return Done{};
+  }
+
+  /// Bars over several fields in one file are several barcodes: which, the caller should say.
+  Status field(std::string_view word) {
+    std::uint64_t characteristic = 0;
+    if (!parse(word, characteristic)) {
+      return error(fmt::format("{} should be the characteristic of the field, a whole number", shown(word)));
+    }
+    if (first_line_ == line_) {
+      field_ = characteristic;
+    }
+    if (characteristic != field_) {
+      return error(fmt::format("field {}, but line {} has {}; a file should have the bars over one field",
+                               characteristic, first_line_, field_));
+    }
+    return Done{};
+  }
+
+  [[nodiscard]] Error error(const std::string& what) const {
+    return {Errc::bad_input, fmt::format("{}:{}: {}", name_, line_, what)};
+  }
+
+  std::string name_;
+  PersFile file_;
+  std::uint64_t line_ = 0, first_line_ = 0;  ///< the present line, and the first with numbers (0: none yet)
+  std::size_t count_ = 0;                    ///< of numbers on it
+  std::uint64_t field_ = 0;
+};
+
+}  // namespace
+
+Result<PersFile> read_pers(std::istream& input, const std::string& name) {
+  PersReader reader(name);
+  std::string text;
+  for (std::uint64_t number = 1; std::getline(input, text); ++number) {
+    std::string_view line = text;
+    if (number == 1 && line.starts_with(byte_order_mark)) {
+      line.remove_prefix(byte_order_mark.size());
+    }
+    if (Status done = reader.line(line, number); !done) {
+      return done.error();
+    }
+  }
+  if (input.bad()) {
+    return Error{Errc::io, "cannot read " + name};
+  }
+  return std::move(reader).finished();
+}
+
+}  // namespace sesame::replay

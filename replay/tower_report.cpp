@@ -1,0 +1,274 @@
+#include "replay/tower_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace sesame::replay {
+namespace {
+
+using engine::Bar;
+using engine::Barcode;
+using engine::never;
+
+bool is_longer(const Bar& x, const Bar& y) {
+  const double length_x = x.death - x.birth;
+  const double length_y = y.death - y.birth;
+  return length_x != length_y ? length_x > length_y : x < y;
+}
+
+std::string interval(const Bar& bar) {
+  return fmt::format("[{}, {})", number_text(bar.birth), bar.death == never ? "" : number_text(bar.death));
+}
+
+std::string chain_line(const TowerHistory::NamedChain& chain) {
+  std::string text;
+  for (const auto& [coefficient, name] : chain) {
+    const bool is_negative = coefficient < 0;
+    text += text.empty() ? (is_negative ? "-" : "") : (is_negative ? " - " : " + ");
+    const sparse::Integer size = is_negative ? -coefficient : coefficient;
+    if (size != 1) {
+      text += size.to_string() + " ";
+    }
+    text += fmt::format("{{{}}}", fmt::join(name, " "));
+  }
+  return text.empty() ? "0" : text;
+}
+
+void add_chain(TextBuffer& text, const TowerHistory::NamedChain& chain) {
+  text.add('[');
+  bool is_first = true;
+  for (const auto& [coefficient, name] : chain) {
+    text.add(is_first ? "[" : ",[").add(coefficient.to_string()).add(",[");
+    is_first = false;
+    for (std::size_t k = 0; k < name.size(); ++k) {
+      text.add(k == 0 ? "" : ",").add_integer(name[k]);
+    }
+    text.add("]]");
+  }
+  text.add(']');
+}
+
+void add_bar(TextBuffer& text, const Bar& bar) {
+  text.add('[').add_integer(bar.dimension).add(',').add_number(bar.birth).add(',');
+  if (bar.death == never) {
+    text.add("null]");
+  } else {
+    text.add_number(bar.death).add(']');
+  }
+}
+
+}  // namespace
+
+// ---- statistics
+
+void BarStatistics::add(const Bar& bar) {
+  const auto p = static_cast<std::size_t>(bar.dimension);
+  if (rows_.size() <= p) {
+    rows_.resize(p + 1);
+  }
+  Row& row = rows_[p];
+  ++row.bars;
+  if (bar.death == never) {
+    ++row.open;
+    return;
+  }
+  row.longest = std::max(row.longest, bar.death - bar.birth);
+  if (longest_.size() < most_shown) {
+    longest_.push_back(bar);
+    std::ranges::push_heap(longest_, is_longer);
+  } else if (is_longer(bar, longest_.front())) {
+    std::ranges::pop_heap(longest_, is_longer);
+    longest_.back() = bar;
+    std::ranges::push_heap(longest_, is_longer);
+  }
+}
+
+std::vector<Bar> BarStatistics::longest() const {
+  std::vector<Bar> bars = longest_;
+  std::ranges::sort(bars, is_longer);
+  return bars;
+}
+
+// ---- tables
+
+void write_tower_table(std::ostream& out, const TowerResult& result) {
+  const Barcode counts{{}, result.hidden};
+  out << provenance_line(counts, result.provenance) << '\n';
+  if (result.shorter > 0) {
+    out << result.shorter << (result.shorter == 1 ? " shorter bar" : " shorter bars") << " left out\n";
+  }
+  out << "  dim        bars        open     longest that ended\n";
+  const auto& rows = result.statistics.rows();
+  for (std::size_t p = 0; p < rows.size(); ++p) {
+    out << fmt::format("  {:>3}  {:>10}  {:>10}  {:>10}\n", p, rows[p].bars, rows[p].open,
+                       rows[p].bars == rows[p].open ? "-" : number_text(rows[p].longest));
+  }
+  const std::vector<Bar> longest = result.statistics.longest();
+  if (!longest.empty()) {
+    out << "the longest bars that ended\n";
+    for (const Bar& bar : longest) {
+      out << fmt::format("  H{} {}  length {}\n", bar.dimension, interval(bar), number_text(bar.death - bar.birth));
+    }
+  }
+}
+
+std::vector<BarDifference> bar_differences(std::span<const Barcode> barcodes) {
+  std::vector<BarDifference> found;
+  std::vector<std::size_t> at(barcodes.size(), 0);
+  while (true) {
+    const Bar* least = nullptr;
+    for (std::size_t r = 0; r < barcodes.size(); ++r) {
+      if (at[r] < barcodes[r].bars.size() && (least == nullptr || barcodes[r].bars[at[r]] < *least)) {
+        least = &barcodes[r].bars[at[r]];
+      }
+    }
+    if (least == nullptr) {
+      return found;
+    }
+    BarDifference difference{*least, std::vector<std::uint64_t>(barcodes.size(), 0)};
+    for (std::size_t r = 0; r < barcodes.size(); ++r) {
+      while (at[r] < barcodes[r].bars.size() && barcodes[r].bars[at[r]] == difference.bar) {
+        ++difference.multiplicity[r];
+        ++at[r];
+      }
+    }
+    if (std::ranges::adjacent_find(difference.multiplicity, std::ranges::not_equal_to{}) !=
+        difference.multiplicity.end()) {
+      found.push_back(std::move(difference));
+    }
+  }
+}
+
+namespace {
+
+std::vector<BarDifference> differences_of(std::span<const TowerResult> results) {
+  std::vector<Barcode> barcodes;
+  for (const TowerResult& result : results) {
+    barcodes.push_back(result.barcode.value());
+  }
+  return bar_differences(barcodes);
+}
+
+}  // namespace
+
+void write_differences(std::ostream& out, std::span<const TowerResult> results) {
+  const std::vector<BarDifference> differences = differences_of(results);
+  if (differences.empty()) {
+    out << "the barcodes are the same over all rings\n";
+    return;
+  }
+  out << "bars that differ from ring to ring: there is torsion\n ";
+  for (const TowerResult& result : results) {
+    out << fmt::format(" {:>8}", result.provenance.ring);
+  }
+  out << '\n';
+  for (const BarDifference& each : differences) {
+    out << ' ';
+    for (const std::uint64_t times : each.multiplicity) {
+      out << fmt::format(" {:>8}", times);
+    }
+    out << fmt::format("   H{} {}\n", each.bar.dimension, interval(each.bar));
+  }
+}
+
+// ---- cycles
+
+template <class Visit>
+void CycleReport::for_each_bar(Visit&& visit) const {
+  const std::uint32_t p = std::visit([](const auto& ring) { return ring.characteristic(); }, tracker_.ring());
+  for (const engine::CycleTracker::TracedBar& traced : tracker_.bars()) {
+    const double length = traced.bar.death - traced.bar.birth;
+    if (length == 0 || length < min_length_) {
+      continue;
+    }
+    const bool is_open = traced.bar.death == never;
+    const auto cycle = tracker_.cycle(traced);
+    const auto second = is_open ? cycle : tracker_.bounded_chain(traced);
+    visit(traced.bar, history_.image(cycle, traced.born_by, p),
+          history_.image(second, is_open ? operations_ - 1 : traced.killed_by, p));
+  }
+}
+
+void CycleReport::write_table(std::ostream& out) const {
+  for_each_bar([&](const Bar& bar, const auto& cycle, const auto& second) {
+    out << fmt::format("H{} {}\n  born as  {}\n  {}  {}\n", bar.dimension, interval(bar), chain_line(cycle),
+                       bar.death == never ? "now    " : "bounds ", chain_line(second));
+  });
+}
+
+void CycleReport::add_json(TextBuffer& text) const {
+  text.add('[');
+  bool is_first = true;
+  for_each_bar([&](const Bar& bar, const auto& cycle, const auto& second) {
+    text.add(is_first ? "{" : ",{").add(R"("dim":)").add_integer(bar.dimension).add(R"(,"birth":)").add_number(bar.birth);
+    is_first = false;
+    text.add(R"(,"death":)");
+    if (bar.death == never) {
+      text.add("null");
+    } else {
+      text.add_number(bar.death);
+    }
+    text.add(R"(,"cycle":)");
+    add_chain(text, cycle);
+    text.add(bar.death == never ? R"(,"now":)" : R"(,"bounds":)");
+    add_chain(text, second);
+    text.add('}');
+  });
+  text.add(']');
+}
+
+// ---- JSON
+
+namespace {
+
+void add_fields(TextBuffer& text, const TowerResult& result) {
+  add_barcode_fields(text, result.barcode.value(), result.provenance);
+  if (result.shorter > 0) {
+    text.add(R"(,"shorter":)").add_integer(result.shorter);
+  }
+}
+
+void add_rings(TextBuffer& text, std::span<const TowerResult> results) {
+  text.add(R"("rings":[)");
+  bool is_first = true;
+  for (const TowerResult& result : results) {
+    text.add(is_first ? "{" : ",{");
+    is_first = false;
+    add_fields(text, result);
+    text.add('}');
+  }
+  text.add(R"(],"differences":[)");
+  is_first = true;
+  for (const BarDifference& each : differences_of(results)) {
+    text.add(is_first ? R"({"bar":)" : R"(,{"bar":)");
+    is_first = false;
+    add_bar(text, each.bar);
+    text.add(R"(,"multiplicity":{)");
+    for (std::size_t r = 0; r < results.size(); ++r) {
+      text.add(r == 0 ? "\"" : ",\"").add(results[r].provenance.ring).add("\":").add_integer(each.multiplicity[r]);
+    }
+    text.add("}}");
+  }
+  text.add(']');
+}
+
+}  // namespace
+
+void write_tower_json(std::ostream& out, std::span<const TowerResult> results, const CycleReport* cycles,
+                      double seconds) {
+  TextBuffer text(out);
+  text.add('{');
+  if (results.size() == 1) {
+    add_fields(text, results[0]);
+  } else {
+    add_rings(text, results);
+  }
+  if (cycles != nullptr) {
+    text.add(R"(,"generators":)");
+    cycles->add_json(text);
+  }
+  text.add(R"(,"seconds":)").add_number(seconds).add("}\n");
+}
+
+}  // namespace sesame::replay

@@ -1,0 +1,89 @@
+/// \file
+/// What is said of a tower: tables for people, JSON for programs.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <ostream>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/barcode.hpp"
+#include "engine/cycle_tracker.hpp"
+#include "replay/barcode_files.hpp"
+#include "replay/tower_history.hpp"
+
+namespace sesame::replay {
+
+/// Counts of bars, and the longest ones: what a table needs, in memory that does not grow with their number.
+class BarStatistics {
+ public:
+  struct Row {
+    std::uint64_t bars = 0, open = 0;
+    double longest = 0;  ///< of those that have ended
+  };
+  /// Adds a bar that will not change any more.
+  void add(const engine::Bar& bar);
+  /// Per dimension.
+  [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
+  /// The longest bars that have ended, longest first.
+  [[nodiscard]] std::vector<engine::Bar> longest() const;
+
+ private:
+  static constexpr std::size_t most_shown = 10;
+  std::vector<Row> rows_;
+  std::vector<engine::Bar> longest_;  ///< a heap, the shortest on top
+};
+
+/// What there is to say of the barcode over one ring. Without `barcode`, its bars have not been kept.
+struct TowerResult {
+  Provenance provenance;
+  std::uint64_t hidden = 0;
+  std::uint64_t shorter = 0;  ///< bars left out as shorter than asked for
+  BarStatistics statistics;
+  std::optional<engine::Barcode> barcode;
+};
+
+/// The table of a result: bars per dimension, the longest ones.
+void write_tower_table(std::ostream& out, const TowerResult& result);
+
+/// A bar that does not occur equally often over all rings: torsion, seen in persistence.
+struct BarDifference {
+  engine::Bar bar;
+  std::vector<std::uint64_t> multiplicity;  ///< per ring
+};
+/// Requires: sorted bars. Cost: their number.
+[[nodiscard]] std::vector<BarDifference> bar_differences(std::span<const engine::Barcode> barcodes);
+/// The table of the differences between results, which keep their barcodes.
+void write_differences(std::ostream& out, std::span<const TowerResult> results);
+
+/// Writes a cycle for each bar, the chain that it bounds from its death on, or for one that is open what it is now.
+/// Bars shorter than `min_length` are left out.
+class CycleReport {
+ public:
+  CycleReport(engine::CycleTracker& tracker, const TowerHistory& history, std::uint64_t operations, double min_length)
+      : tracker_{tracker}, history_{history}, operations_{operations}, min_length_{min_length} {}
+
+  void write_table(std::ostream& out) const;
+  /// A JSON array of {"dim","birth","death","cycle","bounds"}, or "now" instead of "bounds"; a chain is a list of
+  /// [coefficient,[labels]].
+  void add_json(TextBuffer& text) const;
+
+ private:
+  template <class Visit>
+  void for_each_bar(Visit&& visit) const;
+
+  engine::CycleTracker& tracker_;
+  const TowerHistory& history_;
+  std::uint64_t operations_;
+  double min_length_;
+};
+
+/// One object on one line. For one ring, the fields of its barcode; for several, a list "rings" of such objects and
+/// "differences". With "generators" when there are cycles (which are for one ring).
+/// Requires: results that keep their barcodes.
+void write_tower_json(std::ostream& out, std::span<const TowerResult> results, const CycleReport* cycles,
+                      double seconds);
+
+}  // namespace sesame::replay

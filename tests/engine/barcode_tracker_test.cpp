@@ -1,0 +1,196 @@
+#include "engine/barcode_tracker.hpp"
+
+#include <algorithm>
+
+#include "engine/cycle_tracker.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/random_towers.hpp"
+#include "tests/support/ranks.hpp"
+
+namespace sesame {
+namespace {
+
+using engine::Bar;
+using engine::BarcodeTracker;
+using ops::Label;
+using ops::TowerComplex;
+using tests::TowerStep;
+
+sparse::AnyRing field(std::int64_t p) { return sparse::parse_ring("Z/" + std::to_string(p)).value(); }
+
+struct Run {
+  std::vector<Bar> bars;
+  std::uint64_t hidden = 0;
+};
+
+/// The bars of a tower, sorted; operation k happens at time times[k], or k.
+Run run(const std::vector<TowerStep>& tower, std::int64_t p, const std::vector<double>& times = {},
+        bool with_cycles = false) {
+  Run run;
+  const auto on_bar = [&](const Bar& bar) { run.bars.push_back(bar); };
+  const std::unique_ptr<BarcodeTracker> tracker =
+      with_cycles ? engine::make_cycle_tracker(field(p), on_bar) : engine::make_barcode_tracker(field(p), on_bar);
+  TowerComplex complex;
+  BarcodeTracker* told = tracker.get();
+  for (std::size_t k = 0; k < tower.size(); ++k) {
+    tests::apply(tower[k], complex, {&told, 1}, times.empty() ? static_cast<double>(k) : times[k]);
+  }
+  std::ranges::copy(tracker->open_bars(), std::back_inserter(run.bars));
+  std::ranges::sort(run.bars);
+  run.hidden = tracker->hidden();
+  return run;
+}
+
+std::vector<std::uint64_t> betti_of(const std::vector<Bar>& bars, double time) {
+  std::vector<std::uint64_t> betti;
+  for (const Bar& bar : bars) {
+    if (bar.birth <= time && time < bar.death) {
+      betti.resize(std::max(betti.size(), static_cast<std::size_t>(bar.dimension) + 1), 0);
+      ++betti[static_cast<std::size_t>(bar.dimension)];
+    }
+  }
+  return betti;
+}
+
+std::vector<TowerStep> inclusions(std::vector<std::vector<Label>> simplices) {
+  std::vector<TowerStep> tower;
+  for (std::vector<Label>& labels : simplices) {
+    tower.push_back({false, std::move(labels)});
+  }
+  return tower;
+}
+
+TEST_CASE("Betti numbers are those of the complex, at every operation, and the sums over the bars", "[engine][tower]") {
+  const std::uint32_t seed = GENERATE(range(0u, 20u));
+  const std::int64_t p = GENERATE(2, 3);
+  CAPTURE(seed, p);
+  const std::vector<TowerStep> tower = tests::random_tower(seed, 120, 8, 1 + seed % 4);
+  const auto tracker = engine::make_barcode_tracker(field(p), [](const Bar&) {});
+  const std::vector<Bar> bars = run(tower, p).bars;
+  TowerComplex complex;
+  tests::PlainComplex plain;
+  BarcodeTracker* told = tracker.get();
+  for (std::size_t k = 0; k < tower.size(); ++k) {
+    tests::apply(tower[k], complex, {&told, 1}, static_cast<double>(k));
+    plain.apply(tower[k]);
+    REQUIRE(tracker->betti() == tests::betti_modulo(plain, p));
+    REQUIRE(tracker->betti() == betti_of(bars, static_cast<double>(k)));
+  }
+}
+
+TEST_CASE("two methods find the same bars", "[engine][tower]") {
+  const std::uint32_t seed = GENERATE(range(0u, 40u));
+  const std::int64_t p = GENERATE(2, 3, 7);
+  CAPTURE(seed, p);
+  const std::vector<TowerStep> tower = tests::random_tower(seed, 400, 12, seed % 5);
+  const Run fast = run(tower, p);
+  const Run with_cycles = run(tower, p, {}, true);
+  CHECK(fast.bars == with_cycles.bars);
+  CHECK(fast.hidden == with_cycles.hidden);
+}
+
+TEST_CASE("the order of operations at one time does not matter", "[engine][tower]") {
+  const std::uint32_t seed = GENERATE(range(0u, 30u));
+  CAPTURE(seed);
+  std::mt19937 random{seed};
+  // The triangles of 6 vertices; vertices at 0, edges at 1 or 2, triangles from 2 on.
+  std::vector<std::vector<std::vector<Label>>> batches(6);
+  for (Label a = 0; a < 6; ++a) {
+    batches[0].push_back({a});
+    for (Label b = a + 1; b < 6; ++b) {
+      batches[1 + random() % 2].push_back({a, b});
+      for (Label c = b + 1; c < 6; ++c) {
+        batches[2 + random() % 4].push_back({a, b, c});
+      }
+    }
+  }
+  const auto shuffled_run = [&] {
+    std::vector<std::vector<Label>> simplices;
+    std::vector<double> times;
+    for (std::size_t at = 0; at < batches.size(); ++at) {
+      std::ranges::shuffle(batches[at], random);
+      std::ranges::stable_sort(batches[at], {}, &std::vector<Label>::size);  // faces first
+      for (std::vector<Label> labels : batches[at]) {
+        std::ranges::shuffle(labels, random);
+        simplices.push_back(std::move(labels));
+        times.push_back(static_cast<double>(at));
+      }
+    }
+    return run(inclusions(simplices), 3, times);
+  };
+  const Run first = shuffled_run();
+  const Run second = shuffled_run();
+  CHECK(first.bars == second.bars);
+  CHECK(first.hidden == second.hidden);
+  CHECK(first.hidden > 0);
+}
+
+TEST_CASE("a circle dies when it is contracted to a point", "[engine][tower]") {
+  std::vector<TowerStep> tower = inclusions({{0}, {1}, {2}, {0, 1}, {1, 2}, {0, 2}});
+  tower.push_back({true, {0, 1}});
+  tower.push_back({true, {2, 1}});
+  CHECK(run(tower, 2).bars == std::vector<Bar>{{0, 0, engine::never}, {0, 1, 3}, {0, 2, 4}, {1, 5, 6}});
+}
+
+TEST_CASE("maps that are isomorphisms on homology leave all bars open", "[engine][tower]") {
+  // A path, and a square; edges of the path and a triangle's free edge are contracted.
+  std::vector<TowerStep> tower = inclusions({{0}, {1}, {0, 1}, {2}, {1, 2}, {3}, {2, 3}, {0, 3}, {4}, {3, 4}, {5}, {4, 5}});
+  const std::size_t built = tower.size();
+  const std::vector<Bar> before = run(tower, 2).bars;
+  tower.push_back({true, {5, 4}});
+  tower.push_back({true, {4, 3}});
+  tower.push_back({true, {1, 0}});
+  CHECK(run(tower, 2).bars == before);
+  tower.push_back({true, {2, 0}});
+  CHECK(run(tower, 2).bars.back() == Bar{1, 7, static_cast<double>(built + 3)});
+}
+
+TEST_CASE("identifying two far points of a space makes a loop, and two components one", "[engine][tower]") {
+  std::vector<TowerStep> tower = inclusions({{0}, {1}, {2}, {3}, {0, 1}, {1, 2}, {2, 3}, {9}});
+  tower.push_back({true, {0, 3}});
+  tower.push_back({true, {9, 1}});
+  CHECK(run(tower, 2).bars == std::vector<Bar>{{0, 0, engine::never},
+                                               {0, 1, 4},
+                                               {0, 2, 5},
+                                               {0, 3, 6},
+                                               {0, 7, 9},
+                                               {1, 8, engine::never}});
+}
+
+TEST_CASE("torsion shows as a difference between fields", "[engine][tower]") {
+  // The projective plane with 6 vertices.
+  std::vector<std::vector<Label>> simplices;
+  for (Label v = 0; v < 6; ++v) {
+    simplices.push_back({v});
+  }
+  for (Label a = 0; a < 6; ++a) {
+    for (Label b = a + 1; b < 6; ++b) {
+      simplices.push_back({a, b});
+    }
+  }
+  for (const std::vector<Label>& triangle :
+       std::vector<std::vector<Label>>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 1, 5}, {1, 2, 4}, {2, 3, 5},
+                                       {1, 3, 4}, {2, 4, 5}, {1, 3, 5}}) {
+    simplices.push_back(triangle);
+  }
+  const double end = static_cast<double>(simplices.size());
+  CHECK(betti_of(run(inclusions(simplices), 2).bars, end) == std::vector<std::uint64_t>{1, 1, 1});
+  CHECK(betti_of(run(inclusions(simplices), 3).bars, end) == std::vector<std::uint64_t>{1});
+}
+
+TEST_CASE("what is kept of a long tower is what its present complex needs", "[engine][tower]") {
+  const auto tracker = engine::make_barcode_tracker(field(2), [](const Bar&) {});
+  BarcodeTracker* told = tracker.get();
+  TowerComplex complex;
+  std::size_t most_classes = 0;
+  const std::vector<TowerStep> tower = tests::random_tower(1, 30'000, 12, 2);
+  for (std::size_t k = 0; k < tower.size(); ++k) {
+    tests::apply(tower[k], complex, {&told, 1}, static_cast<double>(k));
+    most_classes = std::max<std::size_t>(most_classes, tracker->work().classes_held);
+  }
+  // Some 5,000 references are given up before they are looked through, in each of the dimensions.
+  CHECK(most_classes < 20'000);
+}
+
+}  // namespace
+}  // namespace sesame

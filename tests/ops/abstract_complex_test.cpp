@@ -1,0 +1,153 @@
+// Labels, vertex sets and stars, beside sets of sets.
+#include "ops/abstract_complex.hpp"
+
+#include "tests/support/abstract_steps.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace sesame::ops;
+using namespace sesame::tests;
+
+namespace {
+
+using Vertices = std::vector<VertexId>;
+
+/// The simplices as sets of labels, found through the stars; each must be found by its vertices and by its name.
+std::set<std::set<std::string>> simplices_of(const AbstractComplex& complex) {
+  std::set<std::set<std::string>> simplices;
+  for (LabelId label = 0; label < complex.labels(); ++label) {
+    if (complex.is_collapsed(label)) {
+      continue;
+    }
+    const std::vector<CellId> star = complex.star(complex.vertex(label));
+    CHECK(star.size() == complex.star_size(complex.vertex(label)));
+    for (const CellId cell : star) {
+      const auto own = complex.vertices(cell);
+      CHECK(complex.find(own) == cell);
+      Vertices backwards(own.rbegin(), own.rend());
+      CHECK(complex.find(backwards) == cell);
+      std::set<std::string> simplex;
+      std::string name;
+      for (const VertexId v : own) {
+        simplex.emplace(complex.text(complex.label_of(v)));
+        name += (name.empty() ? "{" : ",") + std::string{complex.text(complex.label_of(v))};
+      }
+      CHECK(complex.find_named(name + "}").value().cell == cell);
+      simplices.insert(simplex);
+    }
+  }
+  return simplices;
+}
+
+/// Carries an operation out without any planner: the slow way.
+void apply(AbstractComplex& complex, CellId& next_cell, const Insert& op) {
+  for (std::uint64_t subset = 1; subset < std::uint64_t{1} << op.simplex.size(); ++subset) {
+    Vertices vertices;
+    for (std::size_t k = 0; k < op.simplex.size(); ++k) {
+      if ((subset >> k & 1) != 0) {
+        const LabelId known = complex.label(op.simplex[k]);
+        vertices.push_back(complex.vertex(known == none ? complex.add_label(op.simplex[k]) : known));
+      }
+    }
+    if (complex.find(vertices) == none) {
+      complex.add(next_cell++, vertices);
+    }
+  }
+}
+
+void apply(AbstractComplex& complex, const Collapse& op) {
+  const VertexId gone = complex.vertex(complex.label(op.from));
+  const VertexId kept = complex.vertex(complex.label(op.to));
+  for (const CellId cell : complex.star(gone)) {
+    Vertices vertices(complex.vertices(cell).begin(), complex.vertices(cell).end());
+    std::replace(vertices.begin(), vertices.end(), gone, kept);
+    const bool is_squashed = std::count(vertices.begin(), vertices.end(), kept) > 1;
+    if (is_squashed || complex.find(vertices) != none) {
+      complex.remove(cell);
+    } else {
+      complex.replace(cell, gone, kept);
+    }
+  }
+  complex.join_labels(complex.label(op.from), complex.label(op.to), kept);
+}
+
+}  // namespace
+
+TEST_CASE("integer labels come before others, by value, and those by their bytes", "[ops]") {
+  const std::vector<std::string> sorted{
+      "0",  "7", "10",      "99999999999999999999", "100000000000000000000", "!", "007", "10x", "A", "a",
+      "aa", "b", "\xc3\xa9"};
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    for (std::size_t j = 0; j < sorted.size(); ++j) {
+      CHECK((compare_labels(sorted[i], sorted[j]) < 0) == (i < j));
+    }
+  }
+}
+
+TEST_CASE("a label is a name without braces and commas", "[ops]") {
+  for (const std::string label : {"a", "0", "u*v", "w.(x|y)", "\xc3\xa9"}) {
+    CHECK(is_label(label));
+  }
+  for (const std::string text : {"", "a b", "a,b", "{a", "a}", "\x01", "\xc3", "\xc2\xa0"}) {
+    CHECK_FALSE(is_label(text));
+  }
+}
+
+TEST_CASE("the sign between two orders is that of the permutation", "[ops]") {
+  CHECK(sign_between(Vertices{5}, Vertices{5}) == 1);
+  CHECK(sign_between(Vertices{5, 7}, Vertices{7, 5}) == -1);
+  CHECK(sign_between(Vertices{1, 2, 3}, Vertices{2, 3, 1}) == 1);
+  CHECK(sign_between(Vertices{1, 2, 3, 4}, Vertices{2, 3, 4, 1}) == -1);
+  CHECK(sign_between(Vertices{}, Vertices{}) == 1);
+}
+
+TEST_CASE("random changes do to stars and names what they do to sets of labels, and can be taken back", "[ops]") {
+  const unsigned seed = GENERATE(range(0U, 20U));
+  CAPTURE(seed);
+  RandomAbstractSteps steps(seed, 9, 3);
+  AbstractComplex complex;
+  CellId next_cell = 100;  // other cells may lie between
+  std::vector<std::pair<std::uint32_t, SetComplex>> past;
+  Random random(seed);
+  for (int k = 0; k < 60; ++k) {
+    past.emplace_back(complex.mark(), steps.complex());
+    const Operation op = steps.next();
+    CAPTURE(k, to_text(op));
+    if (const auto* inserted = std::get_if<Insert>(&op)) {
+      apply(complex, next_cell, *inserted);
+    } else {
+      apply(complex, std::get<Collapse>(op));
+    }
+    next_cell += 3;
+    if (random.one_in(4)) {
+      const auto back = past.begin() + random.in(0, static_cast<int>(past.size()) - 1);
+      complex.truncate(back->first);
+      steps.go_back_to(back->second);
+      past.erase(back, past.end());
+    }
+    REQUIRE(simplices_of(complex) == steps.complex().simplices);
+    for (const std::string& label : steps.complex().dead) {
+      CHECK(complex.is_collapsed(complex.label(label)));
+    }
+  }
+  complex.truncate(0);
+  CHECK(complex.empty());
+  CHECK(complex.label("0") == none);
+  CHECK_FALSE(complex.contains(100));
+}
+
+TEST_CASE("names that are no list of known labels, or repeat a vertex, denote no simplex", "[ops]") {
+  AbstractComplex complex;
+  const LabelId a = complex.add_label("a");
+  const LabelId b = complex.add_label("b");
+  complex.add(0, Vertices{a});
+  complex.add(1, Vertices{b});
+  complex.add(2, Vertices{b, a});
+  CHECK(complex.find_named("{a,b}").value().cell == 2);
+  CHECK(complex.find_named("{a,b}").value().sign == -1);
+  CHECK(complex.find_named("{b,a}").value().sign == -1);  // sorted all the same
+  for (const std::string name :
+       {"", "{}", "{", "}", "a", "{a", "a}", "{a,}", "{,a}", "{a,a}", "{a,c}", "{a,b,}", "[a]"}) {
+    CAPTURE(name);
+    CHECK_FALSE(complex.find_named(name).has_value());
+  }
+}

@@ -1,0 +1,354 @@
+// Insertions and collapses as steps of a structure: cells, names, orientations, bodies, refusals, undo, cost.
+#include "ops/step_sequence.hpp"
+#include "reductions/defect.hpp"
+#include "tests/support/abstract_steps.hpp"
+#include "tests/support/structures.hpp"
+
+using namespace sesame;
+using namespace sesame::ops;
+using namespace sesame::tests;
+using Catch::Matchers::Contains;
+
+namespace {
+
+void carry_out(Workshop& shop, const Operation& op) {
+  if (const Status status = shop.apply(op); !status) {
+    FAIL(to_text(op) << ": " << status.error().what);
+  }
+}
+void insert_all(Workshop& shop, const std::vector<std::vector<std::string>>& simplices) {
+  for (const auto& simplex : simplices) {
+    carry_out(shop, insert(simplex));
+  }
+}
+
+/// The present cells by their canonical names, in the order of their ages.
+Texts names_of(const Workshop& shop) {
+  Texts names;
+  for (CellId c = 0; c < shop.structure().created(); ++c) {
+    if (shop.structure().oldest(c) == c && shop.structure().find(c) != none) {
+      names.emplace_back(shop.structure().name(c));
+    }
+  }
+  return names;
+}
+
+std::string face_law_defect(const Structure& structure) {
+  return first_broken_face_law(structure, cells_at(structure, now(structure))).value_or("");
+}
+
+BodyKind kind_of(const Workshop& shop, const std::string& cell) {
+  return shop.structure().kind_of(shop.structure().body_of(shop.cell(cell)));
+}
+
+/// A star of n triangles around a vertex: {centre, k, k + 1}.
+void insert_fan(Workshop& shop, const std::string& centre, int first, int n) {
+  for (int k = first; k < first + n; ++k) {
+    carry_out(shop, insert({centre, std::to_string(k), std::to_string(k + 1)}));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("an insertion adds the simplex and its missing faces, oriented by the order of the labels", "[ops]") {
+  Workshop shop;
+  carry_out(shop, insert({"b", "10", "9"}));
+  CHECK(names_of(shop) == Texts{"{9}", "{10}", "{b}", "{9,10}", "{9,b}", "{10,b}", "{9,10,b}"});
+  CHECK(faces(shop, "{9,10,b}") == Texts{"{10,b}", "{9,b}", "{9,10}"});
+  carry_out(shop, insert({"9", "c"}));
+  carry_out(shop, insert({"10", "b", "c"}));
+  CHECK(counts(shop) == Counts{4, 6, 2});
+  CHECK(faces(shop, "{10,b,c}") == Texts{"{b,c}", "{10,c}", "{10,b}"});
+  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("{c}"))) == "{9}");
+  CHECK(shop.structure().current_bodies().size() == 1);
+}
+
+TEST_CASE("an integer and its decimal text are one label, with leading zeros they are not", "[ops]") {
+  Workshop shop;
+  shop.build({R"({"op":"insert","simplex":[3,"a"]})", R"({"op":"insert","simplex":["3","03"]})"});
+  CHECK(counts(shop) == Counts{3, 2});
+  CHECK_THAT(refused(shop, R"({"op":"insert","simplex":[3,"3"]})").what, Contains("\"3\" stands twice"));
+}
+
+TEST_CASE("a collapse merges, squashes and renames, and all names go on", "[ops]") {
+  Workshop shop;
+  insert_all(shop, {{"a", "b", "u"}, {"b", "u", "v"}, {"a", "v"}, {"u", "w"}});
+  carry_out(shop, collapse("u", "v"));
+  CHECK(counts(shop) == Counts{4, 4, 1});  // a b v w; ab av bv vw; abv
+  CHECK(meaning(shop.structure(), "{u}") == meaning(shop.structure(), "{v}"));
+  CHECK(shop.cell("{a,u}") == shop.cell("{a,v}"));
+  CHECK(shop.cell("{a,b,u}") == shop.cell("{a,b,v}"));
+  CHECK(shop.cell("{u,w}") == shop.cell("{v,w}"));
+  CHECK(shop.cell("{w,v}") == shop.cell("{v,w}"));
+  CHECK(shop.cell("{u,v}") == none);
+  CHECK(shop.cell("{b,u,v}") == none);
+  CHECK(meaning(shop.structure(), "{b,u,v}") == "{b,u}^1 of a simplex of dimension 2");
+  CHECK_FALSE(shop.structure().lookup("{a,u,v}").has_value());
+  CHECK(face_law_defect(shop.structure()) == "");
+}
+
+TEST_CASE("collapsing one way or the other gives the same complex, called differently", "[ops]") {
+  const unsigned seed = GENERATE(range(0U, 10U));
+  CAPTURE(seed);
+  Workshop one;
+  Workshop other;
+  RandomAbstractSteps steps(seed, 8, 3, 1'000'000);
+  for (int k = 0; k < 12; ++k) {
+    const Operation op = steps.next();
+    carry_out(one, op);
+    carry_out(other, op);
+  }
+  const auto labels = steps.complex().labels();
+  carry_out(one, collapse(labels[0], labels[1]));
+  carry_out(other, collapse(labels[1], labels[0]));
+  CHECK(names_of(one) == names_of(other));
+  CHECK(counts(one) == counts(other));
+  CHECK_THAT(refused(one, insert({labels[0]})).what, Contains("write \"" + labels[1] + "\""));
+  CHECK_THAT(refused(other, insert({labels[1]})).what, Contains("write \"" + labels[0] + "\""));
+}
+
+TEST_CASE("random insertions and collapses make the complexes that sets of labels say", "[ops][stream]") {
+  const unsigned seed = GENERATE(range(0U, 30U));
+  CAPTURE(seed);
+  Workshop shop;
+  RandomAbstractSteps steps(seed, 9, 3);
+  std::vector<std::pair<StructureMark, std::string>> past;
+  for (int k = 0; k < 60; ++k) {
+    past.emplace_back(shop.structure().mark(), dump(shop.structure()));
+    const Moment before = now(shop.structure());
+    const Operation op = steps.next();
+    CAPTURE(k, to_text(op));
+    carry_out(shop, op);
+    REQUIRE(counts(shop) == steps.complex().counts());
+    REQUIRE(face_law_defect(shop.structure()) == "");
+    for (const auto& simplex : steps.complex().simplices) {
+      std::string name;
+      for (const std::string& label : simplex) {
+        name += (name.empty() ? "{" : ",") + label;
+      }
+      REQUIRE(shop.cell(name + "}") != none);
+    }
+    const auto step = step_sequence(shop.structure(), before, now(shop.structure()), sparse::Integers{});
+    REQUIRE(step.has_value());
+    const auto defect = reductions::first_defect(step->sequence);
+    REQUIRE((defect ? defect->to_string() : "") == "");
+  }
+  for (; !past.empty(); past.pop_back()) {
+    shop.structure().truncate(past.back().first);
+    REQUIRE(first_difference(dump(shop.structure()), past.back().second) == "");
+  }
+  CHECK(shop.structure().abstract().empty());
+}
+
+TEST_CASE("a name stands for the orientation of its labels in their order", "[ops]") {
+  Workshop shop;
+  insert_all(shop, {{"a", "b"}, {"b", "z"}, {"z", "x"}, {"z", "y"}});
+  carry_out(shop, collapse("a", "z"));  // {a,b}, from a to b, becomes {b,z}, from b to z, backwards
+  const Structure& structure = shop.structure();
+  CHECK(shop.cell("{a,b}") == shop.cell("{b,z}"));
+  const auto sign = [&](const std::string& name) {
+    return structure.find_oriented(structure.lookup(name).value()).sign * structure.sign_of_name(name);
+  };
+  CHECK(sign("{a,b}") == -sign("{b,z}"));
+  CHECK(structure.name(shop.cell("{b,z}")) == "{a,b}");
+  CHECK(sign("{a,b}") == structure.sign_of_name(shop.cell("{a,b}")));
+}
+
+TEST_CASE("faces with another order of their vertices are taken with a sign", "[ops]") {
+  Workshop shop;
+  insert_all(shop, {{"a", "b"}, {"z", "p"}, {"z", "q"}});
+  carry_out(shop, collapse("a", "z"));  // the edge {a,b} is now that from z to b
+  carry_out(shop, insert({"b", "c", "z"}));
+  CHECK(kind_of(shop, "{b}") == BodyKind::unordered);
+  const CellId triangle = shop.cell("{b,c,z}");
+  CHECK(shop.structure().face_sign(triangle, 1) == 1);  // -1 for face 1, and -1 for the order
+  CHECK(shop.structure().type(triangle).faces[1].sign == -1);
+  CHECK(face_law_defect(shop.structure()) == "");
+}
+
+TEST_CASE("collapses join bodies, and the older name stays", "[ops]") {
+  Workshop shop;
+  insert_all(shop, {{"a", "b"}, {"c", "d", "e"}, {"f"}});
+  CHECK(shop.structure().current_bodies().size() == 3);
+  carry_out(shop, collapse("d", "a"));
+  CHECK(shop.structure().current_bodies().size() == 2);
+  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("{e}"))) == "{a}");
+  CHECK(shop.structure().lookup_body("{c}") == shop.structure().lookup_body("{a}"));
+  carry_out(shop, insert({"f", "e"}));
+  CHECK(shop.structure().current_bodies().size() == 1);
+  CHECK(counts(shop) == Counts{5, 5, 1});
+}
+
+TEST_CASE("a chain of collapses leaves every old label usable in names", "[ops]") {
+  Workshop shop;
+  for (int k = 0; k < 50; ++k) {
+    carry_out(shop, insert({"x", "v" + std::to_string(k)}));
+  }
+  for (int k = 0; k + 1 < 50; ++k) {
+    carry_out(shop, collapse("v" + std::to_string(k), "v" + std::to_string(k + 1)));
+  }
+  CHECK(counts(shop) == Counts{2, 1});
+  for (int k = 0; k < 50; ++k) {
+    CHECK(shop.cell("{v" + std::to_string(k) + ",x}") == shop.cell("{v49,x}"));
+  }
+  CHECK_THAT(refused(shop, insert({"v7"})).what, Contains("\"v7\"") && Contains("write \"v49\""));
+}
+
+TEST_CASE("the work of a collapse is that of the smaller star, in both directions", "[ops][cost]") {
+  const bool small_goes = GENERATE(true, false);
+  std::vector<std::uint64_t> work;
+  for (const int size : {100, 5000}) {
+    Workshop shop;
+    insert_fan(shop, "big", 0, size);  // a star of 2 size + 2 cells
+    insert_fan(shop, "small", size + 1000, 2);
+    const std::uint64_t before = shop.structure().abstract().incidences_touched();
+    carry_out(shop, small_goes ? collapse("small", "big") : collapse("big", "small"));
+    work.push_back(shop.structure().abstract().incidences_touched() - before);
+    CHECK(shop.last_plan().merges.size() == 1);
+    CHECK(shop.last_plan().abstract->renamed.size() <= 6);
+    const VertexId kept = shop.structure().abstract().vertex(shop.structure().abstract().label("big"));
+    CHECK(shop.structure().abstract().star_size(kept) > 200);
+    CHECK(shop.cell("{small}") == shop.cell("{big}"));
+  }
+  CHECK(work[0] == work[1]);
+  CHECK(work[1] < 60);
+}
+
+TEST_CASE("refused insertions say what would be right, and change nothing", "[ops]") {
+  Workshop shop;
+  insert_all(shop, {{"a", "b", "c"}, {"c", "u"}});
+  carry_out(shop, collapse("u", "a"));
+  CHECK_THAT(refused(shop, insert({})).what, Contains("at least one vertex"));
+  CHECK_THAT(refused(shop, insert({"a", "x", "a"})).what, Contains("\"a\" stands twice"));
+  CHECK_THAT(refused(shop, insert({"c", "b", "a"})).what, Contains("{a,b,c} is there already"));
+  CHECK_THAT(refused(shop, insert({"u", "x"})).what, Contains("\"u\" was collapsed") && Contains("write \"a\""));
+  CHECK_THAT(refused(shop, insert({"x,y"})).what, Contains("\"x,y\" is not a label"));
+  CHECK_THAT(refused(shop, insert({"x y"})).what, Contains("not a label"));
+  CHECK_THAT(refused(shop, insert({""})).what, Contains("not a label"));
+  std::vector<std::string> many;
+  for (int k = 0; k < 70; ++k) {
+    many.push_back(std::to_string(k));
+    if (k == 20 || k == 69) {
+      CHECK_THAT(refused(shop, insert(many)).what, Contains("the limit is"));
+    }
+  }
+}
+
+TEST_CASE("refused collapses say what would be right, and change nothing", "[ops]") {
+  Workshop shop;
+  insert_all(shop, {{"a", "b", "c"}, {"c", "u"}});
+  carry_out(shop, collapse("u", "a"));
+  CHECK_THAT(refused(shop, collapse("a", "x")).what, Contains("no vertex \"x\"") && Contains("\"insert\""));
+  CHECK_THAT(refused(shop, collapse("x", "a")).what, Contains("no vertex \"x\""));
+  CHECK_THAT(refused(shop, collapse("a", "a")).what, Contains("into itself"));
+  CHECK_THAT(refused(shop, collapse("u", "b")).what, Contains("write \"a\""));
+  CHECK_THAT(refused(shop, collapse("b", "u")).what, Contains("write \"a\""));
+}
+
+TEST_CASE("other cells are never touched, whatever they are called", "[ops]") {
+  Workshop shop;
+  shop.build({R"({"op":"simplex","name":"a","dim":1})", R"({"op":"simplex","name":"{p,q}","dim":0})"});
+  CHECK_THAT(refused(shop, collapse("a", "a.0")).what, Contains("no vertex \"a\""));
+  CHECK_THAT(refused(shop, insert({"p", "q"})).what, Contains("\"{p,q}\"") && Contains("in use"));
+  insert_all(shop, {{"a", "b"}, {"p"}, {"q", "b"}});
+  CHECK(shop.cell("{a}") != shop.cell("a.0"));
+  // By the collapse a name comes to denote a simplex, and no new cell may take it.
+  carry_out(shop, insert({"u", "b"}));
+  carry_out(shop, insert({"v"}));
+  carry_out(shop, collapse("u", "v"));
+  CHECK_THAT(refused(shop, R"({"op":"simplex","name":"{b,v}","dim":0})").what, Contains("in use"));
+}
+
+TEST_CASE("other operations take an abstract body whose orders agree, and end its being one", "[ops]") {
+  const std::vector<std::string> operations{
+      R"({"op":"identify","pairs":[["{a}","{c}"]]})",
+      R"({"op":"degenerate","cell":"{a,b,c}","along":0})",
+      R"({"op":"deidentify","split":[{"cell":"{b}","as":"b2","moves":[["{b,d}",1]]}]})",
+      R"({"op":"cone","apex":"top","over":["{a,b}"]})",
+      R"({"op":"cone","apex":"top"})",
+      R"({"op":"product","name":"P","left":"{a}","right":"{a}"})",
+      R"({"op":"product","name":"P","left":"{a}","right":"{s}","kind":"simplicial"})"};
+  for (const std::string& line : operations) {
+    CAPTURE(line);
+    Workshop shop;
+    insert_all(shop, {{"a", "b", "c"}, {"b", "d"}, {"d", "x"}, {"s", "t"}});
+    carry_out(shop, collapse("x", "c"));
+    CHECK(kind_of(shop, "{a}") == BodyKind::ordered);
+    const std::string before = dump(shop.structure());
+    const StructureMark mark = shop.structure().mark();
+    shop.build({line});
+    CHECK(face_law_defect(shop.structure()) == "");
+    CHECK_THAT(refused(shop, insert({"a", "q"})).what, Contains("changed by another operation"));
+    CHECK_THAT(refused(shop, collapse("a", "b")).what, Contains("changed by another operation"));
+    CHECK_THAT(refused(shop, collapse("x", "b")).what, Contains("write \"c\""));
+    carry_out(shop, insert({"new", "newer"}));
+    shop.structure().truncate(mark);
+    CHECK(first_difference(dump(shop.structure()), before) == "");
+    CHECK(kind_of(shop, "{a}") == BodyKind::ordered);
+    carry_out(shop, collapse("a", "b"));
+  }
+}
+
+TEST_CASE("an operation without an effect leaves an abstract body what it is", "[ops]") {
+  Workshop shop;
+  insert_all(shop, {{"a", "b"}, {"b", "c"}});
+  shop.build({R"({"op":"identify","pairs":[["{a}","{a}"]]})", R"({"op":"simplex","name":"t","dim":1})"});
+  carry_out(shop, collapse("a", "c"));
+  CHECK(counts(shop) == Counts{4, 2});
+}
+
+TEST_CASE("other operations are refused where vertex orders do not agree", "[ops]") {
+  // Squashed across a vertex; two edges merged head to tail; a new face of another order.
+  const std::vector<std::vector<Operation>> ways{
+      {insert({"a", "b", "c"}), collapse("c", "a")},
+      {insert({"a", "b"}), insert({"b", "c"}), collapse("c", "a")},
+      {insert({"a", "b"}), insert({"z", "p"}), collapse("a", "z"), insert({"b", "c", "z"})}};
+  for (const auto& way : ways) {
+    Workshop shop;
+    carry_out(shop, insert({"other"}));
+    for (const Operation& op : way) {
+      carry_out(shop, op);
+    }
+    CHECK(kind_of(shop, "{b}") == BodyKind::unordered);
+    for (const std::string line :
+         {R"({"op":"identify","pairs":[["{other}","{b}"]]})", R"({"op":"degenerate","cell":"{a,b}","along":0})",
+          R"({"op":"deidentify","split":[{"cell":"{b}","as":"b2","moves":[]}]})",
+          R"({"op":"cone","apex":"top","over":["{b}"]})", R"({"op":"cone","apex":"top"})",
+          R"({"op":"product","name":"P","left":"{other}","right":"{a}"})"}) {
+      CAPTURE(line);
+      CHECK_THAT(refused(shop, line).what, Contains("another order") && Contains("make a complex"));
+    }
+    shop.build({R"({"op":"cone","apex":"top","over":"{other}"})"});
+    carry_out(shop, insert({"b", "q", "r"}));
+    CHECK(face_law_defect(shop.structure()) == "");
+  }
+}
+
+TEST_CASE("joining a body keeps track of whose orders agree, through undo", "[ops]") {
+  Workshop shop;
+  insert_all(shop, {{"p", "q"}, {"a", "b", "c"}});
+  const StructureMark apart = shop.structure().mark();
+  carry_out(shop, collapse("c", "a"));
+  CHECK(kind_of(shop, "{a}") == BodyKind::unordered);
+  CHECK(kind_of(shop, "{p}") == BodyKind::ordered);
+  const StructureMark unordered = shop.structure().mark();
+  carry_out(shop, insert({"a", "p"}));
+  CHECK(kind_of(shop, "{p}") == BodyKind::unordered);
+  shop.structure().truncate(unordered);
+  CHECK(kind_of(shop, "{p}") == BodyKind::ordered);
+  carry_out(shop, collapse("p", "b"));
+  CHECK(kind_of(shop, "{q}") == BodyKind::unordered);
+  shop.structure().truncate(apart);
+  CHECK(kind_of(shop, "{a}") == BodyKind::ordered);
+  CHECK(kind_of(shop, "{q}") == BodyKind::ordered);
+  CHECK(shop.structure().current_bodies().size() == 2);
+}
+
+TEST_CASE("a product knows the cells of an abstract factor by all their names", "[ops]") {
+  Workshop shop;
+  insert_all(shop, {{"a", "b"}, {"u"}});
+  carry_out(shop, collapse("u", "b"));
+  shop.build({R"({"op":"simplex","name":"I","dim":1})", R"({"op":"product","name":"P","left":"{a}","right":"I"})"});
+  CHECK(shop.cell("P.({a,u}|I)") == shop.cell("P.({a,b}|I)"));
+  CHECK(shop.cell("P.({u}|I.0)") == shop.cell("P.({b}|I.0)"));
+}

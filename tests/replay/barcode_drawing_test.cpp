@@ -1,0 +1,251 @@
+#include "replay/barcode_drawing.hpp"
+
+#include <random>
+#include <regex>
+#include <sstream>
+
+#include "replay/axis.hpp"
+#include "replay/barcode_panels.hpp"
+#include "replay/svg.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace sesame;
+using Catch::Contains;
+using engine::Bar;
+using engine::Barcode;
+using engine::never;
+using replay::Provenance;
+using replay::Range;
+
+namespace {
+
+const Barcode small{{{0, 0, never}, {0, 1, 4}, {1, 3, 8}, {1, 5, never}, {2, 11, 12}}, 3};
+
+using Write = void (*)(std::ostream&, const Barcode&, const Provenance&, const replay::DrawingOptions&);
+const std::vector<Write> all_pictures{replay::write_svg, replay::write_barcode_svg, replay::write_diagram_svg,
+                                      replay::write_betti_svg, replay::write_html};
+
+std::string picture(Write write, const Barcode& barcode, const replay::DrawingOptions& options = {},
+                    const std::string& source = "a.tower") {
+  std::ostringstream out;
+  write(out, barcode, {"Z/2", 12, source}, options);
+  return out.str();
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+/// Every tag that is opened is closed, in order; those that HTML leaves open apart.
+void check_tags(const std::string& text) {
+  static const std::regex tag(R"(<(/?)([a-zA-Z0-9]+)((?:[^<>"]|"[^"]*")*?)(/?)>)");
+  std::vector<std::string> open;
+  for (auto found = std::sregex_iterator(text.begin(), text.end(), tag); found != std::sregex_iterator{}; ++found) {
+    const std::string name = (*found)[2];
+    if ((*found)[1].length() > 0) {
+      REQUIRE_FALSE(open.empty());
+      REQUIRE(open.back() == name);
+      open.pop_back();
+    } else if ((*found)[4].length() == 0 && name != "meta") {
+      open.push_back(name);
+    }
+  }
+  CHECK(open.empty());
+}
+
+Barcode random_barcode(std::size_t bars, int dimensions) {
+  std::mt19937 random(5);
+  Barcode barcode;
+  for (std::size_t i = 0; i < bars; ++i) {
+    const double birth = static_cast<double>(random() % 1'000'000) / 1000;
+    const double length = 1 + static_cast<double>(random() % 1'000'000) / 1000;
+    barcode.bars.push_back({static_cast<int>(random() % static_cast<unsigned>(dimensions)), birth,
+                            random() % 1000 == 0 ? never : birth + length});
+  }
+  std::sort(barcode.bars.begin(), barcode.bars.end());
+  return barcode;
+}
+
+const std::vector<Barcode>& odd_barcodes() {
+  static const std::vector<Barcode> all{
+      {},
+      {{}, 12},
+      {{{0, 0, never}}, 0},
+      {{{0, 0.00017, never}}, 0},
+      {{{0, -1e308, 1e308}, {0, 0, 1}}, 0},
+      {{{0, 1.7e308, never}}, 0},
+      {{{3, 0, 5e-324}}, 0},
+      {{{0, 1e16, 1e16 + 2}}, 0},
+      {{{0, -2, -1}, {40, -1.5, never}}, 0},
+  };
+  return all;
+}
+
+std::vector<std::string> labels(const std::vector<replay::Tick>& ticks) {
+  std::vector<std::string> labels;
+  for (const replay::Tick& tick : ticks) {
+    labels.push_back(tick.label);
+  }
+  return labels;
+}
+
+}  // namespace
+
+TEST_CASE("pictures are well formed and have finite coordinates, whatever the barcode", "[replay]") {
+  for (const Barcode& barcode : odd_barcodes()) {
+    CAPTURE(&barcode - odd_barcodes().data());
+    for (const Write write : all_pictures) {
+      const std::string text = picture(write, barcode);
+      check_tags(text);
+      static const std::regex not_a_number("[\" MHVl-](?:nan|inf)");
+      CHECK_FALSE(std::regex_search(text, not_a_number));
+    }
+  }
+}
+
+TEST_CASE("pictures say where they come from", "[replay]") {
+  for (const Write write : all_pictures) {
+    const std::string text = picture(write, small);
+    CHECK_THAT(text, Contains("a.tower") && Contains("coefficients Z/2") && Contains("12 operations") &&
+                         Contains("5 bars, of which 2 never end") && Contains("3 bars of length 0 left out"));
+    CHECK_THAT(picture(write, small, {"A title", "time"}),
+               Contains("A title") && Contains("from a.tower") && Contains("time"));
+  }
+}
+
+TEST_CASE("the same barcode gives the same bytes", "[replay]") {
+  const Barcode barcode = random_barcode(500, 3);
+  for (const Write write : all_pictures) {
+    CHECK(picture(write, barcode) == picture(write, barcode));
+  }
+}
+
+TEST_CASE("names in titles are escaped", "[replay]") {
+  const std::string source = "<script>&\"'\x01\xFF.tower";
+  for (const Write write : all_pictures) {
+    const std::string text = picture(write, small, {}, source);
+    CHECK_THAT(text, Contains("&lt;script&gt;&amp;&quot;&#39;\uFFFD\uFFFD.tower"));
+    CHECK_THAT(text, !Contains("<script"));
+    check_tags(text);
+  }
+}
+
+TEST_CASE("a page needs nothing from outside and follows the reader's colours", "[replay]") {
+  const std::string page = picture(replay::write_html, small);
+  CHECK(count(page, "http") == count(page, "http://www.w3.org/2000/svg"));
+  CHECK_THAT(page, !Contains("src=") && !Contains("href") && !Contains("@import") && !Contains("<script"));
+  CHECK_THAT(page, Contains("prefers-color-scheme:dark"));
+  CHECK(count(page, "<figure>") == 3);
+  CHECK_THAT(page, Contains("All bars"));
+  CHECK(count(page, "<tr>") == 2 + 3 + 5);  // two headers, three dimensions, five bars
+}
+
+TEST_CASE("every bar is a line with its interval to rest on", "[replay]") {
+  const std::string bars = picture(replay::write_barcode_svg, small);
+  for (const char* title : {"H0 [0, \u221E)", "H0 [1, 4)", "H1 [3, 8)", "H1 [5, \u221E)", "H2 [11, 12)"}) {
+    CHECK_THAT(bars, Contains("<title>" + std::string{title} + "</title>"));
+    CHECK_THAT(picture(replay::write_diagram_svg, small), Contains("<title>" + std::string{title} + "</title>"));
+  }
+  CHECK_THAT(bars, !Contains("left out</text>") || !Contains("longest of"));
+}
+
+TEST_CASE("of too many bars the longest are drawn, and the picture says how many are not", "[replay]") {
+  const std::string bars = picture(replay::write_barcode_svg, random_barcode(5000, 2));
+  CHECK_THAT(bars, Contains("the 2,000 longest of 5,000 bars; 3,000 shorter ones are left out"));
+  CHECK(count(bars, "<title>") == 2000);
+}
+
+TEST_CASE("each dimension keeps its share of the bars that are chosen, and the longest of it", "[replay]") {
+  Barcode barcode;
+  for (int i = 0; i < 100; ++i) {
+    barcode.bars.push_back({0, static_cast<double>(i), 1000.0 + 2 * i});
+  }
+  barcode.bars.push_back({1, 0, 2});
+  barcode.bars.push_back({1, 5, 6});
+  for (int i = 0; i < 10; ++i) {
+    barcode.bars.push_back({2, static_cast<double>(i), i + 3 + static_cast<double>(i) / 10});
+  }
+  const std::vector<Bar> chosen = replay::longest_bars(barcode, 12);
+  REQUIRE(chosen.size() == 12);
+  CHECK(std::is_sorted(chosen.begin(), chosen.end()));
+  const auto of = [&](int p) {
+    return std::count_if(chosen.begin(), chosen.end(), [p](const Bar& bar) { return bar.dimension == p; });
+  };
+  CHECK(of(0) == 6);  // its four, and the two that dimension 1 leaves
+  CHECK(of(1) == 2);
+  CHECK(of(2) == 4);
+  CHECK(chosen.front() == Bar{0, 94, 1188});
+  CHECK(chosen[8] == Bar{2, 6, 9.6});
+  CHECK(replay::longest_bars(barcode, 1000) == barcode.bars);
+}
+
+TEST_CASE("a diagram of 100,000 points is a picture of bounded size", "[replay]") {
+  const Barcode barcode = random_barcode(100'000, 3);
+  const std::string diagram = picture(replay::write_diagram_svg, barcode);
+  CHECK(diagram.size() < 4'000'000);
+  CHECK(picture(replay::write_betti_svg, barcode).size() < 500'000);
+  CHECK(picture(replay::write_html, barcode).size() < 6'000'000);
+}
+
+TEST_CASE("points at one place are one larger symbol that says how many they are", "[replay]") {
+  const std::string one = picture(replay::write_diagram_svg, {{{0, 1, 5}}, 0});
+  const std::string many = picture(replay::write_diagram_svg, {std::vector<Bar>(16, Bar{0, 1, 5}), 0});
+  CHECK_THAT(one, Contains("r=\"4\"><title>H0 [1, 5)</title>"));
+  CHECK_THAT(many, Contains("r=\"8\"><title>H0, 16 bars: [1, 5) and such</title>"));
+}
+
+TEST_CASE("a Betti curve that would be too flat makes the axis logarithmic", "[replay]") {
+  Barcode barcode{std::vector<Bar>(1000, Bar{0, 0, 2}), 0};
+  CHECK_THAT(picture(replay::write_betti_svg, barcode), !Contains("logarithmic"));
+  barcode.bars.push_back({1, 1, 2});
+  CHECK_THAT(picture(replay::write_betti_svg, barcode), Contains("Betti number (logarithmic)"));
+}
+
+TEST_CASE("dimensions differ in colour or shape", "[replay]") {
+  std::vector<std::string> symbols;
+  for (int p = 0; p < 32; ++p) {
+    symbols.push_back(replay::Svg().symbol(0, 0, 4, p, "").markup());
+  }
+  std::sort(symbols.begin(), symbols.end());
+  CHECK(std::adjacent_find(symbols.begin(), symbols.end()) == symbols.end());
+}
+
+TEST_CASE("ticks stand at round numbers with the decimals that they need", "[replay]") {
+  using Labels = std::vector<std::string>;
+  CHECK(labels(replay::round_ticks({0, 11, true}, 6)) == Labels{"0", "2", "4", "6", "8", "10"});
+  CHECK(labels(replay::round_ticks({0.00013, 0.00017, false}, 5)) ==
+        Labels{"0.00013", "0.00014", "0.00015", "0.00016", "0.00017"});
+  CHECK(labels(replay::round_ticks({0, 2'000'000, true}, 5)) ==
+        Labels{"0", "500,000", "1,000,000", "1,500,000", "2,000,000"});
+  CHECK(labels(replay::round_ticks({0, 2, true}, 10)) == Labels{"0", "1", "2"});
+  CHECK(labels(replay::round_ticks({-0.25, 0.3, false}, 6)) == Labels{"-0.2", "-0.1", "0.0", "0.1", "0.2", "0.3"});
+  CHECK(labels(replay::round_ticks({0, 3e-9, false}, 3)) == Labels{"0", "1e-09", "2e-09", "3e-09"});
+}
+
+TEST_CASE("ticks lie in their range, in order, without labels that touch", "[replay][law]") {
+  const unsigned seed = GENERATE(range(0U, 200U));
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const auto number = [&] {
+    return std::ldexp(static_cast<double>(random()) - 2e9, static_cast<int>(random() % 80) - 60);
+  };
+  const double x = number(), y = seed % 3 == 0 ? x * (1 + 1e-6) : number();
+  const Range range{std::min(x, y), std::max(x, y), false};
+  const auto ticks = replay::ticks_across(range, 400);
+  CHECK(ticks.size() >= 1);
+  const replay::Scale scale(range, 0, 400);
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    CHECK(scale(ticks[i].value) > -1);
+    CHECK(scale(ticks[i].value) < 401);
+    if (i > 0) {
+      CHECK(ticks[i].label != ticks[i - 1].label);
+      CHECK(scale(ticks[i].value) - scale(ticks[i - 1].value) > replay::label_width(ticks));
+    }
+    CHECK(std::stod(std::regex_replace(ticks[i].label, std::regex(","), "")) ==
+          Approx(ticks[i].value).epsilon(1e-9).margin(1e-300));
+  }
+}

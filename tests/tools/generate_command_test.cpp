@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "tests/support/catch.hpp"
+#include "tools/commands.hpp"
+
+namespace sesame::tools {
+namespace {
+
+using Catch::Matchers::Contains;
+
+/// Sends a standard stream into a string while it lives.
+class Captured {
+ public:
+  explicit Captured(std::ostream& stream) : stream_{stream}, before_{stream.rdbuf(text_.rdbuf())} {}
+  Captured(const Captured&) = delete;
+  Captured& operator=(const Captured&) = delete;
+  ~Captured() { stream_.rdbuf(before_); }
+  [[nodiscard]] std::string text() const { return text_.str(); }
+
+ private:
+  std::ostringstream text_;
+  std::ostream& stream_;
+  std::streambuf* before_;
+};
+
+struct Run {
+  int status = 0;
+  std::string out, errors;
+};
+
+Run generate(const std::string& arguments) {
+  CLI::App app{"", "sesame"};
+  Run run;
+  add_generate_command(app, run.status);
+  const Captured out(std::cout), errors(std::cerr);
+  app.parse("generate " + arguments);
+  run.out = out.text();
+  run.errors = errors.text();
+  return run;
+}
+
+}  // namespace
+
+TEST_CASE("generate writes each workload in its formats", "[bench]") {
+  CHECK_THAT(generate("torus --size 3 --format tower").out, Catch::Matchers::StartsWith("i 0\ni 1\ni 0 1\ni 2\n"));
+  CHECK(generate("torus --size 3 --format gudhi").out.starts_with("0 0 0\n0 1 1\n1 0 1 1\n"));
+  CHECK(generate("torus-300 --size 3 --format phat").out.starts_with("0\n0\n1 0 1\n"));
+  CHECK(generate("random-2-complex --size 3 --format phat").out == "0\n0\n0\n1 0 1\n1 0 2\n1 1 2\n2 3 4 5\n");
+  CHECK(generate("cubical --size 1").out == std::string("\1\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 24));
+  CHECK(generate("cubical-smooth --size 2 --format phat").out.size() > 27);
+  const std::string rips = generate("rips --size 4 --format phat").out;
+  CHECK(std::count(rips.begin(), rips.end(), '\n') == 15);
+  CHECK_THAT(rips, Catch::Matchers::StartsWith("0\n0\n0\n0\n1 ") && Contains("\n3 "));
+  for (const char* name : {"tower-A", "tower-B", "tower-C", "tower-D", "tower-stream"}) {
+    const std::string tower = generate(std::string{name} + " --size 50").out;
+    CHECK(std::count(tower.begin(), tower.end(), '\n') == 50);
+    CHECK(generate(std::string{name} + " --size 50 --seed 2").out != tower);
+  }
+}
+
+TEST_CASE("generate refuses what it cannot do, and says what it can", "[bench]") {
+  const auto refused = [](const std::string& arguments) {
+    const Run run = generate(arguments);
+    CHECK(run.status == 1);
+    CHECK(run.out.empty());
+    return run.errors;
+  };
+  CHECK_THAT(refused("nothing"), Contains("there is no \"nothing\"") && Contains("rips, torus, torus-300"));
+  CHECK_THAT(refused("torus --size 2"), Contains("--size of torus goes from 3 to 5000"));
+  CHECK_THAT(refused("torus --size 100000"), Contains("--size of torus goes from 3 to 5000"));
+  CHECK_THAT(refused("cubical --size 2 --format gudhi"), Contains("use phat-binary or phat"));
+  CHECK_THAT(refused("tower-A --format phat"), Contains("a tower has the format tower only"));
+  CHECK_THAT(refused("torus --size 3 -o /nowhere/torus"), Contains("cannot write /nowhere/torus"));
+  CHECK_THROWS_AS(generate("torus --format stl"), CLI::ParseError);
+}
+
+TEST_CASE("generate writes a file", "[bench]") {
+  const std::string path = (std::filesystem::temp_directory_path() / "sesame_generate_test").string();
+  const Run run = generate("torus --size 3 --format phat -o " + path);
+  std::stringstream written;
+  written << std::ifstream(path).rdbuf();
+  std::filesystem::remove(path);
+  CHECK(run.status == 0);
+  CHECK(run.out.empty());
+  CHECK(written.str() == generate("torus --size 3 --format phat").out);
+}
+
+}  // namespace sesame::tools

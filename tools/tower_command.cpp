@@ -1,0 +1,527 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <map>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "replay/barcode_files.hpp"
+#include "replay/barcode_drawing.hpp"
+#include "replay/group_sequence.hpp"
+#include "replay/replay.hpp"
+#include "replay/tower_reader.hpp"
+#include "replay/tower_replay.hpp"
+#include "replay/tower_report.hpp"
+#include "tools/commands.hpp"
+#include "tools/interrupt.hpp"
+
+namespace sesame::tools {
+namespace {
+
+using engine::Bar;
+using engine::Barcode;
+using replay::Outcome;
+using replay::TowerFormat;
+using replay::TowerOperation;
+using replay::TowerReader;
+using replay::TowerResult;
+using Clock = std::chrono::steady_clock;
+
+struct Arguments {
+  std::string file;
+  TowerFormat format = TowerFormat::automatic;
+  std::string ring;
+  std::vector<std::string> rings;
+  std::string pers, csv, svg, html;
+  double min_length = 0;
+  std::uint64_t until = 0, every = 0;
+  bool json = false, generators = false, partial = false, quiet = false;
+};
+
+int say(Outcome outcome, const std::string& what) {
+  std::cerr << (outcome == Outcome::wrong_usage ? "sesame tower: " : "") << what << '\n';
+  return static_cast<int>(outcome);
+}
+
+int wrong_usage(const std::string& what) { return say(Outcome::wrong_usage, what); }
+
+/// A file that is written when all is known, opened before the work begins.
+class OutputFile {
+ public:
+  /// Says what is wrong, or nothing.
+  std::string open(const std::string& path, const std::string& input) {
+    if (path.empty()) {
+      return "";
+    }
+    if (is_same_file(path, input)) {
+      return path + " is the input; give the output another name";
+    }
+    path_ = path;
+    file_.open(path, std::ios::out | std::ios::trunc);
+    return file_ ? "" : "cannot write " + path;
+  }
+  [[nodiscard]] bool is_wanted() const { return !path_.empty(); }
+  std::ostream& stream() { return file_; }
+  /// Says what went wrong, or nothing.
+  std::string close() {
+    file_.close();
+    return is_wanted() && !file_ ? "cannot write " + path_ : "";
+  }
+
+ private:
+  std::string path_;
+  std::ofstream file_;
+};
+
+struct Outputs {
+  OutputFile pers, csv, svg, html;
+
+  std::string open(const Arguments& arguments) {
+    for (auto& [file, path] : {std::pair{&pers, &arguments.pers}, std::pair{&csv, &arguments.csv},
+                               std::pair{&svg, &arguments.svg}, std::pair{&html, &arguments.html}}) {
+      if (std::string problem = file->open(*path, arguments.file); !problem.empty()) {
+        return problem;
+      }
+    }
+    return "";
+  }
+  [[nodiscard]] bool need_barcode() const { return csv.is_wanted() || svg.is_wanted() || html.is_wanted(); }
+  [[nodiscard]] bool is_any_wanted() const { return pers.is_wanted() || need_barcode(); }
+  std::string close() {
+    for (OutputFile* file : {&pers, &csv, &svg, &html}) {
+      if (std::string problem = file->close(); !problem.empty()) {
+        return problem;
+      }
+    }
+    return "";
+  }
+};
+
+/// Where the bars over one ring go.
+class BarSink {
+ public:
+  BarSink(const sparse::AnyRing& ring, const Arguments& arguments, bool keeps_bars, replay::PersWriter* pers)
+      : min_length_{arguments.min_length}, pers_{pers} {
+    result_.provenance = {sparse::ring_name(ring), 0, arguments.file == "-" ? "standard input" : arguments.file};
+    if (keeps_bars) {
+      result_.barcode.emplace();
+    }
+  }
+
+  void add(const Bar& bar) {
+    if (bar.death - bar.birth < min_length_) {
+      ++result_.shorter;
+      return;
+    }
+    result_.statistics.add(bar);
+    if (result_.barcode) {
+      result_.barcode->bars.push_back(bar);
+    }
+    if (pers_ != nullptr) {
+      pers_->add(bar);
+    }
+  }
+
+  /// The result, once all bars have been added.
+  TowerResult finish(std::uint64_t operations, std::uint64_t hidden) {
+    result_.provenance.operations = operations;
+    result_.hidden = hidden;
+    if (result_.barcode) {
+      result_.barcode->hidden = hidden;
+      std::ranges::sort(result_.barcode->bars);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  double min_length_;
+  replay::PersWriter* pers_;
+  TowerResult result_;
+};
+
+/// One run of the command.
+class Run {
+ public:
+  explicit Run(const Arguments& arguments) : arguments_{arguments} {}
+
+  int run() {
+    if (std::string problem = read_rings(); !problem.empty()) {
+      return wrong_usage(problem);
+    }
+    catch_interrupt();
+    Result<std::unique_ptr<TowerReader>> reader =
+        TowerReader::open(arguments_.file, arguments_.format, &stop_requested());
+    if (!reader) {
+      const bool is_io = reader.error().code == Errc::io;
+      return say(is_io ? Outcome::wrong_usage : Outcome::wrong_script, reader.error().what);
+    }
+    reader_ = std::move(*reader);
+    if (std::string problem = objection(); !problem.empty()) {
+      return wrong_usage(problem);
+    }
+    if (std::string problem = outputs_.open(arguments_); !problem.empty()) {
+      return wrong_usage(problem);
+    }
+    if (!arguments_.quiet && isatty(STDERR_FILENO) == 1) {
+      progress_.emplace(std::cerr, std::nullopt);
+    }
+    start_ = Clock::now();
+    const int status = reader_->format() == TowerFormat::script ? run_script()
+                       : is_integral()                          ? run_groups()
+                                                                : run_barcode();
+    if (std::string problem = outputs_.close(); !problem.empty()) {
+      return wrong_usage(problem);
+    }
+    std::cout << std::flush;
+    return std::cout ? status : wrong_usage("cannot write to standard output");
+  }
+
+ private:
+  [[nodiscard]] bool is_integral() const { return std::holds_alternative<sparse::Integers>(rings_[0]); }
+  [[nodiscard]] bool is_matrix() const {
+    return reader_->format() == TowerFormat::phat || reader_->format() == TowerFormat::phat_binary;
+  }
+  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  std::string read_rings() {
+    std::vector<std::string> names = arguments_.rings;
+    if (names.empty()) {
+      names.push_back(arguments_.ring.empty() ? "Z/2" : arguments_.ring);
+    }
+    for (const std::string& name : names) {
+      const Result<sparse::AnyRing> ring = sparse::parse_ring(name);
+      if (!ring) {
+        return ring.error().what;
+      }
+      if (std::ranges::find(rings_, *ring) != rings_.end()) {
+        return "--rings names " + name + " twice";
+      }
+      rings_.push_back(*ring);
+    }
+    const auto is_z = [](const sparse::AnyRing& ring) { return std::holds_alternative<sparse::Integers>(ring); };
+    return rings_.size() > 1 && std::ranges::any_of(rings_, is_z)
+               ? "a barcode is taken over a field: --rings takes Z/p; --ring Z alone gives the sequence of groups"
+               : "";
+  }
+
+  /// What cannot be done with this input, or nothing.
+  [[nodiscard]] std::string objection() const {
+    const TowerFormat format = reader_->format();
+    const bool is_z2 = std::ranges::all_of(rings_, [](const auto& r) { return std::holds_alternative<sparse::Z2>(r); });
+    const bool has_files =
+        !arguments_.pers.empty() || !arguments_.csv.empty() || !arguments_.svg.empty() || !arguments_.html.empty();
+    if (is_matrix() && !is_z2) {
+      return "a boundary matrix of PHAT has no signs, so only Z/2 is possible";
+    }
+    if (rings_.size() > 1 && (has_files || arguments_.generators)) {
+      return "--pers, --csv, --svg, --html and --generators take one ring; run them with --ring";
+    }
+    if (is_integral() && (has_files || arguments_.generators || arguments_.every > 0)) {
+      return "over Z there are no barcodes but a sequence of groups; --pers, --csv, --svg, --html, --generators and "
+             "--every need a field";
+    }
+    if (format == TowerFormat::script && (rings_.size() > 1 || arguments_.generators || arguments_.every > 0)) {
+      return "--rings, --generators and --every are for towers; sesame replay has the generators of a script";
+    }
+    return "";
+  }
+
+  // ---- the loop
+
+  /// Reads to the end, until --until, Ctrl-C or an error; apply(operation) -> Status, after(operation).
+  template <class Apply, class After>
+  Outcome read_all(Apply&& apply, After&& after) {
+    TowerOperation operation;
+    std::uint64_t done = 0;
+    while (arguments_.until == 0 || done < arguments_.until) {
+      const Result<bool> got = reader_->next(operation);
+      if (!got) {
+        return fail(got.error().code == Errc::io ? Outcome::wrong_usage : Outcome::wrong_script, got.error().what);
+      }
+      if (!*got) {
+        break;
+      }
+      const Status status = apply(operation);
+      if (!status) {
+        return fail(Outcome::wrong_script, reader_->place() + status.error().what);
+      }
+      ++done;
+      after(operation);
+      if (progress_ && done % 1024 == 0) {
+        progress_->update(done);
+      }
+    }
+    progress_.reset();
+    return stop_requested().load() ? Outcome::interrupted : Outcome::done;
+  }
+
+  Outcome fail(Outcome outcome, const std::string& what) {
+    progress_.reset();
+    std::cerr << what << '\n';
+    return outcome;
+  }
+
+  /// Whether there is something to report after the loop.
+  [[nodiscard]] bool is_reported(Outcome outcome) const {
+    return outcome == Outcome::done || outcome == Outcome::interrupted || arguments_.partial;
+  }
+
+  // ---- barcodes
+
+  int run_barcode() {
+    const bool keeps_bars = arguments_.json || rings_.size() > 1 || outputs_.need_barcode();
+    std::optional<replay::PersWriter> pers;
+    if (outputs_.pers.is_wanted()) {
+      pers.emplace(outputs_.pers.stream(), sparse::ring_name(rings_[0]),
+                   arguments_.file == "-" ? "standard input" : arguments_.file);
+    }
+    std::vector<BarSink> sinks;
+    std::vector<std::unique_ptr<engine::BarcodeTracker>> trackers;
+    std::vector<engine::BarcodeTracker*> told;
+    engine::CycleTracker* cycles = nullptr;
+    const engine::Slots slots = is_matrix() ? engine::Slots::shared : engine::Slots::by_dimension;
+    sinks.reserve(rings_.size());
+    for (const sparse::AnyRing& ring : rings_) {
+      sinks.emplace_back(ring, arguments_, keeps_bars, pers ? &*pers : nullptr);
+      const auto add = [sink = &sinks.back()](const Bar& bar) { sink->add(bar); };
+      if (arguments_.generators) {
+        auto tracker = engine::make_cycle_tracker(ring, add);
+        cycles = tracker.get();
+        trackers.push_back(std::move(tracker));
+      } else {
+        trackers.push_back(engine::make_barcode_tracker(ring, add, slots));
+      }
+      told.push_back(trackers.back().get());
+    }
+    replay::TowerHistory history;
+    replay::TowerReplay tower(told, cycles != nullptr ? &history : nullptr);
+    const Outcome outcome = read_all([&](const TowerOperation& operation) { return tower.apply(operation); },
+                                     [&](const TowerOperation& operation) { report_state(operation, tower, told); });
+    if (!is_reported(outcome)) {
+      return static_cast<int>(outcome);
+    }
+    std::vector<TowerResult> results;
+    for (std::size_t r = 0; r < rings_.size(); ++r) {
+      std::ranges::for_each(trackers[r]->open_bars(), [&](const Bar& bar) { sinks[r].add(bar); });
+      results.push_back(sinks[r].finish(tower.operations(), trackers[r]->hidden()));
+    }
+    if (pers) {
+      pers->finish(tower.operations(), results[0].hidden);
+    }
+    std::optional<replay::CycleReport> report;
+    if (cycles != nullptr) {
+      report.emplace(*cycles, history, tower.operations(), arguments_.min_length);
+    }
+    write(results, report ? &*report : nullptr);
+    return static_cast<int>(outcome);
+  }
+
+  /// With --every: cells and Betti numbers now and then.
+  void report_state(const TowerOperation& operation, const replay::TowerReplay& tower,
+                    std::span<engine::BarcodeTracker* const> trackers) const {
+    if (arguments_.every == 0 || tower.operations() % arguments_.every != 0) {
+      return;
+    }
+    for (const engine::BarcodeTracker* tracker : trackers) {
+      if (arguments_.json) {
+        std::cout << fmt::format(R"({{"ops":{},"time":{},"ring":"{}","cells":[{}],"betti":[{}]}})", tower.operations(),
+                                 replay::number_text(operation.time), sparse::ring_name(tracker->ring()),
+                                 fmt::join(tower.cells(), ","), fmt::join(tracker->betti(), ","))
+                  << '\n';
+      } else {
+        std::cout << fmt::format("{:>10}  {:<24}  Betti numbers over {}: {}\n", tower.operations(),
+                                 fmt::format("{} cells", fmt::join(tower.cells(), " ")),
+                                 sparse::ring_name(tracker->ring()), fmt::join(tracker->betti(), " "));
+      }
+    }
+  }
+
+  [[nodiscard]] replay::DrawingOptions drawing() const {
+    switch (reader_->format()) {
+      case TowerFormat::gudhi:
+        return {"", "filtration value"};
+      case TowerFormat::phat:
+      case TowerFormat::phat_binary:
+        return {"", "column"};
+      case TowerFormat::script:
+        return {"", "step"};
+      default:
+        return {"", "time"};
+    }
+  }
+
+  void write(std::span<const TowerResult> results, const replay::CycleReport* cycles) {
+    if (outputs_.csv.is_wanted()) {
+      replay::write_betti_csv(outputs_.csv.stream(), *results[0].barcode, results[0].provenance);
+    }
+    if (outputs_.svg.is_wanted()) {
+      replay::write_svg(outputs_.svg.stream(), *results[0].barcode, results[0].provenance, drawing());
+    }
+    if (outputs_.html.is_wanted()) {
+      replay::write_html(outputs_.html.stream(), *results[0].barcode, results[0].provenance, drawing());
+    }
+    if (arguments_.json) {
+      replay::write_tower_json(std::cout, results, cycles, seconds());
+      return;
+    }
+    if (arguments_.quiet) {
+      return;
+    }
+    for (const TowerResult& result : results) {
+      replay::write_tower_table(std::cout, result);
+    }
+    if (results.size() > 1) {
+      replay::write_differences(std::cout, results);
+    }
+    if (cycles != nullptr) {
+      cycles->write_table(std::cout);
+    }
+  }
+
+  // ---- groups over Z
+
+  int run_groups() {
+    const bool prints = !arguments_.json && !arguments_.quiet;
+    replay::GroupSequence groups(prints ? &std::cout : nullptr);
+    replay::EngineTower tower(rings_[0]);
+    std::uint64_t operations = 0;
+    const Outcome outcome = read_all([&](const TowerOperation& operation) { return tower.apply(operation); },
+                                     [&](const TowerOperation& operation) {
+                                       ++operations;
+                                       groups.add(operation.time, tower.engine().homology(), rings_[0]);
+                                     });
+    if (is_reported(outcome)) {
+      write_groups(groups, operations);
+    }
+    return static_cast<int>(outcome);
+  }
+
+  void write_groups(const replay::GroupSequence& groups, std::uint64_t operations) const {
+    if (arguments_.json) {
+      replay::TextBuffer text(std::cout);
+      text.add(R"({"ring":"Z","ops":)").add_integer(operations).add(R"(,"groups":)");
+      groups.add_json(text);
+      text.add(R"(,"seconds":)").add_number(seconds()).add("}\n");
+    }
+  }
+
+  // ---- scripts
+
+  /// Takes the barcode, or the groups, from the engine of a replay.
+  class ScriptListener final : public replay::Reporter {
+   public:
+    explicit ScriptListener(replay::GroupSequence* groups) : groups_{groups} {}
+    void step(engine::Engine& engine, const replay::ReportedStep& reported) override {
+      steps = reported.step.step;
+      if (groups_ != nullptr) {
+        groups_->add(static_cast<double>(steps), reported.homology, engine.ring());
+      }
+    }
+    void summary(engine::Engine& engine, const replay::Summary& summary) override {
+      steps = summary.steps;
+      if (groups_ == nullptr) {
+        barcode = engine.barcode();
+      }
+    }
+
+    std::uint64_t steps = 0;
+    Result<Barcode> barcode = Barcode{};
+
+   private:
+    replay::GroupSequence* groups_;
+  };
+
+  int run_script() {
+    const bool prints = !arguments_.json && !arguments_.quiet;
+    replay::GroupSequence groups(prints ? &std::cout : nullptr);
+    ScriptListener listener(is_integral() ? &groups : nullptr);
+    replay::ReplayOptions options;
+    options.ring = rings_[0];
+    options.every = is_integral() ? 1 : 0;
+    options.stop = &stop_requested();
+    if (arguments_.until > 0) {
+      options.until = arguments_.until;
+    }
+    const std::unique_ptr<std::istream> stream = reader_->take_script();
+    replay::ScriptReader script(*stream, arguments_.file == "-" ? "standard input" : arguments_.file);
+    const Outcome outcome =
+        replay::replay(script, options, &listener, std::cerr, progress_ ? &*progress_ : nullptr);
+    progress_.reset();
+    if (outcome != Outcome::done && outcome != Outcome::interrupted) {
+      return static_cast<int>(outcome);
+    }
+    if (is_integral()) {
+      write_groups(groups, listener.steps);
+      return static_cast<int>(outcome);
+    }
+    if (!listener.barcode) {
+      return wrong_usage(listener.barcode.error().what);
+    }
+    std::optional<replay::PersWriter> pers;
+    if (outputs_.pers.is_wanted()) {
+      pers.emplace(outputs_.pers.stream(), sparse::ring_name(rings_[0]), arguments_.file);
+    }
+    BarSink sink(rings_[0], arguments_, true, pers ? &*pers : nullptr);
+    std::ranges::for_each(listener.barcode->bars, [&](const Bar& bar) { sink.add(bar); });
+    const TowerResult result = sink.finish(listener.steps, listener.barcode->hidden);
+    if (pers) {
+      pers->finish(listener.steps, result.hidden);
+    }
+    write({&result, 1}, nullptr);
+    return static_cast<int>(outcome);
+  }
+
+  const Arguments& arguments_;
+  std::vector<sparse::AnyRing> rings_;
+  std::unique_ptr<TowerReader> reader_;
+  Outputs outputs_;
+  std::optional<replay::Progress> progress_;
+  Clock::time_point start_;
+};
+
+}  // namespace
+
+void add_tower_command(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("tower", "The barcode of a tower or a filtration, computed online");
+  auto arguments = std::make_shared<Arguments>();
+  command->add_option("FILE", arguments->file, "The tower, gzip or not; - for standard input")->required();
+  const std::map<std::string, TowerFormat> formats{{"auto", TowerFormat::automatic},
+                                                   {"tower", TowerFormat::tower},
+                                                   {"phat", TowerFormat::phat},
+                                                   {"phat-binary", TowerFormat::phat_binary},
+                                                   {"gudhi", TowerFormat::gudhi},
+                                                   {"script", TowerFormat::script}};
+  command->add_option("--format", arguments->format, "auto (by content), tower, phat, phat-binary, gudhi or script")
+      ->transform(CLI::CheckedTransformer(formats))
+      ->option_text("FORMAT");
+  CLI::Option* ring = command->add_option("--ring", arguments->ring,
+                                          "Coefficients Z/p (default Z/2); Z gives the sequence of groups instead");
+  command->add_option("--rings", arguments->rings, "Several of them side by side, Z/2,Z/3,...: where do they differ?")
+      ->delimiter(',')
+      ->excludes(ring);
+  command->add_flag("--json", arguments->json, "One JSON object on standard output");
+  command->add_option("--pers", arguments->pers, "Write the bars, a line `dim birth death` for each as it ends");
+  command->add_option("--csv", arguments->csv, "Write the Betti numbers, a row for each time at which they change");
+  command->add_option("--svg", arguments->svg, "Draw barcode, persistence diagram and Betti curves");
+  command->add_option("--html", arguments->html, "A page with the drawings and the longest bars");
+  command->add_flag("--generators", arguments->generators,
+                    "For each bar the cycle that is born, and the chain that it comes to bound");
+  command->add_option("--min-length", arguments->min_length, "Leave out bars that are shorter")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--until", arguments->until, "Stop after that many operations")->check(from_one_on());
+  command->add_option("--every", arguments->every, "Report cells and Betti numbers every N operations")
+      ->check(from_one_on());
+  command->add_flag("--partial", arguments->partial, "After an error, report what there was before it");
+  command->add_flag("--quiet", arguments->quiet, "No table and no progress: errors only (and what --json prints)");
+  command->footer(
+      "Exit status: 0 done, 1 wrong usage or unreadable file, 2 the input is wrong, 4 internal error,\n"
+      "130 interrupted by Ctrl-C (what was read until then is reported).");
+  command->callback([arguments, &status] { status = Run(*arguments).run(); });
+}
+
+}  // namespace sesame::tools
