@@ -134,7 +134,8 @@ TEST_CASE("a circle dies when it is contracted to a point", "[engine][tower]") {
 
 TEST_CASE("maps that are isomorphisms on homology leave all bars open", "[engine][tower]") {
   // A path, and a square; edges of the path and a triangle's free edge are contracted.
-  std::vector<TowerStep> tower = inclusions({{0}, {1}, {0, 1}, {2}, {1, 2}, {3}, {2, 3}, {0, 3}, {4}, {3, 4}, {5}, {4, 5}});
+  std::vector<TowerStep> tower =
+      inclusions({{0}, {1}, {0, 1}, {2}, {1, 2}, {3}, {2, 3}, {0, 3}, {4}, {3, 4}, {5}, {4, 5}});
   const std::size_t built = tower.size();
   const std::vector<Bar> before = run(tower, 2).bars;
   tower.push_back({true, {5, 4}});
@@ -149,12 +150,8 @@ TEST_CASE("identifying two far points of a space makes a loop, and two component
   std::vector<TowerStep> tower = inclusions({{0}, {1}, {2}, {3}, {0, 1}, {1, 2}, {2, 3}, {9}});
   tower.push_back({true, {0, 3}});
   tower.push_back({true, {9, 1}});
-  CHECK(run(tower, 2).bars == std::vector<Bar>{{0, 0, engine::never},
-                                               {0, 1, 4},
-                                               {0, 2, 5},
-                                               {0, 3, 6},
-                                               {0, 7, 9},
-                                               {1, 8, engine::never}});
+  CHECK(run(tower, 2).bars ==
+        std::vector<Bar>{{0, 0, engine::never}, {0, 1, 4}, {0, 2, 5}, {0, 3, 6}, {0, 7, 9}, {1, 8, engine::never}});
 }
 
 TEST_CASE("torsion shows as a difference between fields", "[engine][tower]") {
@@ -168,9 +165,16 @@ TEST_CASE("torsion shows as a difference between fields", "[engine][tower]") {
       simplices.push_back({a, b});
     }
   }
-  for (const std::vector<Label>& triangle :
-       std::vector<std::vector<Label>>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 1, 5}, {1, 2, 4}, {2, 3, 5},
-                                       {1, 3, 4}, {2, 4, 5}, {1, 3, 5}}) {
+  for (const std::vector<Label>& triangle : std::vector<std::vector<Label>>{{0, 1, 2},
+                                                                            {0, 2, 3},
+                                                                            {0, 3, 4},
+                                                                            {0, 4, 5},
+                                                                            {0, 1, 5},
+                                                                            {1, 2, 4},
+                                                                            {2, 3, 5},
+                                                                            {1, 3, 4},
+                                                                            {2, 4, 5},
+                                                                            {1, 3, 5}}) {
     simplices.push_back(triangle);
   }
   const double end = static_cast<double>(simplices.size());

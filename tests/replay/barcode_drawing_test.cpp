@@ -236,7 +236,7 @@ TEST_CASE("ticks lie in their range, in order, without labels that touch", "[rep
   const double x = number(), y = seed % 3 == 0 ? x * (1 + 1e-6) : number();
   const Range range{std::min(x, y), std::max(x, y), false};
   const auto ticks = replay::ticks_across(range, 400);
-  CHECK(ticks.size() >= 1);
+  CHECK_FALSE(ticks.empty());
   const replay::Scale scale(range, 0, 400);
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     CHECK(scale(ticks[i].value) > -1);

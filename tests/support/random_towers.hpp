@@ -98,8 +98,8 @@ inline std::vector<TowerStep> random_tower(std::uint32_t seed, std::size_t steps
 }
 
 /// Applies a step to a complex, and tells trackers of it.
-inline void apply(const TowerStep& step, ops::TowerComplex& complex,
-                  std::span<engine::BarcodeTracker* const> trackers, double time) {
+inline void apply(const TowerStep& step, ops::TowerComplex& complex, std::span<engine::BarcodeTracker* const> trackers,
+                  double time) {
   if (step.is_contraction) {
     const ops::TowerComplex::Changes& changes = *complex.plan_contraction(step.labels[0], step.labels[1]).value();
     for (engine::BarcodeTracker* tracker : trackers) {

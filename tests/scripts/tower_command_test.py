@@ -1,0 +1,247 @@
+#!/usr/bin/env python3
+"""What `sesame tower` promises on its command line: formats, outputs, errors with their place, exit statuses; that it
+says the same as `sesame replay`; and that every shipped tower has the bars that its comment and the oracle say.
+
+Usage: tower_command_test.py SESAME EXAMPLES
+"""
+
+import csv
+import gzip
+import json
+import pathlib
+import random
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+import random_tower
+import tower_oracle
+
+SESAME = sys.argv[1] if len(sys.argv) > 1 else "sesame"
+EXAMPLES = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else "replay/examples")
+CIRCLE = "i 0\ni 1\ni 2\ni 0 1\ni 1 2\ni 0 2\nc 0 1\nc 2 1\n"
+CIRCLE_BARS = [[0, 0, None], [0, 1, 3], [0, 2, 4], [1, 5, 6]]
+
+
+def as_script(tower, ring="Z"):
+    """The same tower as a construction script, an operation a line."""
+    lines = [json.dumps({"sesame": 1, "ring": ring})]
+    for line in tower.splitlines():
+        words = line.split()
+        if words[0] == "i":
+            lines.append(json.dumps({"op": "insert", "simplex": [int(v) for v in words[1:]]}))
+        else:
+            lines.append(json.dumps({"op": "collapse", "from": words[1], "to": words[2]}))
+    return "\n".join(lines) + "\n"
+
+
+def random_text(seed, operations=60):
+    """A tower without times, and labels used once: what a script can say too."""
+    done = subprocess.run([sys.executable, random_tower.__file__, "--seed", str(seed), "--operations", str(operations),
+                           "--vertices", "9", "--contract", "0.2", "--reuse", "0", "--times", "none",
+                           *(["--any-two"] if seed % 2 else [])], capture_output=True, text=True, check=True)
+    return "".join(line + "\n" for line in done.stdout.splitlines() if not line.startswith("#"))
+
+
+class Tower(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def file(self, name, content):
+        path = self.folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    def run_on(self, *arguments, stdin=None, command="tower"):
+        return subprocess.run([SESAME, command, *map(str, arguments)], input=stdin, capture_output=True, timeout=60,
+                              check=False)
+
+    def objects(self, *arguments, stdin=None, command="tower"):
+        done = self.run_on(*arguments, "--json", stdin=stdin, command=command)
+        self.assertEqual((done.returncode, done.stderr), (0, b""), arguments)
+        return [json.loads(line) for line in done.stdout.splitlines()]
+
+    def bars(self, *arguments, stdin=None):
+        (found,) = self.objects(*arguments, stdin=stdin)
+        return found["bars"]
+
+    # ---- what it says
+
+    def test_every_shipped_tower_has_the_bars_that_its_comment_and_the_oracle_say(self):
+        paths = sorted(EXAMPLES.glob("*.tower"))
+        self.assertGreaterEqual(len(paths), 5)
+        for path in paths:
+            marker = "# Bars over Z/2: "
+            (line,) = [line for line in path.read_text().splitlines() if line.startswith(marker)]
+            self.assertEqual(self.bars(path), json.loads(line[len(marker):]), path)
+            operations = tower_oracle.parse(path.read_text().splitlines())
+            for p in (2, 3):
+                self.assertEqual(self.bars(path, "--ring", f"Z/{p}"), tower_oracle.barcode(operations, p), path)
+
+    def test_replay_and_tower_have_the_same_betti_numbers_at_every_step(self):
+        for seed in range(12):
+            text = random_text(seed)
+            tower, script = self.file("t.tower", text), self.file("t.jsonl", as_script(text))
+            for ring in ("Z/2", "Z/3"):
+                states = self.objects(tower, "--every", "1", "--ring", ring)[:-1]
+                steps = self.objects(script, "--every", "1", "--ring", ring, command="replay")[:-1]
+                self.assertEqual(len(states), len(text.splitlines()))
+                for state, step in zip(states, steps, strict=True):
+                    self.assertEqual(state["cells"], step["cells"])
+                    self.assertEqual(padded(state["betti"], len(step["betti"])), step["betti"])
+
+    def test_a_script_has_the_bars_of_the_same_tower_counted_from_one(self):
+        for seed in range(12):
+            text = random_text(seed)
+            tower, script = self.file("t.tower", text), self.file("t.jsonl", as_script(text))
+            shifted = [[d, b + 1, None if e is None else e + 1] for d, b, e in self.bars(tower, "--ring", "Z/3")]
+            self.assertEqual(self.bars(script, "--ring", "Z/3"), shifted)
+
+    def test_groups_over_the_integers_are_those_of_replay(self):
+        for seed in range(6):
+            text = random_text(seed)
+            (found,) = self.objects(self.file("t.tower", text), "--ring", "Z")
+            steps = self.objects(self.file("t.jsonl", as_script(text)), "--every", "1", command="replay")[:-1]
+            changes = dict((int(time), groups) for time, groups in found["groups"])
+            groups = []
+            for number, step in enumerate(steps):
+                groups = changes.get(number, groups)
+                ranks = padded([g["rank"] for g in groups], len(step["betti"]))
+                torsion = [g["torsion"] for g in groups] + [[]] * (len(step["betti"]) - len(groups))
+                self.assertEqual((ranks, torsion), (step["betti"], step["torsion"]))
+
+    def test_rings_side_by_side_show_torsion(self):
+        (found,) = self.objects(EXAMPLES / "projective_plane.tower", "--rings", "Z/2,Z/3,Z/5")
+        self.assertEqual([ring["ring"] for ring in found["rings"]], ["Z/2", "Z/3", "Z/5"])
+        self.assertEqual([(each["bar"], each["multiplicity"]) for each in found["differences"]],
+                         [([1, 12, 30], {"Z/2": 0, "Z/3": 1, "Z/5": 1}),
+                          ([1, 12, None], {"Z/2": 1, "Z/3": 0, "Z/5": 0}),
+                          ([2, 30, None], {"Z/2": 1, "Z/3": 0, "Z/5": 0})])
+        text = self.run_on(EXAMPLES / "projective_plane.tower", "--rings", "Z/2,Z/3").stdout.decode()
+        self.assertIn("there is torsion", text)
+        text = self.run_on(EXAMPLES / "contracted_circle.tower", "--rings", "Z/2,Z/3").stdout.decode()
+        self.assertIn("the same over all rings", text)
+
+    def test_every_bar_has_a_cycle_and_what_it_bounds(self):
+        (found,) = self.objects(self.file("c.tower", CIRCLE), "--generators", "--ring", "Z/3")
+        loop = found["generators"][-1]
+        self.assertEqual((loop["dim"], loop["birth"], loop["death"]), (1, 5, 6))
+        self.assertEqual(sorted(simplex for _, simplex in loop["cycle"]), [[0, 1], [0, 2], [1, 2]])
+        self.assertEqual(loop["bounds"], [])
+        self.assertEqual(found["generators"][0]["now"], [[1, [1]]])
+        self.assertEqual(len(found["generators"]), len(found["bars"]))
+
+    # ---- outputs
+
+    def test_betti_curves_are_the_sums_over_the_bars(self):
+        path = self.file("t.tower", random_text(5, 200))
+        out = self.folder / "t.csv"
+        bars = [bar for bar in self.bars(path, "--csv", out)]
+        rows = list(csv.DictReader(line for line in out.read_text().splitlines() if not line.startswith("#")))
+        self.assertGreater(len(rows), 20)
+        for row in rows:
+            time = float(row["time"])
+            for d in range(len(row) - 1):
+                alive = sum(1 for e, b, x in bars if e == d and b <= time and (x is None or time < x))
+                self.assertEqual(int(row[f"b{d}"]), alive)
+
+    def test_the_bars_in_a_file_are_those_printed(self):
+        path, out = self.file("t.tower", random_text(7, 200)), self.folder / "t.pers"
+        bars = self.bars(path, "--pers", out)
+        lines = [line.split() for line in out.read_text().splitlines() if not line.startswith("#")]
+        written = [[int(d), float(b), None if x == "inf" else float(x)] for d, b, x in lines]
+        self.assertEqual(sorted(written, key=tower_oracle.bar_order), bars)
+        self.assertEqual(self.objects(out, out, command="distance")[0]["value"], 0)
+
+    def test_pictures_are_written(self):
+        path = self.file("t.tower", random_text(7, 200))
+        svg, page = self.folder / "t.svg", self.folder / "t.html"
+        self.assertEqual(self.run_on(path, "--svg", svg, "--html", page, "--quiet").returncode, 0)
+        self.assertTrue(svg.read_text().lstrip().startswith("<"))
+        self.assertIn("</svg>", svg.read_text())
+        self.assertIn("</html>", page.read_text())
+        self.assertNotIn("http://", page.read_text().replace("http://www.w3.org/", ""))
+
+    def test_bars_can_be_left_out_by_length(self):
+        path = self.file("c.tower", CIRCLE)
+        (found,) = self.objects(path, "--min-length", "2")
+        self.assertEqual((found["bars"], found["shorter"]), (CIRCLE_BARS[:3], 1))
+
+    def test_it_stops_where_it_is_told(self):
+        self.assertEqual(self.bars(self.file("c.tower", CIRCLE), "--until", "6"), [*CIRCLE_BARS[:3], [1, 5, None]])
+
+    # ---- inputs
+
+    def test_all_formats_of_one_filtration_have_the_same_bars(self):
+        cells = [(), (), (), (0, 1), (1, 2), (0, 2), (3, 4, 5)]
+        columns = [(max(0, len(rows) - 1), rows) for rows in cells]
+        phat = "".join(" ".join(map(str, (d, *rows))) + "\n" for d, rows in columns)
+        words = [len(columns), *(word for d, rows in columns for word in (d, len(rows), *rows))]
+        binary = struct.pack(f"<{len(words)}q", *words)
+        simplices = [(0,), (1,), (2,), (0, 1), (1, 2), (0, 2), (0, 1, 2)]
+        gudhi = "".join(f"{len(s) - 1} {' '.join(map(str, s))} {t}\n" for t, s in enumerate(simplices))
+        tower = "".join(f"i {' '.join(map(str, s))}\n" for s in simplices)
+        expected = [[0, 0, None], [0, 1, 3], [0, 2, 4], [1, 5, 6]]
+        for name, data in (("phat", phat.encode()), ("phat-binary", binary), ("gudhi", gudhi.encode()),
+                           ("tower", tower.encode())):
+            self.assertEqual(self.bars(self.file(name, data)), expected, name)
+            self.assertEqual(self.bars(self.file(name, data), "--format", name), expected, name)
+            self.assertEqual(self.bars("-", stdin=data), expected, name)
+            self.assertEqual(self.bars("-", stdin=gzip.compress(data)), expected, name)
+
+    def test_a_script_that_is_no_tower_is_refused(self):
+        path = self.file("s.jsonl", '{"sesame":1}\n{"op":"simplex","name":"t","dim":1}\n'
+                         '{"op":"product","name":"P","left":"t","right":"t"}\n')
+        done = self.run_on(path)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(b"product", done.stderr)
+
+    # ---- errors
+
+    def test_a_wrong_line_is_named_and_what_was_before_it_can_be_had(self):
+        for text, line, what in (("i 0\ni 1\ni 0 2\n", 3, "vertex 2 is not there"),
+                                 ("i 0\ni 0\n", 2, "is there already"),
+                                 ("i 0\ni 1\ni 0 1\nc 0 7\n", 4, "vertex 7 is not there"),
+                                 ("i 0\ni 1\ni 2\ni 0 1 2\n", 4, "is not there"),
+                                 ("i 0\nx 1\n", 2, ""),
+                                 ("i 0\ni 1.5\n", 2, "")):
+            path = self.file("bad.tower", text)
+            done = self.run_on(path)
+            self.assertEqual((done.returncode, done.stdout), (2, b""), text)
+            self.assertIn(f"bad.tower:{line}: ".encode(), done.stderr)
+            self.assertIn(what.encode(), done.stderr)
+            done = self.run_on(path, "--partial", "--json")
+            self.assertEqual(done.returncode, 2)
+            self.assertEqual(json.loads(done.stdout)["ops"], line - 1)
+
+    def test_a_wrong_matrix_is_named_by_its_column(self):
+        done = self.run_on(self.file("m.phat", "0\n0\n0\n1 0 1\n1 1 2\n2 3 4\n"))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"m.phat:6: the boundary of its boundary is not 0", done.stderr)
+
+    def test_what_cannot_be_is_refused_before_anything_is_written(self):
+        tower, matrix = self.file("c.tower", CIRCLE), self.file("m.phat", "0\n0\n1 0 1\n")
+        out = self.folder / "x.pers"
+        for arguments in ((matrix, "--ring", "Z/3"), (tower, "--ring", "Z", "--pers", out),
+                          (tower, "--rings", "Z/2,Z/3", "--pers", out), (tower, "--rings", "Z/2,Z"),
+                          (tower, "--rings", "Z/2,Z/2"), (tower, "--ring", "Z/4"), (tower, "--ring", "Z", "--generators"),
+                          (tower, "--pers", tower), (tower, "--svg", self.folder / "no" / "x.svg"),
+                          (self.folder / "absent",), (tower, "--format", "off"), (tower, "--until", "0")):
+            done = self.run_on(*arguments)
+            self.assertEqual((done.returncode, done.stdout), (1, b""), arguments)
+            self.assertNotEqual(done.stderr, b"")
+        self.assertFalse(out.exists())
+        self.assertEqual(tower.read_text(), CIRCLE)
+
+
+def padded(numbers, size):
+    return numbers + [0] * (size - len(numbers))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
