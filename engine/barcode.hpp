@@ -16,7 +16,7 @@ struct Bar {
   int dimension;
   double birth, death;
 
-  friend auto operator<=>(const Bar&, const Bar&) = default;
+  friend auto operator<=>(const Bar&, const Bar&) = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 errs
 };
 
 /// The bars of positive length, sorted, and the number of those that were born and died at the same time.

@@ -235,7 +235,7 @@ class Tracker final : public BarcodeTracker {
   bool has_shared_slots_;
   std::vector<Level> levels_;
   std::uint64_t hidden_ = 0;
-  std::vector<ClassRef> facet_refs_;  ///< of the cell that is being included
+  std::vector<ClassRef> facet_refs_;             ///< of the cell that is being included
   using Shift = std::pair<Slot, std::uint32_t>;  ///< a merged or squashed simplex, and the class born of its generator
   std::vector<Shift> shifts_, below_;            ///< of the dimension in hand, and of the one below, by slot
 };

@@ -229,9 +229,9 @@ class Tracker final : public CycleTracker {
     }
   }
 
-  /// Leaves in column_ a boundary with multiples of R(killer) added until its youngest generator is alive, or nothing is
-  /// left; tells note(killer, factor) of each. For a cycle that is worked out late that is what it would have been when
-  /// it was born: all classes in its boundary were dead by then.
+  /// Leaves in column_ a boundary with multiples of R(killer) added until its youngest generator is alive, or nothing
+  /// is left; tells note(killer, factor) of each. For a cycle that is worked out late that is what it would have been
+  /// when it was born: all classes in its boundary were dead by then.
   template <class Note>
   void reduce(std::span<const TermType> boundary, Note&& note) {
     heap_.clear();

@@ -15,22 +15,22 @@ namespace sesame::engine {
 /// A BarcodeTracker that keeps the whole history, so that cycles can be asked for at any time. Its memory grows with
 /// the number of operations and the lengths of the reduced boundaries.
 ///
-/// A generator b of the big complex is reduced by older ones until the youngest generator of its boundary is alive, a, or
-/// nothing is left: V(b) = b + sum of multiples of V(b'), R(b) = dV(b). Then a is the birth and b the death of a bar: R(b) is
-/// a cycle that is there at the birth, and V(b) what it bounds at the death. When nothing is left V(b) is a cycle that is
-/// born with b. Source: the standard algorithm of H. Edelsbrunner, D. Letscher and A. Zomorodian (2002), here on the
-/// big complex of a tower; pairs come out as from the other tracker, by another method.
+/// A generator b of the big complex is reduced by older ones until the youngest generator of its boundary is alive, a,
+/// or nothing is left: V(b) = b + sum of multiples of V(b'), R(b) = dV(b). Then a is the birth and b the death of a
+/// bar: R(b) is a cycle that is there at the birth, and V(b) what it bounds at the death. When nothing is left V(b) is
+/// a cycle that is born with b. Source: the standard algorithm of H. Edelsbrunner, D. Letscher and A. Zomorodian
+/// (2002), here on the big complex of a tower; pairs come out as from the other tracker, by another method.
 class CycleTracker : public BarcodeTracker {
  public:
-  /// A chain of cells, each by the number of the inclusion that added it, from 0; with coefficients as they are printed.
-  /// What a cell has become since, the one who counts the inclusions can tell.
+  /// A chain of cells, each by the number of the inclusion that added it, from 0; with coefficients as they are
+  /// printed. What a cell has become since, the one who counts the inclusions can tell.
   using InclusionChain = std::vector<std::pair<std::uint32_t, sparse::Integer>>;
 
   /// A bar, and the operations that began and ended it, numbers from 0.
   struct TracedBar {
     Bar bar;
     std::uint64_t born_by;
-    std::uint64_t killed_by;  ///< when the bar has ended
+    std::uint64_t killed_by;     ///< when the bar has ended
     std::uint32_t birth, death;  ///< the generators; death is that of the birth when the bar is open
   };
 

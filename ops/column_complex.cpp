@@ -56,9 +56,9 @@ Error ColumnComplex::wrong_dimension(int dimension, std::span<const std::uint64_
   while ((cells_[rows[k]] & dimension_mask) + 1 == static_cast<std::uint64_t>(dimension)) {
     ++k;
   }
-  return bad("row " + std::to_string(rows[k]) + " is of dimension " +
-             std::to_string(cells_[rows[k]] & dimension_mask) + "; the boundary of a cell of dimension " +
-             std::to_string(dimension) + " has cells of dimension " + std::to_string(dimension - 1));
+  return bad("row " + std::to_string(rows[k]) + " is of dimension " + std::to_string(cells_[rows[k]] & dimension_mask) +
+             "; the boundary of a cell of dimension " + std::to_string(dimension) + " has cells of dimension " +
+             std::to_string(dimension - 1));
 }
 
 }  // namespace sesame::ops

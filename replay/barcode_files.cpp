@@ -38,8 +38,8 @@ std::string operation_counts(std::uint64_t operations, std::uint64_t hidden) {
 
 std::string provenance_line(const Barcode& barcode, const Provenance& provenance) {
   return fmt::format("sesame {}, coefficients {}, {}{}{}", SESAME_VERSION, provenance.ring,
-                     operation_counts(provenance.operations, barcode.hidden), provenance.source.empty() ? "" : ", from ",
-                     one_line(provenance.source));
+                     operation_counts(provenance.operations, barcode.hidden),
+                     provenance.source.empty() ? "" : ", from ", one_line(provenance.source));
 }
 
 PersWriter::PersWriter(std::ostream& out, const std::string& ring, const std::string& source) : text_{out} {

@@ -99,8 +99,8 @@ class BarcodePanel {
       svg.raw(
           fmt::format("<g><path d=\"M{0} {1}H{2}\"/><path class=\"{3}\" stroke=\"none\" "
                       "d=\"M{4} {1}l-{5} -{6}v{7}Z\"/>{8}</g>\n",
-                      px(from), px(y), px(right_ - size), fill_class(bar.dimension), px(right_), px(2 * size), px(size),
-                      px(2 * size), title));
+                      px(from), px(y), px(right_ - 2 * size), fill_class(bar.dimension), px(right_), px(2 * size),
+                      px(size), px(2 * size), title));
     }
   }
 

@@ -41,13 +41,12 @@ SheetHead& SheetHead::facts(const std::vector<std::string>& pieces) {
     line.clear();
   };
   for (const std::string& piece : pieces) {
-    const std::string longer = line.empty() ? piece : line + " \u00B7 " + piece;
-    if (!line.empty() && text_width(longer, small_text) > width_) {
+    constexpr std::string_view dot = " \u00B7 ";
+    if (!line.empty() &&
+        text_width(line, small_text) + text_width(dot, small_text) + text_width(piece, small_text) > width_) {
       end_line();
-      line = piece;
-    } else {
-      line = longer;
     }
+    line.append(line.empty() ? "" : dot).append(piece);
   }
   end_line();
   height_ += 6;

@@ -129,7 +129,7 @@ class BettiPanel {
       up_ticks_ = {{0, "0"}};
       const bool is_sparse = top_betti_ > 20'000;
       for (std::uint64_t power = 1; power <= top_betti_; power *= 10) {
-        for (const std::uint64_t digit : {1, 2, 5}) {
+        for (const std::uint64_t digit : {1U, 2U, 5U}) {
           if (digit * power <= top_betti_ && (digit == 1 || !is_sparse)) {
             up_ticks_.push_back({static_cast<double>(digit * power), with_separators(digit * power)});
           }

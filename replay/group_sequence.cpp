@@ -39,6 +39,11 @@ void GroupSequence::add_json(TextBuffer& text) const {
   text.add(']');
 }
 
+std::string EngineTower::name(std::uint64_t label) const {
+  const std::uint64_t uses = uses_.at(label);
+  return uses == 1 ? std::to_string(label) : fmt::format("{}#{}", label, uses);
+}
+
 Status EngineTower::apply(const TowerOperation& operation) {
   const Status status = complex_.apply(operation);
   if (!status) {
@@ -46,13 +51,16 @@ Status EngineTower::apply(const TowerOperation& operation) {
   }
   ops::Operation step;
   if (operation.kind == TowerOperation::Kind::insert) {
+    if (operation.dimension == 0) {
+      ++uses_[operation.labels[0]];
+    }
     ops::Insert insert;
     for (const std::uint64_t label : operation.labels) {
-      insert.simplex.push_back(std::to_string(label));
+      insert.simplex.push_back(name(label));
     }
     step = std::move(insert);
   } else {
-    step = ops::Collapse{std::to_string(operation.labels[0]), std::to_string(operation.labels[1])};
+    step = ops::Collapse{name(operation.labels[0]), name(operation.labels[1])};
   }
   const Result<engine::StepReport> report = engine_.apply(std::move(step));
   return report ? Status{Done{}} : Status{report.error()};

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <ostream>
+#include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "engine/engine.hpp"
@@ -44,8 +46,12 @@ class EngineTower {
   [[nodiscard]] engine::Engine& engine() { return engine_; }
 
  private:
+  [[nodiscard]] std::string name(std::uint64_t label) const;
+
   TowerReplay complex_{{}};  ///< says what is wrong with an operation, as it does over a field
   engine::Engine engine_;
+  /// How often a label has named a new vertex: the engine wants another name each time.
+  std::unordered_map<std::uint64_t, std::uint64_t> uses_;
 };
 
 }  // namespace sesame::replay

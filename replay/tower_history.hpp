@@ -49,8 +49,8 @@ class TowerHistory {
 
   std::vector<Node> vertices_;
   std::unordered_map<Label, Vertex> current_;  ///< the root that is called so
-  std::vector<Vertex> simplices_;        ///< the vertices of all simplices
-  std::vector<std::uint64_t> first_{0};  ///< per inclusion: where its vertices begin; one more at the end
+  std::vector<Vertex> simplices_;              ///< the vertices of all simplices
+  std::vector<std::uint64_t> first_{0};        ///< per inclusion: where its vertices begin; one more at the end
   std::uint64_t operations_ = 0;
   bool has_cells_ = false;
 };

@@ -201,7 +201,11 @@ void CycleReport::add_json(TextBuffer& text) const {
   text.add('[');
   bool is_first = true;
   for_each_bar([&](const Bar& bar, const auto& cycle, const auto& second) {
-    text.add(is_first ? "{" : ",{").add(R"("dim":)").add_integer(bar.dimension).add(R"(,"birth":)").add_number(bar.birth);
+    text.add(is_first ? "{" : ",{")
+        .add(R"("dim":)")
+        .add_integer(bar.dimension)
+        .add(R"(,"birth":)")
+        .add_number(bar.birth);
     is_first = false;
     text.add(R"(,"death":)");
     if (bar.death == never) {

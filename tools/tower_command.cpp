@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
-#include <map>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "replay/barcode_files.hpp"
 #include "replay/barcode_drawing.hpp"
+#include "replay/barcode_files.hpp"
 #include "replay/group_sequence.hpp"
 #include "replay/replay.hpp"
 #include "replay/tower_reader.hpp"
@@ -238,7 +238,7 @@ class Run {
   Outcome read_all(Apply&& apply, After&& after) {
     TowerOperation operation;
     std::uint64_t done = 0;
-    while (arguments_.until == 0 || done < arguments_.until) {
+    while (!stop_requested().load() && (arguments_.until == 0 || done < arguments_.until)) {
       const Result<bool> got = reader_->next(operation);
       if (!got) {
         return fail(got.error().code == Errc::io ? Outcome::wrong_usage : Outcome::wrong_script, got.error().what);
@@ -339,6 +339,7 @@ class Run {
                                  sparse::ring_name(tracker->ring()), fmt::join(tracker->betti(), " "));
       }
     }
+    std::cout << std::flush;  // somebody may be waiting at the end of a pipe
   }
 
   [[nodiscard]] replay::DrawingOptions drawing() const {
@@ -449,8 +450,7 @@ class Run {
     }
     const std::unique_ptr<std::istream> stream = reader_->take_script();
     replay::ScriptReader script(*stream, arguments_.file == "-" ? "standard input" : arguments_.file);
-    const Outcome outcome =
-        replay::replay(script, options, &listener, std::cerr, progress_ ? &*progress_ : nullptr);
+    const Outcome outcome = replay::replay(script, options, &listener, std::cerr, progress_ ? &*progress_ : nullptr);
     progress_.reset();
     if (outcome != Outcome::done && outcome != Outcome::interrupted) {
       return static_cast<int>(outcome);
@@ -490,12 +490,9 @@ void add_tower_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("tower", "The barcode of a tower or a filtration, computed online");
   auto arguments = std::make_shared<Arguments>();
   command->add_option("FILE", arguments->file, "The tower, gzip or not; - for standard input")->required();
-  const std::map<std::string, TowerFormat> formats{{"auto", TowerFormat::automatic},
-                                                   {"tower", TowerFormat::tower},
-                                                   {"phat", TowerFormat::phat},
-                                                   {"phat-binary", TowerFormat::phat_binary},
-                                                   {"gudhi", TowerFormat::gudhi},
-                                                   {"script", TowerFormat::script}};
+  const std::map<std::string, TowerFormat> formats{
+      {"auto", TowerFormat::automatic},          {"tower", TowerFormat::tower}, {"phat", TowerFormat::phat},
+      {"phat-binary", TowerFormat::phat_binary}, {"gudhi", TowerFormat::gudhi}, {"script", TowerFormat::script}};
   command->add_option("--format", arguments->format, "auto (by content), tower, phat, phat-binary, gudhi or script")
       ->transform(CLI::CheckedTransformer(formats))
       ->option_text("FORMAT");
@@ -512,7 +509,10 @@ void add_tower_command(CLI::App& app, int& status) {
   command->add_flag("--generators", arguments->generators,
                     "For each bar the cycle that is born, and the chain that it comes to bound");
   command->add_option("--min-length", arguments->min_length, "Leave out bars that are shorter")
-      ->check(CLI::NonNegativeNumber);
+      ->check([](const std::string& text) {
+        const bool is_negative = text.starts_with('-');
+        return is_negative ? "\"" + text + "\" should be a length, from 0 on" : std::string{};
+      });
   command->add_option("--until", arguments->until, "Stop after that many operations")->check(from_one_on());
   command->add_option("--every", arguments->every, "Report cells and Betti numbers every N operations")
       ->check(from_one_on());

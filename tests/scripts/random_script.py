@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Prints a random legal script for `sesame replay`.
 
-    random_script.py --seed N [--steps M] [--ring Z|Z/p] [--ops basic|all|tear|nest|abstract] [--weight NAME=N]... [--illegal]
+    random_script.py --seed N [--steps M] [--ring Z|Z/p] [--ops basic|all|tear|nest|abstract] [--weight NAME=N]...
+                     [--illegal]
 
 basic: simplex, simploid, complex, cone, identify, expect, class, undo and note: several bodies, self-gluings and
 twisted ones (torsion), simploids of mixed types up to dimension 3, cones over bodies and over lists, classes of
@@ -11,8 +12,8 @@ cells split along their links, gluings taken back), in any order and on top of e
 or less frequent (0: never); a wrong NAME is answered with the names that there are.
 tear: a random complex is glued from simploids and torn apart again, cell by cell, to isolated ones. It may need more
 steps than asked for.
-abstract: simplices on labelled vertices are inserted, any two vertices are collapsed, some bodies are changed by all the
-other operations.
+abstract: simplices on labelled vertices are inserted, any two vertices are collapsed, and now and then a body is
+changed by one of the other operations.
 What is legal, the oracle knows. With --illegal the last step is wrong, and only that one.
 The same options give the same script.
 """
@@ -432,8 +433,8 @@ class WriterOfAll(Writer):
         terms = super().chain_terms(chain)
         state = self.oracle.state
         dim = state.dim(next(iter(chain))) if chain else 0
-        zeros = [name for name, value in state.names.items()
-                 if value and isinstance(name, str) and oracle.is_degenerate(value) and sum(oracle.type_of(value[1])) == dim]
+        zeros = [name for name, value in state.names.items() if value and isinstance(name, str)
+                 and oracle.is_degenerate(value) and sum(oracle.type_of(value[1])) == dim]
         if zeros and self.random.random() < 0.3:
             terms.append([self.random.choice([-1, 2]), self.random.choice(zeros)])
         return terms
@@ -531,7 +532,8 @@ class WriterOfAbstract(WriterOfAll):
     """Insertions and collapses; other operations only now and then, since they end a body's being abstract."""
 
     weights = {
-        **{name: 0 for name in WriterOfAll.weights}, "insert": 22, "collapse": 12, "query": 8, "expect": 2, "note": 1, "undo": 4,
+        **{name: 0 for name in WriterOfAll.weights},
+        "insert": 22, "collapse": 12, "query": 8, "expect": 2, "note": 1, "undo": 4,
         "simplex": 1, "identify": 1, "degenerate": 1, "cone": 1, "product": 1, "isolate": 1, "split": 1, "unglue": 1,
     }
     growing = ("insert", "simplex", "cone", "product")

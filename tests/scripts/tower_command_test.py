@@ -115,6 +115,11 @@ class Tower(unittest.TestCase):
                 torsion = [g["torsion"] for g in groups] + [[]] * (len(step["betti"]) - len(groups))
                 self.assertEqual((ranks, torsion), (step["betti"], step["torsion"]))
 
+    def test_labels_may_be_used_again_over_the_integers_too(self):
+        path = self.file("t.tower", "i 0\ni 1\ni 0 1\nc 0 1\ni 0\ni 0 1\nc 1 0\ni 1\n")
+        (found,) = self.objects(path, "--ring", "Z")
+        self.assertEqual([groups[0]["rank"] for _, groups in found["groups"]], [1, 2, 1, 2, 1, 2])
+
     def test_rings_side_by_side_show_torsion(self):
         (found,) = self.objects(EXAMPLES / "projective_plane.tower", "--rings", "Z/2,Z/3,Z/5")
         self.assertEqual([ring["ring"] for ring in found["rings"]], ["Z/2", "Z/3", "Z/5"])
@@ -166,6 +171,11 @@ class Tower(unittest.TestCase):
         self.assertIn("</svg>", svg.read_text())
         self.assertIn("</html>", page.read_text())
         self.assertNotIn("http://", page.read_text().replace("http://www.w3.org/", ""))
+
+    def test_the_picture_of_the_documentation_is_the_one_that_is_drawn(self):
+        svg = self.folder / "t.svg"
+        subprocess.run([SESAME, "tower", "coarsened_circle.tower", "--svg", svg, "--quiet"], cwd=EXAMPLES, check=True)
+        self.assertEqual(svg.read_text(), (EXAMPLES / "pictures" / "coarsened_circle.svg").read_text())
 
     def test_bars_can_be_left_out_by_length(self):
         path = self.file("c.tower", CIRCLE)
