@@ -73,6 +73,8 @@ class BigComplex {
 
   /// The entries ever appended to the boundary, undone ones included.
   [[nodiscard]] std::uint64_t entries_appended() const { return entries_appended_; }
+  /// The links ever followed on the paths P(x).
+  [[nodiscard]] std::uint64_t links_followed() const { return links_followed_; }
 
   /// What gives the maps of lazy cells. Set once, before there are any.
   void set_lazy_maps(LazyMaps<R>& maps) { lazy_maps_ = &maps; }
@@ -159,6 +161,7 @@ class BigComplex {
   std::unordered_map<CellId, std::vector<Index>> generators_of_;    ///< of nodes, where not the node's own alone
   std::unordered_map<Index, std::vector<Index>> columns_followed_;  ///< columns with a generator, for those followed
   std::uint64_t entries_appended_ = 0;
+  mutable std::uint64_t links_followed_ = 0;
   Terms<R> column_, lazy_column_;  ///< scratch
 };
 

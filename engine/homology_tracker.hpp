@@ -76,6 +76,8 @@ struct Lifetime {
 struct Work {
   std::uint64_t boundary_entries = 0;  ///< appended to the boundary of the big complex
   std::uint64_t rewritten_terms = 0;   ///< read while boundaries and chains were rewritten, memos included
+  std::uint64_t rule_terms = 0;        ///< on the right-hand sides of rules that were made: the fill-in
+  std::uint64_t path_links = 0;        ///< followed from faces as they were to the cells that they are
 };
 
 /// Keeps the homological equivalence C <= B => S of a structure current over one ring.

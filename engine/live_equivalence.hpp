@@ -34,7 +34,9 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] CellChain boundary(const CellChain& chain) const override;
   [[nodiscard]] SmallChain boundary(const SmallChain& chain) override;
   [[nodiscard]] std::vector<Lifetime> lifetimes() const override;
-  [[nodiscard]] Work work() const override { return {big_.entries_appended(), rewriter_.terms_read()}; }
+  [[nodiscard]] Work work() const override {
+    return {big_.entries_appended(), rewriter_.terms_read(), rewriter_.rule_terms(), big_.links_followed()};
+  }
   [[nodiscard]] std::optional<std::string> first_defect(ops::Moment before_last_step) override;
 
   /// The whole equivalence as matrices. C's basis is that of ops::cells_at; B's and S's are their generators of each

@@ -80,6 +80,7 @@ RuleId Rewriter<R>::push_rule(Symbol a, Symbol b, Element inverse, std::span<con
   const RuleId id = rules();
   rules_.push_back({a, b, std::move(inverse), values_.size(), static_cast<std::uint32_t>(value.size())});
   values_.insert(values_.end(), value.begin(), value.end());
+  rule_terms_ += value.size();
   memos_.emplace_back();
   state_[a] = id;
   unlink(a);

@@ -99,6 +99,8 @@ class Rewriter {
   }
   /// The terms ever read while rewriting: what rewriting has cost.
   [[nodiscard]] std::uint64_t terms_read() const { return terms_read_; }
+  /// The terms of all rules ever made, undone ones included.
+  [[nodiscard]] std::uint64_t rule_terms() const { return rule_terms_; }
   [[nodiscard]] RuleId rules() const { return static_cast<RuleId>(rules_.size()); }
 
   /// How much there was of everything at some moment.
@@ -235,7 +237,7 @@ class Rewriter {
   std::uint64_t version_ = 1;                         ///< grows with every rule made or undone
   std::uint32_t epoch_ = 1;                           ///< grows with every mark and undo
 
-  std::uint64_t terms_read_ = 0;
+  std::uint64_t terms_read_ = 0, rule_terms_ = 0;
 
   TorsionCore<R> core_;
   std::set<Symbol> unsettled_;

@@ -153,10 +153,10 @@ class CollapsePlanner {
     return static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), v) - vertices.begin());
   }
 
+  /// If there is a vertex between the two in the order of the cell, then the edges from it to them are merged in
+  /// different orders: it need not be looked at here.
   void squash(CellId cell, const std::vector<VertexId>& vertices) {
-    const auto [low, high] =
-        std::minmax({place(vertices, change_.collapse->gone), place(vertices, change_.collapse->kept)});
-    change_.keeps_orders = change_.keeps_orders && high == low + 1;
+    const std::size_t low = std::min(place(vertices, change_.collapse->gone), place(vertices, change_.collapse->kept));
     const CellId face = structure_.find(structure_.faces_as_created(cell)[low]);
     merges_.push_back({cell, none, {face, structure_.type_id(cell), Degeneracy{1} << low}});
   }

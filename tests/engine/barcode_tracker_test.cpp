@@ -6,6 +6,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/random_towers.hpp"
 #include "tests/support/ranks.hpp"
+#include "tests/support/tracked_towers.hpp"
 
 namespace sesame {
 namespace {

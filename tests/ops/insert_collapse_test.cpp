@@ -214,6 +214,28 @@ TEST_CASE("the work of a collapse is that of the smaller star, in both direction
   CHECK(work[1] < 60);
 }
 
+TEST_CASE("a cell that is merged again and again is never far from what it is", "[ops][cost]") {
+  Workshop shop;
+  carry_out(shop, insert({"x", "v0"}));
+  const CellId first = shop.cell("{v0,x}");
+  for (int k = 1; k <= 9; ++k) {  // each time into a vertex with a larger star
+    const std::string next = "v" + std::to_string(k);
+    carry_out(shop, insert({"x", next}));
+    for (int j = 0; j < 3 << k; ++j) {
+      carry_out(shop, insert({next, "y" + std::to_string((4 << k) + j)}));
+    }
+    carry_out(shop, collapse("v" + std::to_string(k - 1), next));
+    CHECK(shop.structure().abstract().vertex(shop.structure().abstract().label(next)) ==
+          shop.last_plan().abstract->collapse->kept);
+    int steps = 0;
+    for (CellId c = first; shop.structure().parent(c) != c; c = shop.structure().parent(c)) {
+      ++steps;
+    }
+    REQUIRE(steps <= 1);
+  }
+  CHECK(shop.structure().members(shop.cell("{v9,x}")) == 10);
+}
+
 TEST_CASE("refused insertions say what would be right, and change nothing", "[ops]") {
   Workshop shop;
   insert_all(shop, {{"a", "b", "c"}, {"c", "u"}});

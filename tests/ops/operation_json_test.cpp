@@ -139,8 +139,8 @@ TEST_CASE("an unknown field is named, in every op", "[ops]") {
         R"({"op":"degenerate","cell":"t","along":0,"odd":1})", R"({"op":"deidentify","split":[],"odd":1})",
         R"({"op":"deidentify","split":[{"cell":"x","as":"y","moves":[],"odd":1}]})",
         R"({"op":"insert","simplex":[1],"odd":1})", R"({"op":"collapse","from":1,"to":2,"odd":1})",
-        R"({"op":"expect","odd":1})",
-        R"({"op":"class","chain":[],"odd":1})", R"({"op":"undo","odd":1})", R"({"op":"note","text":"","odd":1})"}) {
+        R"({"op":"expect","odd":1})", R"({"op":"class","chain":[],"odd":1})", R"({"op":"undo","odd":1})",
+        R"({"op":"note","text":"","odd":1})"}) {
     CHECK_THAT(complaint(line), Contains("unknown field \"odd\"") && Contains("its fields are"));
   }
 }

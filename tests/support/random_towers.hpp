@@ -6,10 +6,8 @@
 #include <cstdint>
 #include <random>
 #include <set>
-#include <span>
 #include <vector>
 
-#include "engine/barcode_tracker.hpp"
 #include "ops/tower_complex.hpp"
 
 namespace sesame::tests {
@@ -97,20 +95,13 @@ inline std::vector<TowerStep> random_tower(std::uint32_t seed, std::size_t steps
   return tower;
 }
 
-/// Applies a step to a complex, and tells trackers of it.
-inline void apply(const TowerStep& step, ops::TowerComplex& complex, std::span<engine::BarcodeTracker* const> trackers,
-                  double time) {
+/// Applies a step to a complex.
+inline void apply(const TowerStep& step, ops::TowerComplex& complex) {
   if (step.is_contraction) {
-    const ops::TowerComplex::Changes& changes = *complex.plan_contraction(step.labels[0], step.labels[1]).value();
-    for (engine::BarcodeTracker* tracker : trackers) {
-      tracker->contract(complex, changes, time);
-    }
+    static_cast<void>(complex.plan_contraction(step.labels[0], step.labels[1]).value());
     complex.contract();
-    return;
-  }
-  const ops::TowerComplex::Slot slot = complex.include(step.labels).value();
-  for (engine::BarcodeTracker* tracker : trackers) {
-    tracker->include(static_cast<int>(step.labels.size()) - 1, slot, complex.facets(), time);
+  } else {
+    static_cast<void>(complex.include(step.labels).value());
   }
 }
 
