@@ -73,16 +73,15 @@ class Tracker final : public BarcodeTracker {
     }
     below_.clear();
     for (Level& level : levels_) {
-      if (level.dropped > level.refs.size() + most_dropped) {
+      if (level.space.nodes() > 2 * (level.space.alive() + level.refs.size()) + most_idle) {
         level.space.retire(level.refs);
-        level.dropped = 0;
       }
     }
   }
 
   void prefetch(const ops::ColumnComplex& complex, std::span<const std::uint64_t> far,
                 std::span<const std::uint64_t> near) const override {
-    if (levels_.empty()) {
+    if (levels_.empty() || levels_[0].refs.empty()) {
       return;
     }
     const std::vector<ClassRef>& refs = levels_[0].refs;
@@ -134,14 +133,13 @@ class Tracker final : public BarcodeTracker {
   }
 
  private:
-  /// References that are given up before the nodes that they held are looked for.
-  static constexpr std::size_t most_dropped = 4096;
+  /// Nodes that nobody needs are looked for when there are as many again as can be needed, and so many more.
+  static constexpr std::size_t most_idle = 4096;
 
   struct Level {
     explicit Level(R ring) : space{ring} {}
     ClassSpace<R> space;
     std::vector<ClassRef> refs;  ///< per slot
-    std::size_t dropped = 0;
   };
 
   [[nodiscard]] std::vector<ClassRef>& refs_of(std::size_t dimension) {
@@ -200,10 +198,8 @@ class Tracker final : public BarcodeTracker {
     ClassRef& ref = level.refs[change.slot];
     if (change.fate == TowerComplex::Fate::renamed) {
       if (!below_.empty()) {
-        const std::size_t before = level.space.nodes();
         sum_with_shifts(complex, d, change);
         ref = level.space.sum_is_zero() ? ClassRef{} : ClassRef{level.space.keep_sum()};
-        level.dropped += level.space.nodes() - before;
       }
       ref = change.is_reversed ? -ref : ref;
       return;
@@ -216,9 +212,6 @@ class Tracker final : public BarcodeTracker {
     }
     if (change.fate == TowerComplex::Fate::merged) {
       add(level.space, level.refs[change.survivor], !change.is_reversed);
-    }
-    if (!ref.is_zero()) {
-      ++level.dropped;
     }
     ref = ClassRef{};
     if (!level.space.sum_is_zero()) {

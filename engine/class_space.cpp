@@ -30,11 +30,10 @@ template <Ring R>
 std::span<const ClassTerm<R>> ClassSpace<R>::terms(const Record& record) const {
   if constexpr (has_inline_terms) {
     if (record.size == 1) {
-      static_assert(sizeof(TermType) == sizeof(record.at));
-      return {reinterpret_cast<const TermType*>(&record.at), 1};
+      return {&record.at, 1};
     }
   }
-  return {pool_.data() + record.at, record.size};
+  return {pool_.data() + record.at.node, record.size};
 }
 
 template <Ring R>
@@ -46,16 +45,16 @@ void ClassSpace<R>::store(Record& record, std::span<const TermType> terms) {
   record.size = size;
   if constexpr (has_inline_terms) {
     if (size == 1) {
-      record.at = terms[0].node;
+      record.at = terms[0];
       return;
     }
   }
   if (size <= room) {
-    std::copy(terms.begin(), terms.end(), pool_.begin() + record.at);
+    std::copy(terms.begin(), terms.end(), pool_.begin() + record.at.node);
     garbage_ -= size;
   } else {
     expects(pool_.size() + size < UINT32_MAX, "fewer than 2^32 terms of classes are held");
-    record.at = static_cast<std::uint32_t>(pool_.size());
+    record.at = {static_cast<std::uint32_t>(pool_.size())};
     pool_.insert(pool_.end(), terms.begin(), terms.end());
   }
 }
@@ -63,7 +62,7 @@ void ClassSpace<R>::store(Record& record, std::span<const TermType> terms) {
 template <Ring R>
 typename ClassSpace<R>::Node ClassSpace<R>::add(double birth) {
   expects(nodes_.size() < ClassRef::most_nodes, "fewer than 2^31 classes are held");
-  nodes_.push_back({0, alive_mark});
+  nodes_.push_back({{0}, alive_mark});
   births_.push_back(birth);
   ++alive_;
   return static_cast<Node>(nodes_.size() - 1);
@@ -158,7 +157,8 @@ typename ClassSpace<R>::Node ClassSpace<R>::kill_sum() {
   }
   store(nodes_[youngest], std::span<const TermType>{sum_}.subspan(1));
   --alive_;
-  if (garbage_ > pool_.size() / 2 && pool_.size() > (std::size_t{1} << 16)) {
+  // Compaction walks the nodes and the pool, so it waits until there is that much to gain.
+  if (garbage_ > pool_.size() / 2 && garbage_ > nodes_.size() / 4 + (std::size_t{1} << 15)) {
     compact_pool();
   }
   return youngest;
@@ -168,7 +168,7 @@ template <Ring R>
 typename ClassSpace<R>::Node ClassSpace<R>::keep_sum() {
   expects(!sum_.empty(), "a class that is 0 needs no node");
   expects(nodes_.size() < ClassRef::most_nodes, "fewer than 2^31 classes are held");
-  nodes_.push_back({0, alive_mark});
+  nodes_.push_back({{0}, alive_mark});
   births_.push_back(0);
   store(nodes_.back(), sum_);
   return static_cast<Node>(nodes_.size() - 1);
@@ -231,8 +231,8 @@ void ClassSpace<R>::compact_pool() {
   for (Record& record : nodes_) {
     if (record.size != alive_mark && !(has_inline_terms && record.size == 1)) {
       const auto at = static_cast<std::uint32_t>(fresh.size());
-      fresh.insert(fresh.end(), pool_.begin() + record.at, pool_.begin() + record.at + record.size);
-      record.at = at;
+      fresh.insert(fresh.end(), pool_.begin() + record.at.node, pool_.begin() + record.at.node + record.size);
+      record.at = {at};
     }
   }
   pool_.swap(fresh);
@@ -270,9 +270,9 @@ void ClassSpace<R>::retire(std::span<ClassRef> refs) {
     if (record.size != alive_mark) {
       const std::span<const TermType> value = terms(record);
       if (has_inline_terms && record.size == 1) {
-        record.at = number[value[0].node];
+        record.at = {number[value[0].node]};
       } else {
-        record.at = static_cast<std::uint32_t>(fresh.size());
+        record.at = {static_cast<std::uint32_t>(fresh.size())};
         for (const TermType& each : value) {
           fresh.push_back(term(number[each.node], coefficient(each)));
         }

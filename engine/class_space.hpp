@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "sparse/ring.hpp"
@@ -93,12 +94,12 @@ class ClassSpace {
 
  private:
   static constexpr std::uint32_t alive_mark = UINT32_MAX;
-  /// Over Z/2 a sum of one term is held in the record itself: `at` is its node.
+  /// Over Z/2 a sum of one term is held in the record itself.
   struct Record {
-    std::uint32_t at;    ///< of the first term in pool_
-    std::uint32_t size;  ///< the number of terms, or alive_mark
+    ClassTerm<sparse::Z2> at;  ///< that term; else its number is where the first term is in pool_
+    std::uint32_t size;        ///< the number of terms, or alive_mark
   };
-  static constexpr bool has_inline_terms = sizeof(TermType) == sizeof(std::uint32_t);
+  static constexpr bool has_inline_terms = std::is_same_v<TermType, ClassTerm<sparse::Z2>>;
 
   [[nodiscard]] std::span<const TermType> terms(const Record& record) const;
   [[nodiscard]] bool is_fresh(Node node) const;

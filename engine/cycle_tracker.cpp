@@ -1,12 +1,12 @@
 #include "engine/cycle_tracker.hpp"
 
 #include <algorithm>
-#include <queue>
+#include <optional>
 #include <tuple>
 #include <variant>
 
-#include "engine/accumulator.hpp"
 #include "engine/class_space.hpp"
+#include "engine/descending_sum.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::engine {
@@ -20,8 +20,7 @@ using TermRange = std::pair<std::uint64_t, std::uint32_t>;  ///< the first one, 
 template <Ring R>
 class Tracker final : public CycleTracker {
  public:
-  Tracker(R ring, OnBar on_bar)
-      : ring_{ring}, any_ring_{ring}, on_bar_{std::move(on_bar)}, sum_{ring}, expansion_{ring} {}
+  Tracker(R ring, OnBar on_bar) : ring_{ring}, any_ring_{ring}, on_bar_{std::move(on_bar)}, sum_{ring} {}
 
   void include(int dimension, Slot slot, std::span<const Slot> facets, double time) override {
     times_.push_back(time);
@@ -98,17 +97,15 @@ class Tracker final : public CycleTracker {
 
   [[nodiscard]] InclusionChain cycle(const TracedBar& bar) override {
     if (bar.bar.death == never) {
-      const TermRange range = kept_[bar.birth];
-      const Terms<R> boundary(terms_.begin() + static_cast<std::ptrdiff_t>(range.first),
-                              terms_.begin() + static_cast<std::ptrdiff_t>(range.first + range.second));
+      const std::span<const TermType> kept = kept_terms(generators_[bar.birth]);
+      const Terms<R> boundary(kept.begin(), kept.end());
       std::vector<Addition> additions{{bar.birth, ring_.one()}};
       reduce(boundary, [&](Generator killer, const typename R::Element& factor) {
         additions.push_back({killer, factor});
       });
       return expand(additions);
     }
-    const TermRange range = kept_[bar.death];
-    return inclusions(std::span{terms_}.subspan(range.first, range.second));
+    return inclusions(kept_terms(generators_[bar.birth]));
   }
 
   [[nodiscard]] InclusionChain bounded_chain(const TracedBar& bar) override {
@@ -127,6 +124,8 @@ class Tracker final : public CycleTracker {
 
   /// A generator of the big complex.
   struct Cell {
+    std::uint64_t first_term;  ///< in terms_: of its boundary while it is alive, of R(partner) once it is dead
+    std::uint32_t terms;
     Generator partner;  ///< what killed it, or alive_mark, or negative_mark: it killed another one
     std::uint32_t operation;
     std::uint32_t inclusion;  ///< no_inclusion when it is that of a merged or squashed simplex
@@ -177,12 +176,12 @@ class Tracker final : public CycleTracker {
 
   /// The next generator, whose boundary is boundary_.
   void append(std::size_t dimension, std::uint32_t inclusion) {
-    sparse::expects(generators_.size() < negative_mark, "fewer than 2^32 - 2 generators");
+    sparse::expects(std::max(generators_.size(), times_.size()) < negative_mark, "fewer than 2^32 - 2 generators");
     sparse::normalize(ring_, boundary_);
     const auto b = static_cast<Generator>(generators_.size());
     const auto operation = static_cast<std::uint32_t>(times_.size() - 1);
-    generators_.push_back({alive_mark, operation, inclusion, static_cast<std::uint8_t>(dimension)});
-    kept_.emplace_back(terms_.size(), static_cast<std::uint32_t>(boundary_.size()));
+    generators_.push_back({terms_.size(), static_cast<std::uint32_t>(boundary_.size()), alive_mark, operation,
+                           inclusion, static_cast<std::uint8_t>(dimension)});
     added_.emplace_back(additions_.size(), 0);
     scale_.push_back(ring_.one());
     if (!is_killer(dimension)) {
@@ -234,51 +233,51 @@ class Tracker final : public CycleTracker {
   /// when it was born: all classes in its boundary were dead by then.
   template <class Note>
   void reduce(std::span<const TermType> boundary, Note&& note) {
-    heap_.clear();
     for (const TermType& each : boundary) {
       add_term(each.index, ring_.one(), each.coefficient);
     }
-    while (!heap_.empty()) {
-      std::ranges::pop_heap(heap_);
-      const Generator top = heap_.back();
-      heap_.pop_back();
-      const typename R::Element value = sum_.take(top);
-      if (ring_.is_zero(value)) {
-        continue;
-      }
-      const Generator killer = generators_[top].partner;
+    column_.clear();
+    std::optional<TermType> top = sum_.take();
+    for (; top; top = sum_.take()) {
+      const Cell& cell = generators_[top->index];
+      const Generator killer = cell.partner;
       sparse::expects(killer != negative_mark, "the youngest generator of a cycle is a class");
       if (killer == alive_mark) {
-        sum_.add_product(top, value, ring_.one());
         break;
       }
-      // R(killer) ends with 1 times `top`.
-      const TermRange range = kept_[killer];
-      const typename R::Element factor = ring_.negate(value);
-      for (const TermType& each : std::span{terms_}.subspan(range.first, range.second - 1)) {
+      // R(killer) ends with 1 times this generator.
+      const typename R::Element factor = ring_.negate(top->coefficient);
+      for (const TermType& each : kept_terms(cell).first(cell.terms - 1)) {
         add_term(each.index, factor, each.coefficient);
       }
       note(killer, factor);
     }
-    sum_.finish(column_);
+    for (; top; top = sum_.take()) {
+      column_.push_back(*top);
+    }
+    std::ranges::reverse(column_);
+  }
+
+  [[nodiscard]] std::span<const TermType> kept_terms(const Cell& cell) const {
+    return {terms_.data() + cell.first_term, cell.terms};
   }
 
   void add_term(Generator generator, const typename R::Element& factor, const typename R::Element& coefficient) {
     ++terms_touched_;
-    if (sum_.add_product(generator, factor, coefficient)) {
-      heap_.push_back(generator);
-      std::ranges::push_heap(heap_);
-    }
+    __builtin_prefetch(generators_.data() + generator);  // it may be the youngest some time soon
+    sum_.add_product(generator, factor, coefficient);
   }
 
   /// Keeps the reduced boundary of b, made to end with 1 times the pivot, and notes the bar.
   void kill(Generator pivot, Generator b) {
+    const std::uint64_t first_term = terms_.size();
     scale_[b] = ring_.inverse(column_.back().coefficient);
-    kept_[b] = {terms_.size(), static_cast<std::uint32_t>(column_.size())};
     for (const TermType& each : column_) {
       terms_.push_back({each.index, ring_.multiply(scale_[b], each.coefficient)});
     }
     Cell& dead = generators_[pivot];
+    dead.first_term = first_term;
+    dead.terms = static_cast<std::uint32_t>(column_.size());
     dead.partner = b;
     generators_[b].partner = negative_mark;
     --alive_[dead.dimension];
@@ -356,30 +355,18 @@ class Tracker final : public CycleTracker {
 
   /// The sum of multiples of V(b): younger generators first, so that each is expanded once.
   [[nodiscard]] InclusionChain expand(std::span<const Addition> sum) {
-    std::priority_queue<Generator> pending;
     for (const Addition& each : sum) {
-      if (expansion_.add_product(each.killer, ring_.one(), each.factor)) {
-        pending.push(each.killer);
-      }
+      sum_.add_product(each.killer, ring_.one(), each.factor);
     }
     Terms<R> found;
-    while (!pending.empty()) {
-      const Generator top = pending.top();
-      pending.pop();
-      const typename R::Element value = expansion_.take(top);
-      if (ring_.is_zero(value)) {
-        continue;
-      }
-      const typename R::Element scaled = ring_.multiply(value, scale_[top]);
-      found.push_back({top, scaled});
-      const TermRange range = added_[top];
+    while (const std::optional<TermType> top = sum_.take()) {
+      const typename R::Element scaled = ring_.multiply(top->coefficient, scale_[top->index]);
+      found.push_back({top->index, scaled});
+      const TermRange range = added_[top->index];
       for (const Addition& each : std::span{additions_}.subspan(range.first, range.second)) {
-        if (expansion_.add_product(each.killer, scaled, each.factor)) {
-          pending.push(each.killer);
-        }
+        sum_.add_product(each.killer, scaled, each.factor);
       }
     }
-    expansion_.finish(column_);
     std::ranges::reverse(found);
     return inclusions(found);
   }
@@ -395,17 +382,16 @@ class Tracker final : public CycleTracker {
   std::uint64_t hidden_ = 0;
   std::uint64_t terms_touched_ = 0;
   std::uint32_t inclusions_ = 0;
-  // Per generator b that killed a class: V(b) = scale (b + sum factor V(killer)), and R(b) = dV(b) with the youngest
-  // term last, coefficient 1. For the others the boundary is kept.
-  std::vector<TermRange> kept_, added_;
+  // Per generator b that killed a class: V(b) = scale (b + sum factor V(killer)). R(b) = dV(b) has the youngest term
+  // last, coefficient 1.
+  std::vector<TermRange> added_;
   std::vector<typename R::Element> scale_;
   Terms<R> terms_;
   std::vector<Addition> additions_;
   std::vector<std::vector<Image>> images_;  ///< per dimension and slot
   std::vector<Terms<R>> corrections_;
   std::vector<Shift> shifts_, below_;
-  Accumulator<R> sum_, expansion_;
-  std::vector<Generator> heap_;  ///< of the terms of sum_, the youngest on top
+  DescendingSum<R> sum_;
   Terms<R> boundary_, column_;
   std::vector<Level> levels_;
   std::vector<Node> nodes_;  ///< per generator: its class, or no_node

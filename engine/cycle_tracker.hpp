@@ -34,7 +34,7 @@ class CycleTracker : public BarcodeTracker {
     std::uint32_t birth, death;  ///< the generators; death is that of the birth when the bar is open
   };
 
-  /// All bars so far, those of length 0 too, by dimension, birth and death.
+  /// All bars so far, by dimension, birth and death; those of length 0 too, but not what one operation bears and kills.
   [[nodiscard]] virtual std::vector<TracedBar> bars() const = 0;
   /// A cycle that is born with a bar, and dies with it.
   [[nodiscard]] virtual InclusionChain cycle(const TracedBar& bar) = 0;

@@ -208,8 +208,7 @@ Result<Barcode> Engine::barcode() const {
   Barcode barcode;
   for (const Lifetime& life : tracker_->lifetimes()) {
     if (life.born == life.died) {
-      ++barcode.hidden;
-      continue;
+      continue;  // born and dead within one step: no class of any space; two steps never have one time
     }
     const double death = life.died == Lifetime::never ? never : static_cast<double>(steps_[life.died]);
     barcode.bars.push_back({life.degree, static_cast<double>(steps_[life.born]), death});

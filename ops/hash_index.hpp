@@ -18,7 +18,8 @@ namespace sesame::ops {
 
 /// Numbers below 2^32 - 1, each under a 64-bit hash. Two numbers may have one hash: the caller compares the keys.
 /// Open addressing with linear probing; one word an entry, and no marks of what was erased.
-/// Cost of every operation: O(1) expected, for hashes whose upper halves are spread.
+/// Cost of every operation: O(1) expected, for hashes whose upper halves are spread (nobody chose the keys for theirs
+/// not to be).
 class HashIndex {
  public:
   static constexpr std::uint32_t nothing = UINT32_MAX;

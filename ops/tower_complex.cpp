@@ -51,6 +51,7 @@ Result<TowerComplex::Slot> TowerComplex::include_vertex(Label label) {
   }
   Vertex v;
   if (free_vertices_.empty()) {
+    sparse::expects(label_of_.size() < nothing, "fewer than 2^32 vertices");
     v = static_cast<Vertex>(label_of_.size());
     label_of_.push_back(label);
     is_vertex_.push_back(true);
@@ -150,6 +151,7 @@ TowerComplex::Layer& TowerComplex::layer_for(std::size_t dimension) {
 TowerComplex::Slot TowerComplex::add_simplex(Layer& layer, std::uint64_t hash) {
   Slot slot;
   if (layer.free.empty()) {
+    sparse::expects(layer.vertices.size() < nothing - layer.stride, "fewer than 2^32 incidences in a dimension");
     slot = static_cast<Slot>(layer.vertices.size() / layer.stride);
     layer.vertices.insert(layer.vertices.end(), vertices_.begin(),
                           vertices_.begin() + static_cast<std::ptrdiff_t>(layer.stride));
