@@ -18,6 +18,7 @@ namespace sesame::replay {
 struct DrawingOptions {
   std::string title;                    ///< empty: the source's name, or else "Barcode"
   std::string time_name = "operation";  ///< what births and deaths count, for the axes
+  double min_length = 0;                ///< shorter bars are left out, but for the Betti curves
 };
 
 /// All three pictures in one file: the bars, and below them the diagram beside the Betti curves.

@@ -84,17 +84,6 @@ void add_barcode_fields(TextBuffer& text, const Barcode& barcode, const Provenan
   text.add(R"(,"version":")" SESAME_VERSION "\"");
 }
 
-void write_barcode_json(std::ostream& out, const Barcode& barcode, const Provenance& provenance,
-                        std::optional<double> seconds) {
-  TextBuffer text(out);
-  text.add('{');
-  add_barcode_fields(text, barcode, provenance);
-  if (seconds) {
-    text.add(R"(,"seconds":)").add_number(*seconds);
-  }
-  text.add("}\n");
-}
-
 void write_betti_csv(std::ostream& out, const Barcode& barcode, const Provenance& provenance) {
   TextBuffer text(out);
   text.add("# ").add(provenance_line(barcode, provenance)).add("\ntime");

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <istream>
-#include <optional>
 #include <ostream>
 #include <string>
 
@@ -46,10 +45,6 @@ void write_pers(std::ostream& out, const engine::Barcode& barcode, const Provena
 /// The fields of a JSON object, without the braces: ring, ops, bars ([dim,birth,death], death null when essential),
 /// hidden, source and version.
 void add_barcode_fields(TextBuffer& text, const engine::Barcode& barcode, const Provenance& provenance);
-
-/// One object on one line: these fields and, when it is given, seconds.
-void write_barcode_json(std::ostream& out, const engine::Barcode& barcode, const Provenance& provenance,
-                        std::optional<double> seconds);
 
 /// A comment line with the provenance, the header `time,b0,b1,...` and a row for each time at which a Betti number
 /// changes; see for_each_betti_change.

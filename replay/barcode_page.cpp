@@ -2,6 +2,7 @@
 
 #include "replay/barcode_drawing.hpp"
 #include "replay/barcode_sheet.hpp"
+#include "replay/bars.hpp"
 #include "replay/text_buffer.hpp"
 
 namespace sesame::replay {
@@ -74,26 +75,27 @@ std::string figure(const Panel& panel, const Barcode& barcode, const std::string
 
 void write_html(std::ostream& out, const Barcode& barcode, const Provenance& provenance,
                 const DrawingOptions& options) {
+  const Barcode shown = without_shorter(barcode, options.min_length);
   const std::string title = xml_escaped(title_of(provenance, options));
   std::string facts_line;
-  for (const std::string& fact : facts(barcode, provenance, options)) {
+  for (const std::string& fact : facts(shown, barcode.bars.size() - shown.bars.size(), provenance, options)) {
     facts_line += (facts_line.empty() ? "" : " \u00B7 ") + xml_escaped(fact);
   }
-  const std::vector<Bar> listed = longest_bars(barcode, bars_listed);
-  const bool lists_all = listed.size() == barcode.bars.size();
+  const std::vector<Bar> listed = longest_bars(shown, bars_listed);
+  const bool lists_all = listed.size() == shown.bars.size();
   out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" << title
       << "</title>\n<style>\n"
       << svg_style(false) << page_style << svg_style(true) << "}\n</style>\n</head>\n<body>\n<h1>" << title
       << "</h1>\n<p class=\"facts\">" << facts_line << "</p>\n"
-      << figure(barcode_panel(barcode, options.time_name, 920), barcode, "Barcode")
-      << figure(diagram_panel(barcode, options.time_name, 640), barcode, "Persistence diagram")
+      << figure(barcode_panel(shown, options.time_name, 920), shown, "Barcode")
+      << figure(diagram_panel(shown, options.time_name, 640), shown, "Persistence diagram")
       << figure(betti_panel(barcode, options.time_name, 920, 380), barcode, "Betti numbers")
       << "<div class=\"tables\">\n<div>\n<h2>Dimensions</h2>\n"
-      << dimension_table(barcode) << "</div>\n<div>\n<h2>"
+      << dimension_table(shown) << "</div>\n<div>\n<h2>"
       << (lists_all ? "All bars"
                     : fmt::format("The {} longest bars of {}, each dimension with its share", listed.size(),
-                                  with_separators(barcode.bars.size())))
+                                  with_separators(shown.bars.size())))
       << "</h2>\n"
       << bar_table(listed) << "</div>\n</div>\n</body>\n</html>\n";
 }

@@ -5,6 +5,7 @@
 
 #include "replay/axis.hpp"
 #include "replay/barcode_panels.hpp"
+#include "replay/bars.hpp"
 #include "replay/svg.hpp"
 
 namespace sesame::replay {
@@ -46,9 +47,10 @@ class BarcodePanel {
   Panel drawn() && {
     svg_.text(0, 16, Anchor::start, "panel", "Barcode");
     if (bars_.size() < all_) {
-      svg_.text(width_, 16, Anchor::end, "faint",
-                fmt::format("the {} longest of {} bars; {} shorter ones are left out", with_separators(bars_.size()),
-                            with_separators(all_), with_separators(all_ - bars_.size())));
+      svg_.text(
+          width_, 16, Anchor::end, "faint",
+          fmt::format("the longest of each dimension: {} of {} bars; {} are left out", with_separators(bars_.size()),
+                      with_separators(all_), with_separators(all_ - bars_.size())));
     }
     Svg bars;
     const double bottom = draw_bars(bars);

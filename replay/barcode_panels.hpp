@@ -31,11 +31,4 @@ using TimeName = std::string;
 /// some curve would else be too flat to be seen. The size of the picture is bounded by its width.
 [[nodiscard]] Panel betti_panel(const engine::Barcode& barcode, const TimeName& time, double width, double height);
 
-/// Up to `most` bars, in their order: each dimension gets an equal share at least, as far as it has bars, and within
-/// its share, and of what the others leave, the longest are taken; of equal length the earlier.
-[[nodiscard]] std::vector<engine::Bar> longest_bars(const engine::Barcode& barcode, std::size_t most);
-
-/// "[2, 7)", "[2, \u221e)".
-[[nodiscard]] std::string interval_text(const engine::Bar& bar);
-
 }  // namespace sesame::replay

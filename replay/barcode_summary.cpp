@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "replay/svg.hpp"
+#include "replay/text_buffer.hpp"
 #include "sesame/version.hpp"
 
 namespace sesame::replay {
@@ -33,7 +34,7 @@ std::string title_of(const Provenance& provenance, const DrawingOptions& options
   return provenance.source.empty() ? "Barcode" : provenance.source;
 }
 
-std::vector<std::string> facts(const engine::Barcode& barcode, const Provenance& provenance,
+std::vector<std::string> facts(const engine::Barcode& barcode, std::uint64_t shorter, const Provenance& provenance,
                                const DrawingOptions& options) {
   const auto essential = static_cast<std::uint64_t>(std::count_if(
       barcode.bars.begin(), barcode.bars.end(), [](const engine::Bar& bar) { return bar.death == engine::never; }));
@@ -41,6 +42,10 @@ std::vector<std::string> facts(const engine::Barcode& barcode, const Provenance&
                                  fmt::format("{}, of which {} never end{}", counted(barcode.bars.size(), "bar"),
                                              with_separators(essential), essential == 1 ? "s" : ""),
                                  counted(barcode.hidden, "bar") + " of length 0 left out"};
+  if (shorter > 0) {
+    facts.push_back(
+        fmt::format("{} shorter than {} left out", counted(shorter, "bar"), number_text(options.min_length)));
+  }
   if (!provenance.source.empty() && !options.title.empty()) {
     facts.push_back("from " + provenance.source);
   }

@@ -23,9 +23,9 @@ struct DimensionSummary {
 [[nodiscard]] std::string title_of(const Provenance& provenance, const DrawingOptions& options);
 
 /// The provenance and the numbers of bars in pieces: "coefficients Z/2", "1,234 operations", ... What the title says
-/// is not said again.
-[[nodiscard]] std::vector<std::string> facts(const engine::Barcode& barcode, const Provenance& provenance,
-                                             const DrawingOptions& options);
+/// is not said again. `shorter`: how many bars have been left out as shorter than the options want them.
+[[nodiscard]] std::vector<std::string> facts(const engine::Barcode& barcode, std::uint64_t shorter,
+                                             const Provenance& provenance, const DrawingOptions& options);
 
 /// "1 bar", "1,234 bars".
 [[nodiscard]] std::string counted(std::uint64_t n, const std::string& thing);

@@ -15,7 +15,24 @@ namespace sesame::replay {
 namespace {
 
 constexpr std::size_t first_window = std::size_t{1} << 18;
-constexpr std::string_view gzip_magic = "\x1F\x8B";
+constexpr std::string_view gzip_magic = "\x1F\x8B\x08";
+constexpr std::size_t gzip_head = 16;
+
+/// Whether more bytes are needed to know what these are the beginning of.
+bool may_become_gzip(std::string_view bytes) {
+  return bytes.size() < gzip_head && bytes.substr(0, gzip_magic.size()) == gzip_magic.substr(0, bytes.size());
+}
+
+/// A binary boundary matrix of 559903 columns, or of some larger numbers, has this magic too. It goes on with the
+/// dimension of its first column, whose upper bytes are 0; gzip data do not, as no deflate block begins so.
+bool is_gzip(std::string_view bytes) {
+  constexpr std::size_t flags_at = 3, dimension_at = 10;
+  constexpr unsigned reserved_flags = 0xE0;
+  if (!bytes.starts_with(gzip_magic)) return false;
+  if (bytes.size() > flags_at && (static_cast<unsigned char>(bytes[flags_at]) & reserved_flags) != 0) return false;
+  return bytes.size() < gzip_head ||
+         bytes.substr(dimension_at, gzip_head - dimension_at).find_first_not_of('\0') != std::string_view::npos;
+}
 
 class FileDescriptor {
  public:
@@ -126,12 +143,12 @@ Result<ByteSource> ByteSource::open(const std::string& path, const std::atomic<b
   const int descriptor = is_standard_input ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return Error{Errc::io, "cannot read " + name + ": " + std::strerror(errno)};
   ByteSource source(name, std::make_unique<Input>(name, descriptor, stop));
-  while (source.window().size() < gzip_magic.size()) {
+  while (may_become_gzip(source.window())) {
     const Result<bool> got = source.more();
     if (!got) return got.error();
     if (!*got) break;
   }
-  if (source.window().starts_with(gzip_magic)) {
+  if (is_gzip(source.window())) {
     source.input_ = std::make_unique<GzipInput>(name, std::move(source.input_), source.window(), stop);
     source.begin_ = source.end_ = 0;
   }
@@ -158,11 +175,10 @@ Result<bool> ByteSource::more() {
   return *got > 0;
 }
 
-namespace {
-
-class SourceBuffer final : public std::streambuf {
+class SourceStream::Buffer final : public std::streambuf {
  public:
-  explicit SourceBuffer(ByteSource source) : source_{std::move(source)} {}
+  Buffer(ByteSource source, std::ios& stream) : source_{std::move(source)}, stream_{stream} {}
+  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
  protected:
   int_type underflow() override {
@@ -170,6 +186,10 @@ class SourceBuffer final : public std::streambuf {
     handed_out_ = 0;
     if (source_.window().empty()) {
       const Result<bool> got = source_.more();
+      if (!got) {
+        error_ = got.error();
+        stream_.setstate(std::ios::badbit);
+      }
       if (!got || !*got) return traits_type::eof();
     }
     piece_ = source_.window();
@@ -180,22 +200,18 @@ class SourceBuffer final : public std::streambuf {
 
  private:
   ByteSource source_;
+  std::ios& stream_;
+  std::optional<Error> error_;
   std::string piece_;  ///< a copy, since a stream buffer may be written to
   std::size_t handed_out_ = 0;
 };
 
-class SourceStream final : public std::istream {
- public:
-  explicit SourceStream(ByteSource source) : std::istream{nullptr}, buffer_{std::move(source)} { rdbuf(&buffer_); }
-
- private:
-  SourceBuffer buffer_;
-};
-
-}  // namespace
-
-std::unique_ptr<std::istream> ByteSource::as_stream(ByteSource source) {
-  return std::make_unique<SourceStream>(std::move(source));
+SourceStream::SourceStream(ByteSource source)
+    : std::istream{nullptr}, buffer_{std::make_unique<Buffer>(std::move(source), *this)} {
+  rdbuf(buffer_.get());
 }
+SourceStream::~SourceStream() = default;
+
+const std::optional<Error>& SourceStream::error() const { return buffer_->error(); }
 
 }  // namespace sesame::replay

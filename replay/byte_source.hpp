@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <istream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,9 +41,6 @@ class ByteSource {
   /// Errors: io when the input cannot be read; bad_input when gzip data are damaged or cut off.
   Result<bool> more();
 
-  /// All that has not been consumed, as a stream. A read that fails looks like the end of the input.
-  static std::unique_ptr<std::istream> as_stream(ByteSource source);
-
  private:
   class Input;
   class GzipInput;
@@ -56,6 +54,22 @@ class ByteSource {
   std::unique_ptr<Input> input_;
   std::vector<std::uint64_t> words_;  ///< the window lies in it; words, so that it is aligned
   std::size_t begin_ = 0, end_ = 0;   ///< of the window, in bytes
+};
+
+/// All that has not been consumed of a source, as a stream. A read that fails ends it, and makes it bad().
+class SourceStream final : public std::istream {
+ public:
+  explicit SourceStream(ByteSource source);
+  SourceStream(const SourceStream&) = delete;
+  SourceStream& operator=(const SourceStream&) = delete;
+  ~SourceStream() override;
+
+  /// Why it is bad.
+  [[nodiscard]] const std::optional<Error>& error() const;
+
+ private:
+  class Buffer;
+  std::unique_ptr<Buffer> buffer_;
 };
 
 }  // namespace sesame::replay

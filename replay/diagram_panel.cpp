@@ -6,6 +6,7 @@
 
 #include "replay/axis.hpp"
 #include "replay/barcode_panels.hpp"
+#include "replay/bars.hpp"
 #include "replay/svg.hpp"
 
 namespace sesame::replay {

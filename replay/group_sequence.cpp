@@ -2,24 +2,37 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "replay/groups.hpp"
 
 namespace sesame::replay {
 
 void GroupSequence::add(double time, const engine::Homology& homology, const sparse::AnyRing& ring) {
-  Change change{time, {homology.betti.begin(), homology.betti.end()}, homology.torsion};
+  if (present_ && present_->time != time) {
+    finish();
+  }
+  Change& change = present_.emplace(Change{time, {homology.betti.begin(), homology.betti.end()}, homology.torsion});
   while (!change.ranks.empty() && change.ranks.back() == 0 && change.torsion.back().empty()) {
     change.ranks.pop_back();
     change.torsion.pop_back();
   }
-  if (!changes_.empty() && changes_.back().ranks == change.ranks && changes_.back().torsion == change.torsion) {
+  if (lines_ != nullptr) {
+    line_ = fmt::format("{:>10}  {}\n", number_text(time), homology_line(homology, ring));
+  }
+}
+
+void GroupSequence::finish() {
+  const std::optional<Change> change = std::exchange(present_, std::nullopt);
+  if (!change ||
+      (!changes_.empty() && changes_.back().ranks == change->ranks && changes_.back().torsion == change->torsion)) {
     return;
   }
   if (lines_ != nullptr) {
-    *lines_ << fmt::format("{:>10}  {}\n", number_text(time), homology_line(homology, ring));
+    *lines_ << line_;
     changes_.clear();
   }
-  changes_.push_back(std::move(change));
+  changes_.push_back(*change);
 }
 
 void GroupSequence::add_json(TextBuffer& text) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <unordered_map>
@@ -15,13 +16,16 @@
 
 namespace sesame::replay {
 
-/// Collects or prints the groups after each operation, unless they are those before.
+/// Collects or prints the groups each time they change. All operations at one time count as one: the groups of a time
+/// are those after the last of them.
 class GroupSequence {
  public:
-  /// With `lines`, a line for each change is written there as it happens, and nothing is kept.
+  /// With `lines`, a line for each change is written there once its time is over, and nothing is kept.
   explicit GroupSequence(std::ostream* lines) : lines_{lines} {}
 
   void add(double time, const engine::Homology& homology, const sparse::AnyRing& ring);
+  /// After the last operation.
+  void finish();
   /// [[time,[{"rank":1,"torsion":[]},...]],...]: the groups from a time on, one per dimension, those that are 0 at the
   /// end left out.
   void add_json(TextBuffer& text) const;
@@ -34,6 +38,8 @@ class GroupSequence {
   };
   std::ostream* lines_;
   std::vector<Change> changes_;
+  std::optional<Change> present_;  ///< of the time that may not be over
+  std::string line_;               ///< for it
 };
 
 /// A tower of simplices in an engine, for what needs more than a field. Requires operations on simplices, not columns.

@@ -11,6 +11,12 @@
 
 namespace sesame::replay {
 
+/// A word as messages show it: in quotes, printable, and cut when it is long.
+[[nodiscard]] std::string shown(std::string_view word);
+
+/// The first line of a text without the byte order mark that may be there.
+[[nodiscard]] std::string_view without_mark(std::string_view line);
+
 /// Words lie between white space; a `#` at the beginning of a word starts a comment, which has none.
 class LineWords {
  public:

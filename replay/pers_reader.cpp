@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "replay/barcode_files.hpp"
+#include "replay/line_words.hpp"
 
 namespace sesame::replay {
 namespace {
@@ -15,7 +16,6 @@ namespace {
 using engine::Bar;
 
 constexpr std::string_view spaces = " \t\r\v\f";
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::size_t most_numbers = 4;
 
 std::string_view without_plus(std::string_view word) {
@@ -28,15 +28,6 @@ bool parse(std::string_view word, Number& value) {
   const char* const end = word.data() + word.size();
   const auto [stop, problem] = std::from_chars(word.data(), end, value);
   return problem == std::errc{} && stop == end;
-}
-
-/// A word as messages show it: printable, and cut when it is long.
-std::string shown(std::string_view word) {
-  constexpr std::size_t longest = 40;
-  std::string text{word.substr(0, longest)};
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return fmt::format("\"{}{}\"", text, word.size() > longest ? "..." : "");
 }
 
 /// Takes the lines one after the other.
@@ -153,11 +144,7 @@ Result<PersFile> read_pers(std::istream& input, const std::string& name) {
   PersReader reader(name);
   std::string text;
   for (std::uint64_t number = 1; std::getline(input, text); ++number) {
-    std::string_view line = text;
-    if (number == 1 && line.starts_with(byte_order_mark)) {
-      line.remove_prefix(byte_order_mark.size());
-    }
-    if (Status done = reader.line(line, number); !done) {
+    if (Status done = reader.line(number == 1 ? without_mark(text) : text, number); !done) {
       return done.error();
     }
   }

@@ -20,6 +20,9 @@ class Run {
   Outcome run() {
     const auto start = Clock::now();
     const Result<ops::Header> header = script_.header();
+    if (!header && is_stopped()) {
+      return Outcome::interrupted;  // before there was anything to summarise
+    }
     if (!header) {
       return fail(header.error().what, Outcome::wrong_script);
     }
@@ -27,31 +30,21 @@ class Run {
     if (!ring) {
       return fail(script_.place() + ring.error().what, Outcome::wrong_script);
     }
+    is_ring_of_header_ = sparse::ring_name(*ring) == header->ring;
     engine::Engine engine(*ring, options_.limits);
     if (options_.log != nullptr) {
       ops::Header written = *header;
       written.ring = sparse::ring_name(*ring);
       *options_.log << ops::to_text(written) << '\n' << std::flush;
     }
-    Outcome outcome = Outcome::done;
-    while (outcome == Outcome::done && !is_stopped() && (!options_.until || steps_ < *options_.until)) {
-      Result<std::optional<ops::Operation>> operation = script_.next();
-      if (!operation && is_stopped()) {
-        break;  // what was cut off is no line of the script
-      }
-      if (!operation) {
-        return fail(operation.error().what, outcome_of(operation.error().code));
-      }
-      if (!*operation) {
-        break;
-      }
-      outcome = step(engine, std::move(**operation));
-    }
-    if (outcome != Outcome::done) {
-      return outcome;
-    }
-    if (is_stopped()) {
+    Outcome outcome = all_steps(engine);
+    if (outcome == Outcome::done && is_stopped()) {
       outcome = Outcome::interrupted;
+    }
+    const bool is_summarised = outcome == Outcome::done || outcome == Outcome::interrupted ||
+                               (options_.partial && outcome != Outcome::law_failed);
+    if (!is_summarised) {
+      return outcome;
     }
     if (progress_ != nullptr) {
       progress_->clear();
@@ -66,11 +59,41 @@ class Run {
  private:
   [[nodiscard]] bool is_stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
+  Outcome all_steps(engine::Engine& engine) {
+    while (!is_stopped() && (!options_.until || steps_ < *options_.until)) {
+      Result<std::optional<ops::Operation>> operation = script_.next();
+      if (!operation && is_stopped()) {
+        break;  // what was cut off is no line of the script
+      }
+      if (!operation) {
+        return fail(operation.error().what, outcome_of(operation.error().code));
+      }
+      if (!*operation) {
+        break;
+      }
+      if (const Outcome outcome = step(engine, std::move(**operation)); outcome != Outcome::done) {
+        return outcome;
+      }
+    }
+    return Outcome::done;
+  }
+
   Outcome step(engine::Engine& engine, ops::Operation operation) {
     const auto start = Clock::now();
+    if (auto* expected = std::get_if<ops::Expect>(&operation);
+        expected != nullptr && !is_ring_of_header_ && !options_.checks_groups_over_other_rings) {
+      expected->betti.reset();
+      expected->torsion.reset();
+    }
     const Result<engine::StepReport> report = engine.apply(std::move(operation));
     if (!report) {
       return fail(script_.place() + report.error().what, outcome_of(report.error().code));
+    }
+    if (options_.needs_barcode && may_end_barcode(*report)) {
+      if (const Result<engine::Barcode> barcode = engine.barcode(); !barcode) {
+        (void)engine.apply(ops::Undo{1}).value();
+        return fail(script_.place() + barcode.error().what, Outcome::wrong_script);
+      }
     }
     ++steps_;
     if (options_.log != nullptr) {
@@ -100,6 +123,11 @@ class Run {
     return Outcome::done;
   }
 
+  /// Only then it is worth to ask.
+  static bool may_end_barcode(const engine::StepReport& report) {
+    return report.after.copies > report.before.copies || report.after.families > report.before.families;
+  }
+
   Outcome fail(const std::string& what, Outcome outcome) {
     if (progress_ != nullptr) {
       progress_->clear();
@@ -113,6 +141,7 @@ class Run {
   Reporter* reporter_;
   std::ostream& errors_;
   Progress* progress_;
+  bool is_ring_of_header_ = true;
   std::uint64_t steps_ = 0;
   std::uint64_t reported_ = 0;
 };

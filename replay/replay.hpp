@@ -33,6 +33,12 @@ struct ReplayOptions {
   std::optional<std::uint64_t> report_at_most;  ///< then report as with every = 0
   bool verify = false;
   bool generators = false;
+  /// false: under a ring other than the header's, the Betti numbers and torsion of an `expect` are not checked, since
+  /// they are those of the header's ring. Cells and Euler characteristic are.
+  bool checks_groups_over_other_rings = true;
+  /// A step without which there would be a barcode is an error of the script; see Engine::barcode.
+  bool needs_barcode = false;
+  bool partial = false;  ///< after an error of the script or a failed `expect`, summarise what was before it
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: finish the current step, then summarise
   ops::Limits limits;                       ///< of what a step may make
   std::ostream* log = nullptr;              ///< the operations applied, a line each, flushed after each

@@ -2,10 +2,10 @@
 
 #include <string_view>
 
+#include "replay/line_words.hpp"
+
 namespace sesame::replay {
 namespace {
-
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool carries_an_object(std::string_view line) {
   return !line.empty() && line.front() != '#' && line.find_first_not_of(" \t\r") != std::string_view::npos;
@@ -24,6 +24,9 @@ bool ScriptReader::read_object_line() {
     std::string part;
     std::getline(input_, part);
     text_ += part;
+    if (input_.bad()) {
+      return false;  // what was cut off is no line of the script
+    }
     if (input_.eof() && wait_for_more_) {
       if (!wait_for_more_()) {
         return false;  // an unfinished line was still being written
@@ -35,8 +38,8 @@ bool ScriptReader::read_object_line() {
       return false;
     }
     ++line_;
-    if (line_ == 1 && text_.starts_with(byte_order_mark)) {
-      text_.erase(0, byte_order_mark.size());
+    if (line_ == 1) {
+      text_ = without_mark(text_);
     }
     if (carries_an_object(text_)) {
       return true;
@@ -76,10 +79,7 @@ std::uint64_t count_operations(std::istream& input) {
   std::uint64_t objects = 0;
   std::string line;
   for (bool is_first = true; std::getline(input, line); is_first = false) {
-    if (is_first && line.starts_with(byte_order_mark)) {
-      line.erase(0, byte_order_mark.size());
-    }
-    objects += carries_an_object(line) ? 1U : 0U;
+    objects += carries_an_object(is_first ? without_mark(line) : line) ? 1U : 0U;
   }
   return objects == 0 ? 0 : objects - 1;
 }

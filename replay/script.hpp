@@ -13,7 +13,8 @@
 
 namespace sesame::replay {
 
-/// Reads a script line by line. Errors carry `NAME:LINE: what, and what would be right`.
+/// Reads a script line by line. Errors carry `NAME:LINE: what, and what would be right`. A stream that becomes bad()
+/// ends the script; why, is for its owner to say.
 class ScriptReader {
  public:
   /// `name` is what errors call the input. `wait_for_more` (optional) is called at the end of the input; while it

@@ -11,25 +11,10 @@
 namespace sesame::replay {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::size_t word_size = sizeof(std::uint64_t);
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
-/// A word as messages show it: printable, and cut when it is long.
-std::string shown(std::string_view word) {
-  constexpr std::size_t longest = 40;
-  std::string text{word.substr(0, longest)};
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return fmt::format("\"{}{}\"", text, word.size() > longest ? "..." : "");
-}
-
 bool is_operation(std::string_view word) { return word == "i" || word == "c"; }
-
-std::string_view without_mark(std::string_view line) {
-  if (line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
-  return line;
-}
 
 /// The format of an input whose first words are these; nothing when it is none.
 std::optional<TowerFormat> format_of(LineWords words) {
@@ -105,10 +90,10 @@ std::string TowerReader::place() const {
                                              : fmt::format("{}:{}: ", source_.name(), line_);
 }
 
-std::unique_ptr<std::istream> TowerReader::take_script() {
+std::unique_ptr<SourceStream> TowerReader::take_script() {
   sparse::expects(format_ == TowerFormat::script && !is_done_, "a script is taken once, and from an input that is one");
   is_done_ = true;
-  return ByteSource::as_stream(std::move(source_));
+  return std::make_unique<SourceStream>(std::move(source_));
 }
 
 Result<bool> TowerReader::next(TowerOperation& into) {

@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <istream>
 #include <memory>
 #include <optional>
 #include <span>
@@ -69,6 +68,8 @@ class TowerReader {
   /// Errors: bad_input, io.
   Result<bool> next(TowerOperation& into);
 
+  /// What messages call the input.
+  [[nodiscard]] const std::string& name() const { return source_.name(); }
   /// Never automatic.
   [[nodiscard]] TowerFormat format() const { return format_; }
   /// Of the last operation: its line, counted from 1; in phat_binary its column, counted from 0.
@@ -79,7 +80,7 @@ class TowerReader {
   [[nodiscard]] std::uint64_t operations() const { return operations_; }
 
   /// The whole input, for a ScriptReader. Requires the format script, and leaves nothing to this reader.
-  std::unique_ptr<std::istream> take_script();
+  std::unique_ptr<SourceStream> take_script();
 
  private:
   TowerReader(ByteSource source, TowerFormat format, const std::atomic<bool>* stop)

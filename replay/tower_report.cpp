@@ -4,22 +4,14 @@
 
 #include <algorithm>
 
+#include "replay/bars.hpp"
+
 namespace sesame::replay {
 namespace {
 
 using engine::Bar;
 using engine::Barcode;
 using engine::never;
-
-bool is_longer(const Bar& x, const Bar& y) {
-  const double length_x = x.death - x.birth;
-  const double length_y = y.death - y.birth;
-  return length_x != length_y ? length_x > length_y : x < y;
-}
-
-std::string interval(const Bar& bar) {
-  return fmt::format("[{}, {})", number_text(bar.birth), bar.death == never ? "" : number_text(bar.death));
-}
 
 std::string chain_line(const TowerHistory::NamedChain& chain) {
   std::string text;
@@ -108,27 +100,38 @@ void write_tower_table(std::ostream& out, const TowerResult& result) {
   if (!longest.empty()) {
     out << "the longest bars that ended\n";
     for (const Bar& bar : longest) {
-      out << fmt::format("  H{} {}  length {}\n", bar.dimension, interval(bar), number_text(bar.death - bar.birth));
+      out << fmt::format("  H{} {}  length {}\n", bar.dimension, interval_text(bar),
+                         number_text(bar.death - bar.birth));
     }
   }
 }
 
-std::vector<BarDifference> bar_differences(std::span<const Barcode> barcodes) {
+namespace {
+
+struct BarDifference {
+  Bar bar;
+  std::vector<std::uint64_t> multiplicity;  ///< per ring
+};
+
+/// The bars are sorted. Cost: their number.
+std::vector<BarDifference> differences_of(std::span<const TowerResult> results) {
   std::vector<BarDifference> found;
-  std::vector<std::size_t> at(barcodes.size(), 0);
+  std::vector<std::size_t> at(results.size(), 0);
   while (true) {
     const Bar* least = nullptr;
-    for (std::size_t r = 0; r < barcodes.size(); ++r) {
-      if (at[r] < barcodes[r].bars.size() && (least == nullptr || barcodes[r].bars[at[r]] < *least)) {
-        least = &barcodes[r].bars[at[r]];
+    for (std::size_t r = 0; r < results.size(); ++r) {
+      const std::vector<Bar>& bars = results[r].barcode->bars;
+      if (at[r] < bars.size() && (least == nullptr || bars[at[r]] < *least)) {
+        least = &bars[at[r]];
       }
     }
     if (least == nullptr) {
       return found;
     }
-    BarDifference difference{*least, std::vector<std::uint64_t>(barcodes.size(), 0)};
-    for (std::size_t r = 0; r < barcodes.size(); ++r) {
-      while (at[r] < barcodes[r].bars.size() && barcodes[r].bars[at[r]] == difference.bar) {
+    BarDifference difference{*least, std::vector<std::uint64_t>(results.size(), 0)};
+    for (std::size_t r = 0; r < results.size(); ++r) {
+      const std::vector<Bar>& bars = results[r].barcode->bars;
+      while (at[r] < bars.size() && bars[at[r]] == difference.bar) {
         ++difference.multiplicity[r];
         ++at[r];
       }
@@ -140,16 +143,6 @@ std::vector<BarDifference> bar_differences(std::span<const Barcode> barcodes) {
   }
 }
 
-namespace {
-
-std::vector<BarDifference> differences_of(std::span<const TowerResult> results) {
-  std::vector<Barcode> barcodes;
-  for (const TowerResult& result : results) {
-    barcodes.push_back(result.barcode.value());
-  }
-  return bar_differences(barcodes);
-}
-
 }  // namespace
 
 void write_differences(std::ostream& out, std::span<const TowerResult> results) {
@@ -158,7 +151,8 @@ void write_differences(std::ostream& out, std::span<const TowerResult> results) 
     out << "the barcodes are the same over all rings\n";
     return;
   }
-  out << "bars that differ from ring to ring: there is torsion\n ";
+  out << "bars that differ from ring to ring: there is torsion in the tower, or in how its complexes lie in one "
+         "another\n ";
   for (const TowerResult& result : results) {
     out << fmt::format(" {:>8}", result.provenance.ring);
   }
@@ -168,7 +162,7 @@ void write_differences(std::ostream& out, std::span<const TowerResult> results) 
     for (const std::uint64_t times : each.multiplicity) {
       out << fmt::format(" {:>8}", times);
     }
-    out << fmt::format("   H{} {}\n", each.bar.dimension, interval(each.bar));
+    out << fmt::format("   H{} {}\n", each.bar.dimension, interval_text(each.bar));
   }
 }
 
@@ -192,7 +186,7 @@ void CycleReport::for_each_bar(Visit&& visit) const {
 
 void CycleReport::write_table(std::ostream& out) const {
   for_each_bar([&](const Bar& bar, const auto& cycle, const auto& second) {
-    out << fmt::format("H{} {}\n  born as  {}\n  {}  {}\n", bar.dimension, interval(bar), chain_line(cycle),
+    out << fmt::format("H{} {}\n  born as  {}\n  {}  {}\n", bar.dimension, interval_text(bar), chain_line(cycle),
                        bar.death == never ? "now    " : "bounds ", chain_line(second));
   });
 }
@@ -227,7 +221,7 @@ void CycleReport::add_json(TextBuffer& text) const {
 namespace {
 
 void add_fields(TextBuffer& text, const TowerResult& result) {
-  add_barcode_fields(text, result.barcode.value(), result.provenance);
+  add_barcode_fields(text, without_shorter(result.barcode.value(), result.min_length), result.provenance);
   if (result.shorter > 0) {
     text.add(R"(,"shorter":)").add_integer(result.shorter);
   }
@@ -260,7 +254,7 @@ void add_rings(TextBuffer& text, std::span<const TowerResult> results) {
 }  // namespace
 
 void write_tower_json(std::ostream& out, std::span<const TowerResult> results, const CycleReport* cycles,
-                      double seconds) {
+                      std::chrono::steady_clock::time_point start) {
   TextBuffer text(out);
   text.add('{');
   if (results.size() == 1) {
@@ -272,7 +266,8 @@ void write_tower_json(std::ostream& out, std::span<const TowerResult> results, c
     text.add(R"(,"generators":)");
     cycles->add_json(text);
   }
-  text.add(R"(,"seconds":)").add_number(seconds).add("}\n");
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  text.add(R"(,"seconds":)").add_number(seconds.count()).add("}\n");
 }
 
 }  // namespace sesame::replay

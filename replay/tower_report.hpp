@@ -2,6 +2,7 @@
 /// What is said of a tower: tables for people, JSON for programs.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <ostream>
@@ -40,22 +41,17 @@ class BarStatistics {
 struct TowerResult {
   Provenance provenance;
   std::uint64_t hidden = 0;
-  std::uint64_t shorter = 0;  ///< bars left out as shorter than asked for
+  double min_length = 0;      ///< the statistics and the lists of bars leave shorter ones out
+  std::uint64_t shorter = 0;  ///< how many these are
   BarStatistics statistics;
-  std::optional<engine::Barcode> barcode;
+  std::optional<engine::Barcode> barcode;  ///< the short ones too: Betti numbers and differences are those of all bars
 };
 
 /// The table of a result: bars per dimension, the longest ones.
 void write_tower_table(std::ostream& out, const TowerResult& result);
 
-/// A bar that does not occur equally often over all rings: torsion, seen in persistence.
-struct BarDifference {
-  engine::Bar bar;
-  std::vector<std::uint64_t> multiplicity;  ///< per ring
-};
-/// Requires: sorted bars. Cost: their number.
-[[nodiscard]] std::vector<BarDifference> bar_differences(std::span<const engine::Barcode> barcodes);
-/// The table of the differences between results, which keep their barcodes.
+/// The table of the bars that do not occur equally often over all rings: torsion, seen in persistence.
+/// Requires: results that keep their barcodes.
 void write_differences(std::ostream& out, std::span<const TowerResult> results);
 
 /// Writes a cycle for each bar, the chain that it bounds from its death on, or for one that is open what it is now.
@@ -81,9 +77,9 @@ class CycleReport {
 };
 
 /// One object on one line. For one ring, the fields of its barcode; for several, a list "rings" of such objects and
-/// "differences". With "generators" when there are cycles (which are for one ring).
+/// "differences". With "generators" when there are cycles (which are for one ring), and with the seconds since `start`.
 /// Requires: results that keep their barcodes.
 void write_tower_json(std::ostream& out, std::span<const TowerResult> results, const CycleReport* cycles,
-                      double seconds);
+                      std::chrono::steady_clock::time_point start);
 
 }  // namespace sesame::replay

@@ -13,6 +13,7 @@ void add_mesh_command(CLI::App& app, int& status);
 void add_generate_command(CLI::App& app, int& status);
 void add_tower_command(CLI::App& app, int& status);
 void add_distance_command(CLI::App& app, int& status);
+void add_bench_command(CLI::App& app, int& status);
 
 /// Accepts whole numbers from 1 on.
 [[nodiscard]] CLI::Validator from_one_on();

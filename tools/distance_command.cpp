@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "replay/barcode_files.hpp"
+#include "replay/bars.hpp"
 #include "replay/diagram_distance.hpp"
 #include "replay/replay.hpp"
 #include "replay/text_buffer.hpp"
@@ -151,8 +152,8 @@ void write_json(std::ostream& out, const Comparison& comparison, const Arguments
 
 // --------------------------------------------------------------------------------------------------------- for people
 
-std::string interval_text(const std::vector<Bar>& bars, const std::optional<std::size_t>& place) {
-  return place ? fmt::format("[{}, {})", number_text(bars[*place].birth), number_text(bars[*place].death)) : "diagonal";
+std::string partner_text(const std::vector<Bar>& bars, const std::optional<std::size_t>& place) {
+  return place ? replay::interval_text(bars[*place]) : "diagonal";
 }
 
 std::string name_of(const Row& row, const Comparison& comparison) {
@@ -179,8 +180,8 @@ void write_text(std::ostream& out, const Comparison& comparison, const Arguments
     for (const replay::Match& match : row.distance.matching) {
       const bool is_impossible = match.cost == engine::never;
       out << fmt::format(
-          "    {} - {}: {}\n", is_impossible && !match.left ? "nothing" : interval_text(row.left, match.left),
-          is_impossible && !match.right ? "nothing" : interval_text(row.right, match.right), number_text(match.cost));
+          "    {} - {}: {}\n", is_impossible && !match.left ? "nothing" : partner_text(row.left, match.left),
+          is_impossible && !match.right ? "nothing" : partner_text(row.right, match.right), number_text(match.cost));
     }
   }
 }

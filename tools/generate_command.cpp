@@ -119,6 +119,16 @@ int run_generate(const Arguments& arguments) {
   return out ? 0 : wrong_usage("cannot write " + arguments.out);
 }
 
+/// Accepts whole numbers.
+CLI::Validator from_zero_on() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        const bool is_number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+        return is_number ? std::string{} : "\"" + text + "\" should be a whole number from 0 on";
+      },
+      "");
+}
+
 }  // namespace
 
 void add_generate_command(CLI::App& app, int& status) {
@@ -130,10 +140,13 @@ void add_generate_command(CLI::App& app, int& status) {
       ->add_option("--format", arguments->format,
                    "Default: phat-binary, a boundary matrix, for a filtration, and tower for a tower")
       ->check(CLI::IsMember({"phat-binary", "phat", "gudhi", "tower"}));
-  command->add_option("--seed", arguments->seed, "What the random choices depend on")->capture_default_str();
-  command->add_option(
-      "--size", arguments->size,
-      "Vertices a side of torus and grid, points, vertices of the complete graph, operations of a tower");
+  command->add_option("--seed", arguments->seed, "What the random choices depend on")
+      ->check(from_zero_on())
+      ->capture_default_str();
+  command
+      ->add_option("--size", arguments->size,
+                   "Vertices a side of torus and grid, points, vertices of the complete graph, operations of a tower")
+      ->check(from_one_on());
   command->footer(
       "The same name, size and seed give the same bytes on every machine.\n"
       "Exit status: 0 done, 1 wrong usage or a file that cannot be written.");

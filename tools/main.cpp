@@ -51,6 +51,7 @@ int run(int argc, char** argv) {
   sesame::tools::add_generate_command(app, status);
   sesame::tools::add_tower_command(app, status);
   sesame::tools::add_distance_command(app, status);
+  sesame::tools::add_bench_command(app, status);
   add_help_command(app);
   if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_named(argv[1])).empty()) {
     std::cerr << "sesame: there is no command \"" << argv[1] << "\"; see sesame --help\n";

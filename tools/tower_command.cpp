@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <vector>
 
 #include "replay/barcode_drawing.hpp"
@@ -19,6 +19,7 @@
 #include "replay/tower_report.hpp"
 #include "tools/commands.hpp"
 #include "tools/interrupt.hpp"
+#include "tools/output_file.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -50,34 +51,6 @@ int say(Outcome outcome, const std::string& what) {
 
 int wrong_usage(const std::string& what) { return say(Outcome::wrong_usage, what); }
 
-/// A file that is written when all is known, opened before the work begins.
-class OutputFile {
- public:
-  /// Says what is wrong, or nothing.
-  std::string open(const std::string& path, const std::string& input) {
-    if (path.empty()) {
-      return "";
-    }
-    if (is_same_file(path, input)) {
-      return path + " is the input; give the output another name";
-    }
-    path_ = path;
-    file_.open(path, std::ios::out | std::ios::trunc);
-    return file_ ? "" : "cannot write " + path;
-  }
-  [[nodiscard]] bool is_wanted() const { return !path_.empty(); }
-  std::ostream& stream() { return file_; }
-  /// Says what went wrong, or nothing.
-  std::string close() {
-    file_.close();
-    return is_wanted() && !file_ ? "cannot write " + path_ : "";
-  }
-
- private:
-  std::string path_;
-  std::ofstream file_;
-};
-
 struct Outputs {
   OutputFile pers, csv, svg, html;
 
@@ -88,13 +61,18 @@ struct Outputs {
         return problem;
       }
     }
+    for (const auto& [one, other] : {std::pair{&pers, &csv}, std::pair{&pers, &svg}, std::pair{&pers, &html},
+                                     std::pair{&csv, &svg}, std::pair{&csv, &html}, std::pair{&svg, &html}}) {
+      if (one->clashes_with(*other)) {
+        return "two outputs are one file; give each a name of its own";
+      }
+    }
     return "";
   }
   [[nodiscard]] bool need_barcode() const { return csv.is_wanted() || svg.is_wanted() || html.is_wanted(); }
-  [[nodiscard]] bool is_any_wanted() const { return pers.is_wanted() || need_barcode(); }
-  std::string close() {
+  std::string commit() {
     for (OutputFile* file : {&pers, &csv, &svg, &html}) {
-      if (std::string problem = file->close(); !problem.empty()) {
+      if (std::string problem = file->commit(); !problem.empty()) {
         return problem;
       }
     }
@@ -105,23 +83,25 @@ struct Outputs {
 /// Where the bars over one ring go.
 class BarSink {
  public:
-  BarSink(const sparse::AnyRing& ring, const Arguments& arguments, bool keeps_bars, replay::PersWriter* pers)
-      : min_length_{arguments.min_length}, pers_{pers} {
-    result_.provenance = {sparse::ring_name(ring), 0, arguments.file == "-" ? "standard input" : arguments.file};
+  BarSink(const sparse::AnyRing& ring, const std::string& source, double min_length, bool keeps_bars,
+          replay::PersWriter* pers)
+      : pers_{pers} {
+    result_.provenance = {sparse::ring_name(ring), 0, source};
+    result_.min_length = min_length;
     if (keeps_bars) {
       result_.barcode.emplace();
     }
   }
 
   void add(const Bar& bar) {
-    if (bar.death - bar.birth < min_length_) {
+    if (result_.barcode) {
+      result_.barcode->bars.push_back(bar);
+    }
+    if (bar.death - bar.birth < result_.min_length) {
       ++result_.shorter;
       return;
     }
     result_.statistics.add(bar);
-    if (result_.barcode) {
-      result_.barcode->bars.push_back(bar);
-    }
     if (pers_ != nullptr) {
       pers_->add(bar);
     }
@@ -139,7 +119,6 @@ class BarSink {
   }
 
  private:
-  double min_length_;
   replay::PersWriter* pers_;
   TowerResult result_;
 };
@@ -156,11 +135,15 @@ class Run {
     catch_interrupt();
     Result<std::unique_ptr<TowerReader>> reader =
         TowerReader::open(arguments_.file, arguments_.format, &stop_requested());
+    if (!reader && stop_requested().load()) {
+      return static_cast<int>(Outcome::interrupted);
+    }
     if (!reader) {
       const bool is_io = reader.error().code == Errc::io;
       return say(is_io ? Outcome::wrong_usage : Outcome::wrong_script, reader.error().what);
     }
     reader_ = std::move(*reader);
+    source_ = reader_->name();
     if (std::string problem = objection(); !problem.empty()) {
       return wrong_usage(problem);
     }
@@ -171,14 +154,16 @@ class Run {
       progress_.emplace(std::cerr, std::nullopt);
     }
     start_ = Clock::now();
-    const int status = reader_->format() == TowerFormat::script ? run_script()
-                       : is_integral()                          ? run_groups()
-                                                                : run_barcode();
-    if (std::string problem = outputs_.close(); !problem.empty()) {
-      return wrong_usage(problem);
+    const Outcome outcome = reader_->format() == TowerFormat::script ? run_script()
+                            : is_integral()                          ? run_groups()
+                                                                     : run_barcode();
+    if (is_reported(outcome)) {
+      if (std::string problem = outputs_.commit(); !problem.empty()) {
+        return wrong_usage(problem);
+      }
     }
     std::cout << std::flush;
-    return std::cout ? status : wrong_usage("cannot write to standard output");
+    return std::cout ? static_cast<int>(outcome) : wrong_usage("cannot write to standard output");
   }
 
  private:
@@ -186,7 +171,6 @@ class Run {
   [[nodiscard]] bool is_matrix() const {
     return reader_->format() == TowerFormat::phat || reader_->format() == TowerFormat::phat_binary;
   }
-  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
   std::string read_rings() {
     std::vector<std::string> names = arguments_.rings;
@@ -241,14 +225,14 @@ class Run {
     while (!stop_requested().load() && (arguments_.until == 0 || done < arguments_.until)) {
       const Result<bool> got = reader_->next(operation);
       if (!got) {
-        return fail(got.error().code == Errc::io ? Outcome::wrong_usage : Outcome::wrong_script, got.error().what);
+        return fail(got.error());
       }
       if (!*got) {
         break;
       }
       const Status status = apply(operation);
       if (!status) {
-        return fail(Outcome::wrong_script, reader_->place() + status.error().what);
+        return fail({Errc::bad_input, reader_->place() + status.error().what});
       }
       ++done;
       after(operation);
@@ -260,10 +244,10 @@ class Run {
     return stop_requested().load() ? Outcome::interrupted : Outcome::done;
   }
 
-  Outcome fail(Outcome outcome, const std::string& what) {
+  Outcome fail(const Error& error) {
     progress_.reset();
-    std::cerr << what << '\n';
-    return outcome;
+    std::cerr << error.what << '\n';
+    return error.code == Errc::io ? Outcome::wrong_usage : Outcome::wrong_script;
   }
 
   /// Whether there is something to report after the loop.
@@ -273,12 +257,11 @@ class Run {
 
   // ---- barcodes
 
-  int run_barcode() {
+  Outcome run_barcode() {
     const bool keeps_bars = arguments_.json || rings_.size() > 1 || outputs_.need_barcode();
     std::optional<replay::PersWriter> pers;
     if (outputs_.pers.is_wanted()) {
-      pers.emplace(outputs_.pers.stream(), sparse::ring_name(rings_[0]),
-                   arguments_.file == "-" ? "standard input" : arguments_.file);
+      pers.emplace(outputs_.pers.stream(), sparse::ring_name(rings_[0]), source_);
     }
     std::vector<BarSink> sinks;
     std::vector<std::unique_ptr<engine::BarcodeTracker>> trackers;
@@ -287,7 +270,7 @@ class Run {
     const engine::Slots slots = is_matrix() ? engine::Slots::shared : engine::Slots::by_dimension;
     sinks.reserve(rings_.size());
     for (const sparse::AnyRing& ring : rings_) {
-      sinks.emplace_back(ring, arguments_, keeps_bars, pers ? &*pers : nullptr);
+      sinks.emplace_back(ring, source_, arguments_.min_length, keeps_bars, pers ? &*pers : nullptr);
       const auto add = [sink = &sinks.back()](const Bar& bar) { sink->add(bar); };
       if (arguments_.generators) {
         auto tracker = engine::make_cycle_tracker(ring, add);
@@ -303,7 +286,7 @@ class Run {
     const Outcome outcome = read_all([&](const TowerOperation& operation) { return tower.apply(operation); },
                                      [&](const TowerOperation& operation) { report_state(operation, tower, told); });
     if (!is_reported(outcome)) {
-      return static_cast<int>(outcome);
+      return outcome;
     }
     std::vector<TowerResult> results;
     for (std::size_t r = 0; r < rings_.size(); ++r) {
@@ -318,13 +301,13 @@ class Run {
       report.emplace(*cycles, history, tower.operations(), arguments_.min_length);
     }
     write(results, report ? &*report : nullptr);
-    return static_cast<int>(outcome);
+    return outcome;
   }
 
   /// With --every: cells and Betti numbers now and then.
   void report_state(const TowerOperation& operation, const replay::TowerReplay& tower,
                     std::span<engine::BarcodeTracker* const> trackers) const {
-    if (arguments_.every == 0 || tower.operations() % arguments_.every != 0) {
+    if (arguments_.every == 0 || tower.operations() % arguments_.every != 0 || (arguments_.quiet && !arguments_.json)) {
       return;
     }
     for (const engine::BarcodeTracker* tracker : trackers) {
@@ -343,16 +326,17 @@ class Run {
   }
 
   [[nodiscard]] replay::DrawingOptions drawing() const {
+    const double min_length = arguments_.min_length;
     switch (reader_->format()) {
       case TowerFormat::gudhi:
-        return {"", "filtration value"};
+        return {"", "filtration value", min_length};
       case TowerFormat::phat:
       case TowerFormat::phat_binary:
-        return {"", "column"};
+        return {"", "column", min_length};
       case TowerFormat::script:
-        return {"", "step"};
+        return {"", "step", min_length};
       default:
-        return {"", "time"};
+        return {"", "time", min_length};
     }
   }
 
@@ -367,7 +351,7 @@ class Run {
       replay::write_html(outputs_.html.stream(), *results[0].barcode, results[0].provenance, drawing());
     }
     if (arguments_.json) {
-      replay::write_tower_json(std::cout, results, cycles, seconds());
+      replay::write_tower_json(std::cout, results, cycles, start_);
       return;
     }
     if (arguments_.quiet) {
@@ -386,7 +370,7 @@ class Run {
 
   // ---- groups over Z
 
-  int run_groups() {
+  Outcome run_groups() {
     const bool prints = !arguments_.json && !arguments_.quiet;
     replay::GroupSequence groups(prints ? &std::cout : nullptr);
     replay::EngineTower tower(rings_[0]);
@@ -399,15 +383,17 @@ class Run {
     if (is_reported(outcome)) {
       write_groups(groups, operations);
     }
-    return static_cast<int>(outcome);
+    return outcome;
   }
 
-  void write_groups(const replay::GroupSequence& groups, std::uint64_t operations) const {
+  void write_groups(replay::GroupSequence& groups, std::uint64_t operations) const {
+    groups.finish();
     if (arguments_.json) {
       replay::TextBuffer text(std::cout);
       text.add(R"({"ring":"Z","ops":)").add_integer(operations).add(R"(,"groups":)");
       groups.add_json(text);
-      text.add(R"(,"seconds":)").add_number(seconds()).add("}\n");
+      const std::chrono::duration<double> seconds = Clock::now() - start_;
+      text.add(R"(,"seconds":)").add_number(seconds.count()).add("}\n");
     }
   }
 
@@ -426,18 +412,18 @@ class Run {
     void summary(engine::Engine& engine, const replay::Summary& summary) override {
       steps = summary.steps;
       if (groups_ == nullptr) {
-        barcode = engine.barcode();
+        barcode = engine.barcode().value();  // since the replay needs one
       }
     }
 
     std::uint64_t steps = 0;
-    Result<Barcode> barcode = Barcode{};
+    Barcode barcode;
 
    private:
     replay::GroupSequence* groups_;
   };
 
-  int run_script() {
+  Outcome run_script() {
     const bool prints = !arguments_.json && !arguments_.quiet;
     replay::GroupSequence groups(prints ? &std::cout : nullptr);
     ScriptListener listener(is_integral() ? &groups : nullptr);
@@ -445,40 +431,51 @@ class Run {
     options.ring = rings_[0];
     options.every = is_integral() ? 1 : 0;
     options.stop = &stop_requested();
+    options.checks_groups_over_other_rings = false;
+    options.needs_barcode = !is_integral();
+    options.partial = arguments_.partial;
     if (arguments_.until > 0) {
       options.until = arguments_.until;
     }
-    const std::unique_ptr<std::istream> stream = reader_->take_script();
-    replay::ScriptReader script(*stream, arguments_.file == "-" ? "standard input" : arguments_.file);
-    const Outcome outcome = replay::replay(script, options, &listener, std::cerr, progress_ ? &*progress_ : nullptr);
+    const std::unique_ptr<replay::SourceStream> stream = reader_->take_script();
+    replay::ScriptReader script(*stream, source_);
+    std::ostringstream errors;
+    Outcome outcome = replay::replay(script, options, &listener, errors, progress_ ? &*progress_ : nullptr);
     progress_.reset();
-    if (outcome != Outcome::done && outcome != Outcome::interrupted) {
-      return static_cast<int>(outcome);
+    if (const std::optional<Error>& error = stream->error(); error && !stop_requested().load()) {
+      outcome = fail(*error);  // what the script lacks behind it is no fault of the script
+    } else {
+      std::cerr << errors.str();
+    }
+    if (!is_reported(outcome)) {
+      return outcome;
     }
     if (is_integral()) {
       write_groups(groups, listener.steps);
-      return static_cast<int>(outcome);
+    } else {
+      write_script(listener.steps, listener.barcode);
     }
-    if (!listener.barcode) {
-      return wrong_usage(listener.barcode.error().what);
-    }
+    return outcome;
+  }
+
+  void write_script(std::uint64_t steps, const Barcode& barcode) {
     std::optional<replay::PersWriter> pers;
     if (outputs_.pers.is_wanted()) {
-      pers.emplace(outputs_.pers.stream(), sparse::ring_name(rings_[0]), arguments_.file);
+      pers.emplace(outputs_.pers.stream(), sparse::ring_name(rings_[0]), source_);
     }
-    BarSink sink(rings_[0], arguments_, true, pers ? &*pers : nullptr);
-    std::ranges::for_each(listener.barcode->bars, [&](const Bar& bar) { sink.add(bar); });
-    const TowerResult result = sink.finish(listener.steps, listener.barcode->hidden);
+    BarSink sink(rings_[0], source_, arguments_.min_length, true, pers ? &*pers : nullptr);
+    std::ranges::for_each(barcode.bars, [&](const Bar& bar) { sink.add(bar); });
+    const TowerResult result = sink.finish(steps, barcode.hidden);
     if (pers) {
-      pers->finish(listener.steps, result.hidden);
+      pers->finish(steps, result.hidden);
     }
     write({&result, 1}, nullptr);
-    return static_cast<int>(outcome);
   }
 
   const Arguments& arguments_;
   std::vector<sparse::AnyRing> rings_;
   std::unique_ptr<TowerReader> reader_;
+  std::string source_;  ///< what outputs and messages call the input
   Outputs outputs_;
   std::optional<replay::Progress> progress_;
   Clock::time_point start_;
@@ -501,17 +498,22 @@ void add_tower_command(CLI::App& app, int& status) {
   command->add_option("--rings", arguments->rings, "Several of them side by side, Z/2,Z/3,...: where do they differ?")
       ->delimiter(',')
       ->excludes(ring);
-  command->add_flag("--json", arguments->json, "One JSON object on standard output");
+  command->add_flag("--json", arguments->json,
+                    "One JSON object on standard output; with --every more of them before it");
   command->add_option("--pers", arguments->pers, "Write the bars, a line `dim birth death` for each as it ends");
   command->add_option("--csv", arguments->csv, "Write the Betti numbers, a row for each time at which they change");
   command->add_option("--svg", arguments->svg, "Draw barcode, persistence diagram and Betti curves");
   command->add_option("--html", arguments->html, "A page with the drawings and the longest bars");
   command->add_flag("--generators", arguments->generators,
                     "For each bar the cycle that is born, and the chain that it comes to bound");
-  command->add_option("--min-length", arguments->min_length, "Leave out bars that are shorter")
+  command
+      ->add_option("--min-length", arguments->min_length,
+                   "Leave out bars that are shorter (not from --csv and Betti curves)")
       ->check([](const std::string& text) {
-        const bool is_negative = text.starts_with('-');
-        return is_negative ? "\"" + text + "\" should be a length, from 0 on" : std::string{};
+        double length = 0;
+        return CLI::detail::lexical_cast(text, length) && length >= 0  // false for nan too
+                   ? std::string{}
+                   : "\"" + text + "\" should be a length, from 0 on";
       });
   command->add_option("--until", arguments->until, "Stop after that many operations")->check(from_one_on());
   command->add_option("--every", arguments->every, "Report cells and Betti numbers every N operations")
@@ -519,7 +521,8 @@ void add_tower_command(CLI::App& app, int& status) {
   command->add_flag("--partial", arguments->partial, "After an error, report what there was before it");
   command->add_flag("--quiet", arguments->quiet, "No table and no progress: errors only (and what --json prints)");
   command->footer(
-      "Exit status: 0 done, 1 wrong usage or unreadable file, 2 the input is wrong, 4 internal error,\n"
+      "Exit status: 0 done, 1 wrong usage or unreadable file, 2 the input is wrong, 3 an expect of a script failed,\n"
+      "4 internal error,\n"
       "130 interrupted by Ctrl-C (what was read until then is reported).");
   command->callback([arguments, &status] { status = Run(*arguments).run(); });
 }

@@ -292,7 +292,7 @@ TEST_CASE("the barcode of a circle that is contracted", "[engine][barcode]") {
   carry_out(engine, collapse("0", "1"));
   const Barcode barcode = engine.barcode().value();
   CHECK(barcode.bars == std::vector<Bar>{{0, 1, engine::never}, {0, 2, 3}, {1, 4, 6}});
-  CHECK(barcode.hidden == 2);  // a vertex of the first edge, and the loop of an edge whose ends are made one
+  CHECK(barcode.hidden == 0);  // what is born and dies within one step, as a vertex of the first edge, is no class
 }
 
 TEST_CASE("a barcode has the steps that are not undone, under their numbers in the log", "[engine][barcode]") {

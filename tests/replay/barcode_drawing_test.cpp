@@ -6,6 +6,7 @@
 
 #include "replay/axis.hpp"
 #include "replay/barcode_panels.hpp"
+#include "replay/bars.hpp"
 #include "replay/svg.hpp"
 #include "tests/support/catch.hpp"
 
@@ -150,12 +151,12 @@ TEST_CASE("every bar is a line with its interval to rest on", "[replay]") {
     CHECK_THAT(bars, Contains("<title>" + std::string{title} + "</title>"));
     CHECK_THAT(picture(replay::write_diagram_svg, small), Contains("<title>" + std::string{title} + "</title>"));
   }
-  CHECK_THAT(bars, !Contains("left out</text>") || !Contains("longest of"));
+  CHECK_THAT(bars, !Contains("left out</text>") || !Contains("the longest of"));
 }
 
 TEST_CASE("of too many bars the longest are drawn, and the picture says how many are not", "[replay]") {
   const std::string bars = picture(replay::write_barcode_svg, random_barcode(5000, 2));
-  CHECK_THAT(bars, Contains("the 2,000 longest of 5,000 bars; 3,000 shorter ones are left out"));
+  CHECK_THAT(bars, Contains("the longest of each dimension: 2,000 of 5,000 bars; 3,000 are left out"));
   CHECK(count(bars, "<title>") == 2000);
 }
 
@@ -181,6 +182,29 @@ TEST_CASE("each dimension keeps its share of the bars that are chosen, and the l
   CHECK(chosen.front() == Bar{0, 94, 1188});
   CHECK(chosen[8] == Bar{2, 6, 9.6});
   CHECK(replay::longest_bars(barcode, 1000) == barcode.bars);
+}
+
+TEST_CASE("bars that end keep room beside many that do not", "[replay]") {
+  Barcode barcode;
+  for (int i = 0; i < 100; ++i) {
+    barcode.bars.push_back({0, static_cast<double>(i), i % 4 == 0 ? i + 1.0 + i : engine::never});
+  }
+  const auto ended = [](const std::vector<Bar>& bars) {
+    return std::count_if(bars.begin(), bars.end(), [](const Bar& bar) { return bar.death != engine::never; });
+  };
+  CHECK(ended(replay::longest_bars(barcode, 20)) == 10);
+  CHECK(ended(replay::longest_bars(barcode, 80)) == 25);  // all of them
+  CHECK(replay::longest_bars(barcode, 80).size() == 80);
+}
+
+TEST_CASE("shorter bars are left out of the pictures of bars, which say so, and not of the Betti curves", "[replay]") {
+  const Barcode barcode{{{0, 0, engine::never}, {0, 1, 2}, {0, 1, 9}}, 0};
+  const replay::DrawingOptions options{"", "time", 3};
+  const std::string bars = picture(replay::write_barcode_svg, barcode, options);
+  CHECK(count(bars, "<title>") == 2);
+  CHECK_THAT(bars, Contains("1 bar shorter than 3 left out"));
+  CHECK(count(picture(replay::write_diagram_svg, barcode, options), "<title>") == 2);
+  CHECK(picture(replay::write_betti_svg, barcode, options) == picture(replay::write_betti_svg, barcode, {"", "time"}));
 }
 
 TEST_CASE("a diagram of 100,000 points is a picture of bounded size", "[replay]") {

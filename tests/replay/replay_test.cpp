@@ -284,3 +284,73 @@ TEST_CASE("an error wipes the progress first", "[replay]") {
   CHECK(replay::replay(script, {}, nullptr, terminal, &progress) == Outcome::wrong_script);
   CHECK_THAT(terminal.str(), Contains("\r\033[Kscript:2: "));
 }
+
+namespace {
+
+/// Takes the steps and the barcode of the summary.
+class SummaryReporter final : public replay::Reporter {
+ public:
+  void step(engine::Engine&, const replay::ReportedStep&) override {}
+  void summary(engine::Engine& engine, const replay::Summary& summary) override {
+    steps = summary.steps;
+    barcode = engine.barcode();
+  }
+  std::uint64_t steps = 0;
+  std::optional<Result<engine::Barcode>> barcode;
+};
+
+const std::string two_points =
+    "{\"sesame\":1}\n{\"op\":\"insert\",\"simplex\":[0]}\n{\"op\":\"insert\",\"simplex\":[1]}\n";
+
+}  // namespace
+
+TEST_CASE("what was before an error is summarised when that is asked for", "[replay]") {
+  replay::ReplayOptions options;
+  options.ring = sparse::AnyRing{sparse::Z2{}};
+  const std::string script = two_points + "{\"op\":\"insert\",\"simplex\":[1]}\n";
+  SummaryReporter silent, told;
+  CHECK(replay_text(script, &silent, options).outcome == replay::Outcome::wrong_script);
+  CHECK(!silent.barcode);
+  options.partial = true;
+  CHECK(replay_text(script, &told, options).outcome == replay::Outcome::wrong_script);
+  CHECK(told.steps == 2);
+  CHECK(told.barcode.value().value().bars.size() == 2);
+}
+
+TEST_CASE("when a barcode is needed, a step that is no map forwards is refused with its place", "[replay]") {
+  replay::ReplayOptions options;
+  options.ring = sparse::AnyRing{sparse::Z2{}};
+  options.needs_barcode = options.partial = true;
+  SummaryReporter reporter;
+  const Replayed replayed = replay_text(two_points + R"({"op":"product","name":"P","left":"{0}","right":"{1}"})"
+                                                     "\n"
+                                                     R"({"op":"undo"})"
+                                                     "\n",
+                                        &reporter, options);
+  CHECK(replayed.outcome == replay::Outcome::wrong_script);
+  CHECK(replayed.errors == "script:4: there is no barcode: step 3 is a product, which consumes the bodies before it\n");
+  CHECK(reporter.steps == 2);
+  CHECK(reporter.barcode.value().value().bars.size() == 2);
+}
+
+TEST_CASE("groups that are expected over the ring of the header can be left unchecked over another one", "[replay]") {
+  const std::string script = two_points + R"({"op":"expect","betti":[5],"torsion":[[2]],"cells":[2]})"
+                                          "\n";
+  replay::ReplayOptions options;
+  options.checks_groups_over_other_rings = false;
+  CHECK(replay_text(script, nullptr, options).outcome == replay::Outcome::expectation_failed);
+  options.ring = sparse::AnyRing{sparse::Integers{}};
+  CHECK(replay_text(script, nullptr, options).outcome == replay::Outcome::expectation_failed);
+  options.ring = sparse::AnyRing{sparse::Z2{}};
+  CHECK(replay_text(script, nullptr, options).outcome == replay::Outcome::done);
+  const std::string wrong_cells = two_points + R"({"op":"expect","cells":[3]})"
+                                               "\n";
+  CHECK(replay_text(wrong_cells, nullptr, options).outcome == replay::Outcome::expectation_failed);
+}
+
+TEST_CASE("a replay that is stopped before its header is complete is interrupted", "[replay]") {
+  std::atomic<bool> stop{true};
+  replay::ReplayOptions options;
+  options.stop = &stop;
+  CHECK(replay_text("{\"sesa", nullptr, options).outcome == replay::Outcome::interrupted);
+}

@@ -381,7 +381,7 @@ TEST_CASE("gzip members one after another are one input", "[tower_reader]") {
 
 TEST_CASE("gzip data that are cut off or damaged anywhere are reported, and nothing is made up", "[tower_reader]") {
   const std::string packed = gzipped(a_tower);
-  for (std::size_t size = 2; size < packed.size(); ++size) {
+  for (std::size_t size = 3; size < packed.size(); ++size) {
     CAPTURE(size);
     CHECK(read(packed.substr(0, size), TowerFormat::tower).back() ==
           "FILE: the gzip data end in the middle: the file is cut off");
@@ -398,15 +398,52 @@ TEST_CASE("gzip data that are cut off or damaged anywhere are reported, and noth
   CHECK(read(packed + "trailing", TowerFormat::tower).back() == "FILE: the gzip data are damaged");
 }
 
+TEST_CASE("A binary matrix is none of gzip, however many columns it has", "[tower_reader]") {
+  // The first bytes of these numbers are those of gzip data: 1F 8B, and then 08 too.
+  for (const std::int64_t columns : {0x8B1F, 0x088B1F, 0x10088B1F}) {
+    std::vector<std::int64_t> numbers{columns, 3};
+    numbers.resize(2001);
+    CAPTURE(columns);
+    for (const TowerFormat format : {TowerFormat::automatic, TowerFormat::phat_binary}) {
+      CHECK(read(binary(numbers), format).at(999) == "999: 999 column 0 []");
+    }
+  }
+  std::vector<std::int64_t> vertices(1 + 2 * 0x8B1F);
+  vertices[0] = 0x8B1F;
+  const Lines seen = read(binary(vertices));
+  CHECK(seen.size() == 0x8B1F);
+  CHECK(seen.back() == "35614: 35614 column 0 []");
+}
+
+TEST_CASE("A script that is cut off or damaged as gzip data ends there, and the stream says why", "[tower_reader]") {
+  const std::string packed = gzipped(a_script);
+  for (std::size_t size = 12; size < packed.size(); ++size) {
+    const TemporaryFile file(packed.substr(0, size));
+    const auto reader = TowerReader::open(file.path(), TowerFormat::script);
+    REQUIRE(reader);
+    const auto script = (*reader)->take_script();
+    std::string line;
+    do {
+      std::getline(*script, line);
+    } while (*script);
+    CAPTURE(size);
+    REQUIRE(script->error());
+    CHECK(script->bad());
+    CHECK_THAT(script->error()->what, Catch::Matchers::Contains("the file is cut off"));
+  }
+}
+
 TEST_CASE("A script is handed on whole, from a file, a pipe and gzip", "[tower_reader]") {
   const auto taken = [](const std::string& path) {
     const auto reader = TowerReader::open(path);
     REQUIRE(reader);
     REQUIRE((*reader)->format() == TowerFormat::script);
-    const std::unique_ptr<std::istream> script = (*reader)->take_script();
+    const auto script = (*reader)->take_script();
     TowerOperation operation;
     CHECK(!(*reader)->next(operation).value());
-    return std::string(std::istreambuf_iterator<char>(*script), {});
+    std::string text(std::istreambuf_iterator<char>(*script), {});
+    CHECK(!script->error());
+    return text;
   };
   const std::string long_script = a_script + std::string(1'000'000, 'x') + "\n";
   const TemporaryFile file(long_script), packed_file(gzipped(a_script));

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Compares `sesame tower` with the oracle on random towers, and on random filtrations with GUDHI and PHAT too.
 
-    compare_towers.py SESAME [--random N] [--seed N] [--operations N] [--rings Z/2,Z/3] [--python PYTHON]
+    compare_towers.py SESAME [--others] [--random N] [--seed N] [--operations N] [--rings Z/2,Z/3] [--python PYTHON]
 
 Of N random towers every third has no contractions and is written in all formats, plain, by gzip and through a pipe,
-which must all have the same bars; these are compared with GUDHI (Debian: python3-gudhi, for the system's Python; over
-Z/2 and Z/3) and PHAT (Debian: phat-utils; over Z/2) where they are there. Where a tower differs it is kept, and its
-path printed. Ends with `N passed, N failed`; the exit status is 0 only if nothing differed.
+which must all have the same bars. With --others it is these that are compared, with GUDHI (Debian: python3-gudhi, for
+the system's Python; over Z/2 and Z/3) and PHAT (Debian: phat-utils; over Z/2) instead of the oracle, as far as they are
+there. Where a tower differs it is kept, and its path printed. Ends with `N passed, N failed`; the exit status is 0 only
+if nothing differed, and 77 when neither of the others is there.
 """
 
 import argparse
@@ -199,15 +200,8 @@ def keep(case, difference):
     print(f"{path} (seed {case.seed}): {difference}")
 
 
-def compare(arguments, directory):
-    cases = [Case(arguments.seed + k, arguments.operations) for k in range(arguments.random)]
-    filtrations = [case for case in cases if case.is_filtration]
-    checks = [(case, lambda case: check_tower(arguments.program, directory, case, arguments.rings)) for case in cases]
-    checks += [(case, lambda case: check_formats(arguments.program, directory, case)) for case in filtrations]
-    if shutil.which("phat"):
-        checks += [(case, lambda case: check_phat(arguments.program, directory, case)) for case in filtrations]
-    else:
-        print("PHAT is not here: left out")
+def run(checks):
+    """The numbers of cases that passed and failed."""
     passed, failed = 0, 0
     for case, one in checks:
         try:
@@ -216,18 +210,39 @@ def compare(arguments, directory):
         except Difference as difference:
             keep(case, difference)
             failed += 1
+    return passed, failed
+
+
+def compare_with_oracle(arguments, directory, cases):
+    checks = [(case, lambda case: check_tower(arguments.program, directory, case, arguments.rings)) for case in cases]
+    checks += [(case, lambda case: check_formats(arguments.program, directory, case))
+               for case in cases if case.is_filtration]
+    return run(checks)
+
+
+def compare_with_others(arguments, directory, cases):
+    """As above; nothing when none of the others is there."""
+    filtrations = [case for case in cases if case.is_filtration]
     beside_gudhi = check_gudhi(arguments.program, directory, filtrations, arguments.python)
+    has_phat = shutil.which("phat") is not None
     if beside_gudhi is None:
         print("GUDHI is not here: left out")
-        return passed, failed
-    for case, difference in beside_gudhi[1]:
+    if not has_phat:
+        print("PHAT is not here: left out")
+    if beside_gudhi is None and not has_phat:
+        return None
+    passed, failed = beside_gudhi if beside_gudhi is not None else (0, [])
+    for case, difference in failed:
         keep(case, difference)
-    return passed + beside_gudhi[0], failed + len(beside_gudhi[1])
+    checks = [(case, lambda case: check_phat(arguments.program, directory, case)) for case in filtrations if has_phat]
+    passed_phat, failed_phat = run(checks)
+    return passed + passed_phat, len(failed) + failed_phat
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
+    parser.add_argument("--others", action="store_true", help="compare with GUDHI and PHAT instead of the oracle")
     parser.add_argument("--random", type=int, default=60)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--operations", type=int, default=40, help="at most so many in a tower")
@@ -235,7 +250,12 @@ def main():
     parser.add_argument("--python", default="/usr/bin/python3", help="the Python that has GUDHI")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as directory:
-        passed, failed = compare(arguments, directory)
+        cases = [Case(arguments.seed + k, arguments.operations) for k in range(arguments.random)]
+        compare = compare_with_others if arguments.others else compare_with_oracle
+        found = compare(arguments, directory, cases)
+    if found is None:
+        return 77
+    passed, failed = found
     print(f"{passed} passed, {failed} failed")
     return 0 if passed > 0 and failed == 0 else 1
 

@@ -74,7 +74,7 @@ class Distance(unittest.TestCase):
         text = self.run_on(self.one, self.other, "--matching").stdout
         self.assertIn("[2, 10) - [2, 9): 1\n", text)
         self.assertIn("[3, 3.5) - diagonal: 0.25\n", text)
-        self.assertIn("[0, inf) - [0.5, inf): 0.5\n", text)
+        self.assertIn("[0, \u221e) - [0.5, \u221e): 0.5\n", text)
 
     def test_people_get_a_table(self):
         lines = self.run_on(self.one, self.other).stdout.splitlines()
@@ -88,7 +88,7 @@ class Distance(unittest.TestCase):
         self.assertIsNone(self.json_of(more, self.other, "--wasserstein", "2")["value"])
         done = self.run_on(more, self.other, "--matching")
         self.assertEqual(done.returncode, 0)
-        self.assertIn("[1, inf) - nothing: inf", done.stdout)
+        self.assertIn("[1, \u221e) - nothing: inf", done.stdout)
         self.assertIn("all" + " " * 42 + "inf", done.stdout)
 
     def test_files_without_dimensions_are_compared_with_each_other_only(self):

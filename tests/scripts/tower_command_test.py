@@ -9,11 +9,12 @@ import csv
 import gzip
 import json
 import pathlib
-import random
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 sys.dont_write_bytecode = True
@@ -177,10 +178,59 @@ class Tower(unittest.TestCase):
         subprocess.run([SESAME, "tower", "coarsened_circle.tower", "--svg", svg, "--quiet"], cwd=EXAMPLES, check=True)
         self.assertEqual(svg.read_text(), (EXAMPLES / "pictures" / "coarsened_circle.svg").read_text())
 
-    def test_bars_can_be_left_out_by_length(self):
-        path = self.file("c.tower", CIRCLE)
-        (found,) = self.objects(path, "--min-length", "2")
+    def test_bars_can_be_left_out_by_length_but_not_from_betti_numbers_and_differences(self):
+        path, out = self.file("c.tower", CIRCLE), self.folder / "c.csv"
+        (found,) = self.objects(path, "--min-length", "2", "--csv", out)
         self.assertEqual((found["bars"], found["shorter"]), (CIRCLE_BARS[:3], 1))
+        rows = list(csv.DictReader(line for line in out.read_text().splitlines() if not line.startswith("#")))
+        self.assertEqual([int(row["b1"]) for row in rows if row["time"] == "5"], [1])
+        plane = EXAMPLES / "projective_plane.tower"
+        (found,) = self.objects(plane, "--rings", "Z/2,Z/3", "--min-length", "20")
+        self.assertIn([1, 12, 30], [each["bar"] for each in found["differences"]])
+        self.assertNotIn([1, 12, 30], found["rings"][1]["bars"])
+
+    def test_an_output_takes_the_place_of_an_older_one_only_when_it_is_complete(self):
+        good, bad = self.file("c.tower", CIRCLE), self.file("bad.tower", "i 0\ni 1\ni 0 2\n")
+        outs = [self.file(f"x.{kind}", "old") for kind in ("pers", "csv", "svg", "html")]
+        options = [word for out in outs for word in (f"--{out.suffix[1:]}", out)]
+        self.assertEqual(self.run_on(bad, *options, "--quiet").returncode, 2)
+        self.assertEqual([out.read_text() for out in outs], ["old"] * 4)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir() if path.suffix == ".part"), [])
+        self.assertEqual(self.run_on(bad, *options, "--quiet", "--partial").returncode, 2)
+        self.assertNotIn("old", [out.read_text() for out in outs])
+        self.assertEqual(self.run_on(good, *options, "--quiet").returncode, 0)
+        self.assertIn("1 5 6", outs[0].read_text())
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir() if path.suffix == ".part"), [])
+
+    def test_outputs_that_are_no_files_are_written_at_once(self):
+        path = self.file("c.tower", CIRCLE)
+        self.assertIn(b"1 5 6", self.run_on(path, "--quiet", "--pers", "/dev/stdout").stdout)
+        done = self.run_on(path, "--quiet", "--csv", "/dev/full")
+        self.assertEqual((done.returncode, done.stderr), (1, b"sesame tower: cannot write /dev/full\n"))
+
+    def test_outputs_that_would_be_lost_are_refused(self):
+        path, out = self.file("c.tower", CIRCLE), self.folder / "x"
+        link = self.folder / "link"
+        link.symlink_to(path)
+        for arguments in (("--pers", out, "--csv", out), ("--svg", out, "--html", self.folder / "." / "x"),
+                          ("--pers", out, "--csv", f"{out}.part"), ("--pers", link)):
+            done = self.run_on(path, *arguments)
+            self.assertEqual((done.returncode, done.stdout), (1, b""), arguments)
+        with open(path, "rb") as file:
+            done = subprocess.run([SESAME, "tower", "-", "--pers", path], stdin=file, capture_output=True, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(b"is the input", done.stderr)
+        self.assertEqual(path.read_text(), CIRCLE)
+        self.assertFalse(out.exists())
+
+    def test_a_length_is_a_number_from_zero_on(self):
+        path = self.file("c.tower", CIRCLE)
+        for length in ("nan", "-1", "-nan", "x", ""):
+            self.assertEqual(self.run_on(path, f"--min-length={length}").returncode, 1, length)
+
+    def test_quiet_says_nothing(self):
+        done = self.run_on(self.file("c.tower", CIRCLE), "--quiet", "--every", "1")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, b"", b""))
 
     def test_it_stops_where_it_is_told(self):
         self.assertEqual(self.bars(self.file("c.tower", CIRCLE), "--until", "6"), [*CIRCLE_BARS[:3], [1, 5, None]])
@@ -208,8 +258,61 @@ class Tower(unittest.TestCase):
         path = self.file("s.jsonl", '{"sesame":1}\n{"op":"simplex","name":"t","dim":1}\n'
                          '{"op":"product","name":"P","left":"t","right":"t"}\n')
         done = self.run_on(path)
-        self.assertEqual(done.returncode, 1)
-        self.assertIn(b"product", done.stderr)
+        self.assertEqual((done.returncode, done.stdout), (2, b""))
+        self.assertIn(b"s.jsonl:3: there is no barcode: step 2 is a product", done.stderr)
+        done = self.run_on(path, "--partial", "--json")
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(json.loads(done.stdout)["bars"], [[0, 1, None]])
+
+    def test_every_shipped_script_that_is_a_tower_has_a_barcode(self):
+        towers = 0
+        for path in sorted(EXAMPLES.glob("*.jsonl")):
+            done = self.run_on(path, "--json")
+            if done.returncode == 0:
+                towers += 1
+                self.assertEqual(json.loads(done.stdout)["hidden"], 0)
+            else:
+                self.assertEqual(done.returncode, 2, path)
+                self.assertIn(b"there is no barcode: step ", done.stderr, path)
+        self.assertGreater(towers, 30)
+
+    def test_what_a_script_expects_is_checked_over_its_own_ring_only(self):
+        lines = ['{"sesame":1,"ring":"Z/3"}', '{"op":"insert","simplex":[0]}', '{"op":"expect","betti":[2]}']
+        path = self.file("e.jsonl", "\n".join(lines) + "\n")
+        self.assertEqual(self.run_on(path, "--ring", "Z/3").returncode, 3)
+        done = self.run_on(path, "--ring", "Z/3", "--partial", "--json")
+        self.assertEqual((done.returncode, json.loads(done.stdout)["bars"]), (3, [[0, 1, None]]))
+        self.assertEqual(self.bars(path, "--ring", "Z/2"), [[0, 1, None]])
+
+    def test_a_script_that_is_cut_off_or_damaged_as_gzip_data_is_an_error(self):
+        data = gzip.compress(as_script(random_text(3)).encode())
+        for wrong, what in ((data[:-30], b"the file is cut off"), (data[:40] + b"XXXX" + data[44:], b"damaged"),
+                            (data[:12], b"cut off")):
+            path = self.file("s.jsonl.gz", wrong)
+            done = self.run_on(path, "--format", "script")
+            self.assertEqual((done.returncode, done.stdout), (2, b""))
+            self.assertEqual(done.stderr.count(b"\n"), 1)
+            self.assertIn(what, done.stderr)
+        done = self.run_on(self.file("s.jsonl.gz", data[:-30]), "--partial", "--json")
+        self.assertEqual(done.returncode, 2)
+        self.assertGreater(json.loads(done.stdout)["ops"], 0)
+
+    def test_an_interrupt_before_the_first_line_is_complete_is_one(self):
+        texts = (b"", b'{"sesame":1,"ri', b"i 0\ni")
+        waiting = [subprocess.Popen([SESAME, "tower", "-"], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                                    stderr=subprocess.DEVNULL) for _ in texts]
+        for text, process in zip(texts, waiting):
+            process.stdin.write(text)
+            process.stdin.flush()
+        time.sleep(1)  # until all of them wait for more
+        for text, process in zip(texts, waiting):
+            with process:
+                process.send_signal(signal.SIGINT)
+                self.assertEqual(process.wait(timeout=30), 130, text)
+
+    def test_operations_at_one_time_are_one_change_of_the_groups(self):
+        (found,) = self.objects(self.file("t.tower", "0 i 0\n0 i 1\n1 i 2\n1 i 0 1\n2 i 0 2\n"), "--ring", "Z")
+        self.assertEqual([(at, groups[0]["rank"]) for at, groups in found["groups"]], [(0, 2), (2, 1)])
 
     # ---- errors
 

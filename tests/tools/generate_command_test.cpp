@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <sstream>
 
+#include "tests/support/captured.hpp"
 #include "tests/support/catch.hpp"
 #include "tools/commands.hpp"
 
@@ -11,21 +11,7 @@ namespace sesame::tools {
 namespace {
 
 using Catch::Matchers::Contains;
-
-/// Sends a standard stream into a string while it lives.
-class Captured {
- public:
-  explicit Captured(std::ostream& stream) : stream_{stream}, before_{stream.rdbuf(text_.rdbuf())} {}
-  Captured(const Captured&) = delete;
-  Captured& operator=(const Captured&) = delete;
-  ~Captured() { stream_.rdbuf(before_); }
-  [[nodiscard]] std::string text() const { return text_.str(); }
-
- private:
-  std::ostringstream text_;
-  std::ostream& stream_;
-  std::streambuf* before_;
-};
+using tests::Captured;
 
 struct Run {
   int status = 0;

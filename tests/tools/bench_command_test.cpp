@@ -1,0 +1,127 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <sstream>
+
+#include "tests/support/captured.hpp"
+#include "tests/support/catch.hpp"
+#include "tools/bench/comparison.hpp"
+#include "tools/bench/measurement.hpp"
+#include "tools/bench/processes.hpp"
+#include "tools/commands.hpp"
+
+namespace sesame::tools {
+namespace {
+
+using Catch::Matchers::Contains;
+using tests::Captured;
+
+struct Run {
+  int status = 0;
+  std::string out, errors;
+};
+
+Run bench(const std::string& arguments) {
+  CLI::App app{"", "sesame"};
+  Run run;
+  add_bench_command(app, run.status);
+  const Captured out(std::cout), errors(std::cerr);
+  app.parse("bench " + arguments);
+  run.out = out.text();
+  run.errors = errors.text();
+  return run;
+}
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+}  // namespace
+
+TEST_CASE("bench measures what is named and prints a table", "[bench]") {
+  const Run run = bench("torus-random methods --quick --repeat 1 --method live,recompute");
+  CHECK(run.status == 0);
+  CHECK(run.errors.empty());
+  CHECK_THAT(run.out, Contains("steps/s") && Contains("torus-random") && Contains("methods-menger") &&
+                          !Contains("klein-bottle-random") && !Contains("eager"));
+  CHECK_THAT(bench("torus-random --size 5 --repeat 1").out, Contains("torus-random                        5 live"));
+}
+
+TEST_CASE("bench names what there is when it is asked for something else", "[bench]") {
+  const auto refused = [](const std::string& arguments) {
+    const Run run = bench(arguments);
+    CHECK(run.status == 1);
+    CHECK(run.out.empty());
+    return run.errors;
+  };
+  CHECK_THAT(refused("nothing"), Contains("there is no scenario or family \"nothing\"") &&
+                                     Contains("scaling, torus-inside-out, torus-random"));
+  CHECK_THAT(refused("torus-random --method best"),
+             Contains("there is no method \"best\"") && Contains("live, eager") && Contains("phat"));
+  CHECK_THAT(refused("--size 5"), Contains("--size is for one scenario"));
+  CHECK_THAT(refused("torus-random --compare /nowhere/old.json"), Contains("cannot read /nowhere/old.json"));
+  CHECK_THAT(refused("torus-random --against /nowhere/counts.json"), Contains("cannot read /nowhere/counts.json"));
+  CHECK_THAT(refused("torus-random --out /nowhere/new.json"), Contains("cannot write /nowhere/new.json"));
+  CHECK_THAT(refused("--mesh /nowhere/mesh.off"), Contains("/nowhere/mesh.off"));
+  CHECK_THROWS_AS(bench("--repeat 0"), CLI::ParseError);
+}
+
+TEST_CASE("bench lists scenarios, experiments and methods", "[bench]") {
+  const Run run = bench("--list");
+  CHECK(run.status == 0);
+  CHECK_THAT(run.out, Contains("menger-4-random") && Contains("expected exponent 1") && Contains("method recompute"));
+}
+
+TEST_CASE("bench writes a report that can be compared with the next one", "[bench]") {
+  const ScratchDirectory directory;
+  const std::string report = directory.path("report.json"), page = directory.path("page.html");
+  REQUIRE(bench("torus-random scaling --quick --repeat 3 --out " + report + " --html " + page).status == 0);
+  const auto read = read_report(report);
+  REQUIRE(read);
+  CHECK(read->measurements.size() == 1);
+  CHECK(read->scalings.size() > 3);
+  CHECK_THAT(text_of(page), Contains("<svg") && Contains("torus-random"));
+  const Run run = bench("torus-random --quick --repeat 3 --compare " + report);
+  CHECK(run.status == 0);
+  CHECK_THAT(run.out, Contains("1 compared"));
+  CHECK(parse_report(bench("torus-random --quick --repeat 1 --json").out));
+}
+
+TEST_CASE("the gate fails when a count is larger than in the golden file, and shows which", "[bench]") {
+  const ScratchDirectory directory;
+  const std::string golden = directory.path("golden.json");
+  REQUIRE(bench("torus --quick --counts " + golden).status == 1);  // no such scenario
+  REQUIRE(bench("surfaces filtration-torus --quick --counts " + golden).status == 0);
+  CHECK(bench("surfaces filtration-torus --quick --against " + golden).status == 0);
+
+  std::vector<CountRow> rows = *read_counts(golden);
+  REQUIRE(rows.size() > 9);
+  rows[0].counts[0].second = rows[0].counts[0].second * 9 / 10;
+  std::ofstream{golden} << to_text(rows);
+  const Run grown = bench("surfaces filtration-torus --quick --against " + golden);
+  CHECK(grown.status == 3);
+  CHECK_THAT(grown.errors, Contains("grew") && Contains(rows[0].scenario) && Contains(rows[0].counts[0].first));
+
+  rows[0].counts[0].second *= 2;
+  std::ofstream{golden} << to_text(rows);
+  const Run shrunk = bench("surfaces filtration-torus --quick --against " + golden);
+  CHECK(shrunk.status == 0);
+  CHECK_THAT(shrunk.errors, Contains("tools/bench_gate --renew"));
+
+  rows.pop_back();
+  std::ofstream{golden} << to_text(rows);
+  CHECK(bench("surfaces filtration-torus --quick --against " + golden).status == 3);
+}
+
+TEST_CASE("a mesh is a scenario", "[bench]") {
+  const Run run = bench("--repeat 1 --mesh " + std::string{SESAME_TEST_MESHES} + "/torus.off");
+  CHECK(run.status == 0);
+  CHECK_THAT(run.out, Contains("mesh-torus"));
+}
+
+}  // namespace sesame::tools

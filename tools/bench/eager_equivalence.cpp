@@ -1,0 +1,449 @@
+#include "tools/bench/eager_equivalence.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "reductions/homology.hpp"
+#include "sparse/contract.hpp"
+#include "sparse/smith.hpp"
+
+namespace sesame::tools {
+
+using sparse::Index;
+
+namespace {
+
+void count(std::vector<std::uint32_t>& sizes, int degree, bool add) {
+  const auto p = static_cast<std::size_t>(degree);
+  if (p >= sizes.size()) {
+    sizes.resize(p + 1);
+  }
+  sizes[p] += add ? 1U : ~0U;
+}
+
+template <class Columns>
+void reach(Columns& columns, Index column) {
+  if (column >= columns.size()) {
+    columns.resize(column + 1);
+  }
+}
+
+}  // namespace
+
+// ---- the steps
+
+template <sparse::Ring R>
+void EagerEquivalence<R>::add_cell(Index cell, int degree, const Terms& boundary) {
+  const Index b = size();
+  append(degree, image(g_, boundary));
+  eliminate_units({b});
+  reach(g_, cell);
+  g_[cell] = {{b, ring_.one()}};
+  if (keeps_all()) {
+    const Terms itself{{cell, ring_.one()}};
+    f_.append_column(itself);
+  }
+}
+
+template <sparse::Ring R>
+void EagerEquivalence<R>::remove_cells(const std::vector<Removed>& removed, const Columns& chi) {
+  const Element minus_one = ring_.negate(ring_.one());
+  const Index first = size();
+  // The new boundaries g i(x) - d0 x, with the maps as they were.
+  std::vector<Terms> boundaries;
+  for (const Removed& x : removed) {
+    Terms& boundary = boundaries.emplace_back(image(g_, x.becomes));
+    add(boundary, minus_one, g_[x.cell]);
+    add(boundary, minus_one, shifted(x.boundary, first));
+  }
+  for (std::size_t k = 0; k < removed.size() && keeps_all(); ++k) {
+    for (const Index y : f_.columns_with(removed[k].cell)) {  // r f, below h
+      add(h_[y], ring_.negate(f_.entry(removed[k].cell, y)), {{first + static_cast<Index>(k), ring_.one()}});
+    }
+  }
+  for (std::size_t k = 0; k < removed.size(); ++k) {
+    append(removed[k].degree + 1, boundaries[k]);
+    eliminate_units({first + static_cast<Index>(k)});
+    if (keeps_all()) {
+      f_.append_column({});
+      f_.substitute(removed[k].cell, removed[k].becomes);
+    }
+    g_[removed[k].cell] = {};
+  }
+  for (const auto& [cell, chain] : chi) {
+    add(g_[cell], minus_one, shifted(chain, first));
+  }
+}
+
+template <sparse::Ring R>
+void EagerEquivalence<R>::split_cells(const std::vector<Copy>& copies, const Columns& chi) {
+  sparse::expects(keeps_all(), "cells are split with all maps at hand");
+  const Element minus_one = ring_.negate(ring_.one());
+  const Index first = size();
+  const auto delta = perturbation(chi);
+  std::set<Index> changed;
+  for (std::size_t k = 0; k < copies.size(); ++k) {
+    const Copy& y = copies[k];
+    changed.insert(size());
+    append(y.degree, shifted(y.boundary, first));
+    Terms difference{{y.source, minus_one}, {y.cell, ring_.one()}};
+    sparse::normalize(ring_, difference);
+    f_.append_column(difference);
+    reach(g_, y.cell);
+    g_[y.cell] = g_[y.source];
+    add(g_[y.cell], ring_.one(), {{first + static_cast<Index>(k), ring_.one()}});
+  }
+  perturb_right(delta, first, changed);
+  eliminate_units(std::move(changed));
+}
+
+template <sparse::Ring R>
+auto EagerEquivalence<R>::perturbation(const Columns& chi) -> Columns {
+  std::map<Index, Terms> columns;
+  for (const auto& [cell, chain] : chi) {
+    const Terms in_b = shifted(chain, size());
+    for (const Index y : f_.columns_with(cell)) {
+      add(columns[y], f_.entry(cell, y), in_b);
+    }
+  }
+  return {columns.begin(), columns.end()};
+}
+
+/// What the new part `delta` of the boundary of B does to the right reduction, as long as none of the copies, the
+/// generators from `first` on, is eliminated: -delta hS is added to fS, delta gS to the boundary of S.
+template <sparse::Ring R>
+void EagerEquivalence<R>::perturb_right(const Columns& delta, Index first, std::set<Index>& changed) {
+  const std::map<Index, Terms> columns(delta.begin(), delta.end());
+  const auto image_of = [&](const Terms& chain) {
+    Terms image;
+    for (const auto& term : chain) {
+      if (const auto at = columns.find(term.index); at != columns.end()) {
+        add(image, term.coefficient, at->second);
+      }
+    }
+    touched_ += chain.size();
+    return image;
+  };
+  for (const auto& [y, chain] : delta) {
+    add(d_[y], ring_.one(), chain);
+  }
+  for (Index y = 0; y < first; ++y) {
+    if (const Terms image = image_of(h_small_[y]); !image.empty()) {
+      f_small_.add_to_column(y, ring_.negate(ring_.one()), image);
+    }
+    if (const Terms image = image_of(g_small_[y]); !image.empty()) {
+      d_small_.add_to_column(y, ring_.one(), image);
+      settle(y);
+      changed.insert(y);
+    }
+  }
+}
+
+// ---- generators and eliminations
+
+template <sparse::Ring R>
+void EagerEquivalence<R>::append(int degree, const Terms& boundary) {
+  const Index b = size();
+  degrees_.push_back(degree);
+  is_small_.push_back(true);
+  count(big_sizes_, degree, true);
+  count(small_sizes_, degree, true);
+  Terms d_small;
+  for (const auto& term : boundary) {
+    add(d_small, term.coefficient, f_small_.column(term.index));
+  }
+  d_small_.append_column(d_small);
+  if (keeps_all()) {
+    d_.push_back(boundary);
+    h_.emplace_back();
+    g_small_.push_back({{b, ring_.one()}});
+    add(g_small_[b], ring_.negate(ring_.one()), image(h_small_, boundary));
+    h_small_.emplace_back();
+  }
+  const Terms itself{{b, ring_.one()}};
+  f_small_.append_column(itself);
+  settle(b);
+}
+
+/// Eliminates until none of these columns of the boundary of S, nor any that changes on the way, has a unit entry.
+template <sparse::Ring R>
+void EagerEquivalence<R>::eliminate_units(std::set<Index> columns) {
+  while (!columns.empty()) {
+    const Index b = *columns.begin();
+    columns.erase(columns.begin());
+    if (const std::optional<Index> a = is_small_[b] ? best_unit(b) : std::nullopt) {
+      for (const Index changed : d_small_.columns_with(*a)) {
+        columns.insert(changed);
+      }
+      eliminate(*a, b);
+    }
+  }
+}
+
+/// The row of the unit entry of a boundary for which fewest columns of fS change; the youngest of those.
+template <sparse::Ring R>
+std::optional<Index> EagerEquivalence<R>::best_unit(Index b) const {
+  std::optional<Index> best;
+  for (const auto& term : d_small_.column(b)) {
+    if (ring_.is_unit(term.coefficient) && (!best || f_small_.listed(term.index) <= f_small_.listed(*best))) {
+      best = term.index;
+    }
+  }
+  return best;
+}
+
+template <sparse::Ring R>
+void EagerEquivalence<R>::eliminate(Index a, Index b) {
+  const Element inverse = ring_.inverse(d_small_.entry(a, b));
+  if (keeps_all()) {
+    for (const Index y : f_small_.columns_with(a)) {
+      add(h_small_[y], ring_.multiply(inverse, f_small_.entry(a, y)), g_small_[b]);
+    }
+    const Terms of_b = std::move(g_small_[b]);
+    for (const Index c : d_small_.columns_with(a)) {
+      if (c != b) {
+        add(g_small_[c], ring_.negate(ring_.multiply(inverse, d_small_.entry(a, c))), of_b);
+      }
+    }
+    g_small_[a] = {};
+    g_small_[b] = {};
+  }
+  Terms becomes;  // of a
+  for (const auto& term : d_small_.column(b)) {
+    if (term.index != a) {
+      becomes.push_back({term.index, ring_.negate(ring_.multiply(inverse, term.coefficient))});
+    }
+  }
+  d_small_.clear_column(a);
+  d_small_.clear_column(b);
+  const std::vector<Index> changed = d_small_.columns_with(a);
+  f_small_.substitute(a, becomes);
+  f_small_.substitute(b, {});
+  d_small_.substitute(a, becomes);
+  d_small_.substitute(b, {});
+  for (const Index x : {a, b}) {
+    is_small_[x] = false;
+    count(small_sizes_, degrees_[x], false);
+    with_boundary_.erase(x);
+  }
+  for (const Index c : changed) {
+    settle(c);
+  }
+}
+
+/// Notes whether a generator of S has a boundary.
+template <sparse::Ring R>
+void EagerEquivalence<R>::settle(Index b) {
+  if (d_small_.column(b).empty()) {
+    with_boundary_.erase(b);
+  } else {
+    with_boundary_.insert(b);
+  }
+}
+
+template <sparse::Ring R>
+void EagerEquivalence<R>::add(Terms& into, const Element& factor, const Terms& terms) {
+  touched_ += into.size() + terms.size();
+  sparse::add_multiple<R>(ring_, into, factor, terms);
+}
+
+template <sparse::Ring R>
+auto EagerEquivalence<R>::image(const std::vector<Terms>& columns, const Terms& chain) -> Terms {
+  Terms image;
+  for (const auto& term : chain) {
+    add(image, term.coefficient, columns[term.index]);
+  }
+  return image;
+}
+
+template <sparse::Ring R>
+auto EagerEquivalence<R>::shifted(const Terms& terms, Index by) const -> Terms {
+  Terms result = terms;
+  for (auto& term : result) {
+    term.index += by;
+  }
+  return result;
+}
+
+// ---- answers
+
+template <sparse::Ring R>
+engine::Homology EagerEquivalence<R>::homology(std::size_t dimensions) const {
+  engine::Homology homology;
+  std::int64_t rank_below = 0;  // of the boundary of this degree
+  for (std::size_t p = 0; p < dimensions; ++p) {
+    homology.small.push_back(p < small_sizes_.size() ? small_sizes_[p] : 0);
+    homology.big.push_back(p < big_sizes_.size() ? big_sizes_[p] : 0);
+    std::int64_t rank = 0;
+    std::vector<sparse::Integer>& torsion = homology.torsion.emplace_back();
+    if (!with_boundary_.empty()) {
+      for (const Element& factor : sparse::invariant_factors(torsion_matrix(static_cast<int>(p) + 1))) {
+        ++rank;
+        if (!ring_.is_unit(factor)) {
+          torsion.push_back(ring_.to_integer(factor));
+        }
+      }
+    }
+    homology.betti.push_back(homology.small[p] - rank_below - rank);
+    rank_below = rank;
+  }
+  return homology;
+}
+
+/// The columns of the boundary of S of this degree that are not zero, their rows numbered anew.
+template <sparse::Ring R>
+sparse::Matrix<R> EagerEquivalence<R>::torsion_matrix(int degree) const {
+  std::map<Index, Index> rows;
+  std::vector<Index> columns;
+  for (const Index b : with_boundary_) {
+    if (degrees_[b] == degree) {
+      columns.push_back(b);
+      for (const auto& term : d_small_.column(b)) {
+        rows.emplace(term.index, 0);
+      }
+    }
+  }
+  Index number = 0;
+  for (auto& row : rows) {
+    row.second = number++;
+  }
+  sparse::Matrix<R> matrix(ring_, number, 0);
+  for (const Index b : columns) {
+    Terms column = d_small_.column(b);
+    for (auto& term : column) {
+      term.index = rows.at(term.index);
+    }
+    matrix.append_column(column);
+  }
+  return matrix;
+}
+
+template <sparse::Ring R>
+std::uint64_t EagerEquivalence<R>::map_generators() const {
+  sparse::expects(keeps_all(), "generators are mapped back by gS and f");
+  const auto generators = small_generators();
+  std::uint64_t terms = 0;
+  for (const auto& group : reductions::homology(small_complex(generators))) {
+    for (const auto& generator : group.generators) {
+      Terms in_b, in_c;
+      for (const auto& term : generator.cycle.terms()) {
+        const Index z = generators[static_cast<std::size_t>(generator.cycle.degree().value)][term.index];
+        sparse::add_multiple<R>(ring_, in_b, term.coefficient, g_small_[z]);
+      }
+      for (const auto& term : in_b) {
+        sparse::add_multiple<R>(ring_, in_c, term.coefficient, f_.column(term.index));
+      }
+      terms += in_c.size();
+    }
+  }
+  return terms;
+}
+
+template <sparse::Ring R>
+std::uint64_t EagerEquivalence<R>::entries_held() const {
+  std::uint64_t entries = f_.entries() + f_small_.entries() + d_small_.entries();
+  for (const auto* columns : {&d_, &g_, &h_, &g_small_, &h_small_}) {
+    for (const Terms& column : *columns) {
+      entries += column.size();
+    }
+  }
+  return entries;
+}
+
+template <sparse::Ring R>
+std::uint64_t EagerEquivalence<R>::entries_touched() const {
+  return touched_ + f_.touched() + f_small_.touched() + d_small_.touched();
+}
+
+// ---- written out
+
+namespace {
+
+using Basis = std::vector<std::vector<Index>>;
+
+/// Where each generator stands in its degree.
+std::map<Index, Index> positions(const Basis& basis) {
+  std::map<Index, Index> at;
+  for (const auto& generators : basis) {
+    for (std::size_t k = 0; k < generators.size(); ++k) {
+      at.emplace(generators[k], static_cast<Index>(k));
+    }
+  }
+  return at;
+}
+
+reductions::Sizes sizes_of(const Basis& basis) {
+  reductions::Sizes sizes;
+  for (const auto& generators : basis) {
+    sizes.push_back(static_cast<Index>(generators.size()));
+  }
+  return sizes;
+}
+
+/// The map of this degree between two bases; column(x) gives the chain that x is sent to.
+template <sparse::Ring R, class Column>
+reductions::GradedMap<R> map_between(const R& ring, int degree, const Basis& source, const Basis& target,
+                                     const Column& column) {
+  const std::map<Index, Index> rows = positions(target);
+  std::vector<sparse::Matrix<R>> parts;
+  for (std::size_t p = 0; p < source.size(); ++p) {
+    sparse::Matrix<R> part(ring, reductions::size_at(sizes_of(target), static_cast<int>(p) + degree), 0);
+    for (const Index x : source[p]) {
+      sparse::Terms<R> terms = column(x);
+      for (auto& term : terms) {
+        term.index = rows.at(term.index);
+      }
+      sparse::normalize(ring, terms);
+      part.append_column(terms);
+    }
+    parts.push_back(std::move(part));
+  }
+  return reductions::GradedMap<R>(ring, degree, sizes_of(source), sizes_of(target), std::move(parts));
+}
+
+}  // namespace
+
+template <sparse::Ring R>
+std::vector<std::vector<Index>> EagerEquivalence<R>::small_generators() const {
+  std::vector<std::vector<Index>> generators(small_sizes_.size());
+  for (Index b = 0; b < size(); ++b) {
+    if (is_small_[b]) {
+      generators[static_cast<std::size_t>(degrees_[b])].push_back(b);
+    }
+  }
+  return generators;
+}
+
+template <sparse::Ring R>
+reductions::ChainComplex<R> EagerEquivalence<R>::small_complex(
+    const std::vector<std::vector<Index>>& generators) const {
+  return reductions::complex_with(
+      map_between(ring_, -1, generators, generators, [this](Index b) { return d_small_.column(b); }));
+}
+
+template <sparse::Ring R>
+reductions::Equivalence<R> EagerEquivalence<R>::matrices(const reductions::ChainComplex<R>& object,
+                                                         const std::vector<std::vector<Index>>& cells) const {
+  sparse::expects(keeps_all(), "an equivalence is written out when all of it is kept");
+  Basis big(big_sizes_.size());
+  for (Index b = 0; b < size(); ++b) {
+    big[static_cast<std::size_t>(degrees_[b])].push_back(b);
+  }
+  const Basis small = small_generators();
+  const auto column_of = [](const auto& columns) { return [&columns](Index x) { return columns[x]; }; };
+  const auto column_of_matrix = [](const TwoWayMatrix<R>& matrix) {
+    return [&matrix](Index x) { return matrix.column(x); };
+  };
+  const auto big_complex = reductions::complex_with(map_between(ring_, -1, big, big, column_of(d_)));
+  return {
+      {big_complex, object, map_between(ring_, 0, big, cells, column_of_matrix(f_)),
+       map_between(ring_, 0, cells, big, column_of(g_)), map_between(ring_, 1, big, big, column_of(h_))},
+      {big_complex, small_complex(small), map_between(ring_, 0, big, small, column_of_matrix(f_small_)),
+       map_between(ring_, 0, small, big, column_of(g_small_)), map_between(ring_, 1, big, big, column_of(h_small_))}};
+}
+
+#define SESAME_INSTANTIATE(R) template class EagerEquivalence<R>;
+SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
+#undef SESAME_INSTANTIATE
+
+}  // namespace sesame::tools

@@ -1,0 +1,204 @@
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "sparse/contract.hpp"
+#include "tools/bench/runs.hpp"
+
+namespace sesame::tools {
+namespace {
+
+struct Program {
+  std::string name;     ///< of the executable
+  std::string package;  ///< where it comes from
+  /// All of these are tried, and the quickest is taken.
+  std::vector<std::string> options;
+};
+
+const Program& program_of(const std::string& method) {
+  static const Program sesame{"sesame", "this one", {""}};
+  // Without spectral_sequence: on a torus of 1536 cells, PHAT 1.6 gave other pairs than by its other algorithms in 7 of
+  // 40 runs on two processors.
+  static const Program phat{"phat",
+                            "Debian package phat-utils",
+                            {"--twist", "--twist --dualize", "--chunk_sequential", "--chunk_sequential --dualize",
+                             "--row", "--row --dualize"}};
+  static const Program gudhi{"bench_gudhi", "built when libgudhi-dev is there", {""}};
+  return method == "phat" ? phat : method == "gudhi" ? gudhi : sesame;
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>{in}, {}};
+}
+
+std::uint64_t next_word(std::istream& in) {
+  std::uint64_t word = 0;
+  in.read(reinterpret_cast<char*>(&word), sizeof word);
+  return word;
+}
+
+/// Betti numbers from the boundary matrix and the pairs that PHAT wrote: the cells without a partner.
+std::vector<std::int64_t> betti_from_pairs(const std::string& matrix, const std::string& pairs) {
+  std::vector<std::int64_t> betti;
+  std::vector<std::uint8_t> dimensions;
+  std::ifstream in(matrix, std::ios::binary);
+  for (std::uint64_t left = next_word(in); left > 0 && in; --left) {
+    dimensions.push_back(static_cast<std::uint8_t>(next_word(in)));
+    in.ignore(static_cast<std::streamsize>(sizeof(std::uint64_t) * next_word(in)));
+    betti.resize(std::max(betti.size(), std::size_t{dimensions.back()} + 1));
+    ++betti[dimensions.back()];
+  }
+  std::ifstream pairs_in(pairs, std::ios::binary);
+  for (std::uint64_t left = 2 * next_word(pairs_in); left > 0 && pairs_in; --left) {
+    --betti.at(dimensions.at(next_word(pairs_in)));
+  }
+  return betti;
+}
+
+/// Betti numbers from lines `dim birth death`: the bars without an end.
+std::vector<std::int64_t> betti_from_bars(const std::string& bars) {
+  std::vector<std::int64_t> betti;
+  std::ifstream in(bars);
+  for (std::string line; std::getline(in, line);) {
+    const std::vector<std::string> words = words_of(line);
+    if (words.size() == 3 && words[2] == "inf") {
+      const std::size_t dimension = std::stoul(words[0]);
+      betti.resize(std::max(betti.size(), dimension + 1));
+      ++betti[dimension];
+    }
+  }
+  return betti;
+}
+
+/// Betti numbers from a line `betti b0 b1 ...`.
+std::vector<std::int64_t> betti_from_line(const std::string& text) {
+  std::vector<std::int64_t> betti;
+  for (const std::string& word : words_of(text)) {
+    if (word != "betti") {
+      betti.push_back(std::stoll(word));
+    }
+  }
+  return betti;
+}
+
+}  // namespace
+
+std::span<const std::string> program_methods() {
+  static const std::array<std::string, 3> names{"sesame-program", "phat", "gudhi"};
+  return names;
+}
+
+FiltrationProgram::FiltrationProgram(const Scenario& scenario, std::uint64_t size, std::string method)
+    : scenario_{scenario}, size_{size}, method_{std::move(method)}, options_{program_of(method_).options} {
+  const Program& program = program_of(method_);
+  const std::optional<std::string> path = find_program(program.name);
+  if (!path) {
+    trouble_.verdict = Verdict::absent;
+    trouble_.remark = program.name + " is not here (" + program.package + ")";
+    return;
+  }
+  program_ = *path;
+  const Result<std::string> cells = in_child(
+      [&] {
+        const Filtration filtration = std::get<CellFiltration>(scenario_.input).make(size_);
+        if (method_ == "gudhi" && !filtration.is_simplicial()) {
+          return std::string{"0"};
+        }
+        std::ofstream file(directory_.path("cells"), std::ios::binary);
+        method_ == "gudhi" ? write_gudhi(file, filtration) : write_phat_binary(file, filtration);
+        sparse::expects(file.flush().good(), "there is room for the files of a benchmark");
+        return std::to_string(filtration.size());
+      },
+      3600);
+  if (!cells || *cells == "0") {
+    trouble_.verdict = cells ? Verdict::refused : Verdict::failed;
+    trouble_.remark = cells ? "the cells are no simplices" : cells.error().what;
+    return;
+  }
+  cells_ = std::stoull(*cells);
+}
+
+std::vector<std::string> FiltrationProgram::command(const std::string& options) const {
+  std::vector<std::string> words{program_};
+  if (method_ == "sesame-program") {
+    return {program_,
+            "tower",
+            "--quiet",
+            "--format",
+            "phat-binary",
+            "--pers",
+            directory_.path("out"),
+            directory_.path("cells")};
+  }
+  if (method_ == "phat") {
+    const std::vector<std::string> more = words_of(options);
+    words.insert(words.end(), more.begin(), more.end());
+    words.insert(words.end(), {"--binary", directory_.path("cells"), directory_.path("out")});
+    return words;
+  }
+  return {program_, directory_.path("cells")};
+}
+
+std::string FiltrationProgram::wrong_answer(const std::string& printed) const {
+  const std::optional<Answer> answer = scenario_.answer(size_);
+  if (!answer) {
+    return "";
+  }
+  const Result<std::string> wrong = in_child(  // so that what the files need is not memory of this process
+      [&] {
+        const std::string out = directory_.path("out");
+        const std::vector<std::int64_t> betti = method_ == "phat"    ? betti_from_pairs(directory_.path("cells"), out)
+                                                : method_ == "gudhi" ? betti_from_line(printed)
+                                                                     : betti_from_bars(out);
+        return difference({betti, {}, {}, {}}, *answer);
+      },
+      3600);
+  return wrong ? *wrong : wrong.error().what;
+}
+
+Sample FiltrationProgram::run_with(const std::string& options, unsigned most_seconds) {
+  const Result<ProgramRun> run = run_program(command(options), most_seconds);
+  Sample sample;
+  if (!run) {
+    sample.verdict = Verdict::failed;
+    sample.remark = run.error().what;
+    return sample;
+  }
+  sample.steps = cells_;
+  sample.seconds = run->seconds;
+  sample.processor_seconds = run->processor_seconds;
+  sample.memory.resident = run->peak_bytes;
+  sample.remark = wrong_answer(run->output);
+  sample.verdict = sample.remark.empty() ? Verdict::right : Verdict::wrong;
+  if (sample.remark.empty()) {
+    sample.remark = options;
+  }
+  return sample;
+}
+
+Sample FiltrationProgram::run(unsigned most_seconds) {
+  if (trouble_.verdict != Verdict::right) {
+    return trouble_;
+  }
+  std::optional<Sample> best;
+  std::string chosen;
+  for (const std::string& options : options_) {
+    Sample sample = run_with(options, most_seconds);
+    if (sample.verdict == Verdict::wrong) {
+      return sample;
+    }
+    const bool is_better = !best || (sample.verdict == Verdict::right &&
+                                     (best->verdict != Verdict::right || sample.seconds < best->seconds));
+    if (is_better) {
+      best = std::move(sample);
+      chosen = options;
+    }
+  }
+  options_ = {chosen};
+  return *best;
+}
+
+}  // namespace sesame::tools

@@ -1,0 +1,59 @@
+#include <string>
+#include <utility>
+
+#include "sparse/contract.hpp"
+#include "tools/bench/constructions.hpp"
+
+namespace sesame::tools {
+namespace {
+
+/// Triangles aK and bK with a common edge, for each place K.
+Operations pairs_of_triangles(std::uint32_t places) {
+  Operations operations;
+  for (std::uint32_t place = 0; place < places; ++place) {
+    const std::string k = std::to_string(place);
+    operations.emplace_back(ops::MakeSimplex{"a" + k, 2, {}});
+    operations.emplace_back(ops::MakeSimplex{"b" + k, 2, {}});
+    operations.emplace_back(ops::Identify{{{"a" + k + ".0-1", "b" + k + ".0-1"}}});
+  }
+  return operations;
+}
+
+}  // namespace
+
+Operations glued_and_split(std::uint32_t places, std::uint64_t times) {
+  sparse::expects(places >= 1, "there is a place to glue at");
+  Operations operations = pairs_of_triangles(places);
+  std::vector<std::string> last;  // the third vertex of bK: itself, then its latest copy
+  for (std::uint32_t place = 0; place < places; ++place) {
+    last.push_back("b" + std::to_string(place) + ".2");
+  }
+  for (std::uint64_t time = 0; time < times; ++time) {
+    const std::size_t place = time % places;
+    const std::string k = std::to_string(place);
+    operations.emplace_back(ops::Identify{{{"a" + k + ".2", last[place]}}});
+    last[place] = "c" + std::to_string(time);
+    operations.emplace_back(
+        ops::Deidentify{{{"a" + k + ".2", last[place], {{"b" + k + ".0-2", 0}, {"b" + k + ".1-2", 0}}}}});
+  }
+  return operations;
+}
+
+Operations glued_and_undone(std::uint32_t places, std::uint64_t times) {
+  sparse::expects(places >= 1, "there is a place to glue at");
+  Operations operations = pairs_of_triangles(places);
+  for (std::uint64_t time = 0; time < times; ++time) {
+    const std::string k = std::to_string(time % places);
+    operations.emplace_back(ops::Identify{{{"a" + k + ".2", "b" + k + ".2"}}});
+    operations.emplace_back(ops::Undo{1});
+  }
+  return operations;
+}
+
+Operations replayed_backwards(Operations operations) {
+  const std::size_t steps = operations.size();
+  operations.insert(operations.end(), steps, ops::Undo{1});
+  return operations;
+}
+
+}  // namespace sesame::tools
