@@ -1,7 +1,7 @@
 #include "replay/tower_history.hpp"
 
 #include <algorithm>
-#include <map>
+#include <array>
 
 namespace sesame::replay {
 
@@ -50,32 +50,40 @@ ops::Label TowerHistory::label_at(Vertex v, std::uint64_t operation) const {
 
 TowerHistory::NamedChain TowerHistory::image(std::span<const std::pair<std::uint32_t, sparse::Integer>> chain,
                                              std::uint64_t operation, std::uint32_t p) const {
-  std::map<Name, sparse::Integer> sum;
+  // Most simplices of long histories are squashed by then, so nothing is allocated before that is known.
+  std::vector<std::pair<Name, std::int64_t>> terms;
+  std::array<Label, ops::TowerComplex::largest_dimension + 1> name;
   for (const auto& [inclusion, coefficient] : chain) {
-    Name name;
+    std::size_t size = 0;
     bool is_reversed = false;
     if (has_cells_) {
-      name.push_back(inclusion);
+      name[size++] = inclusion;
     }
     for (std::uint64_t at = first_[has_cells_ ? 0 : inclusion]; !has_cells_ && at < first_[inclusion + 1]; ++at) {
-      name.push_back(label_at(simplices_[at], operation));
-      for (std::size_t k = name.size() - 1; k > 0 && name[k - 1] > name[k]; --k) {
+      name[size++] = label_at(simplices_[at], operation);
+      for (std::size_t k = size - 1; k > 0 && name[k - 1] > name[k]; --k) {
         std::swap(name[k - 1], name[k]);
         is_reversed = !is_reversed;
       }
     }
-    if (std::ranges::adjacent_find(name) == name.end()) {
-      sum[std::move(name)] += is_reversed ? -coefficient : coefficient;
+    if (std::adjacent_find(name.begin(), name.begin() + size) == name.begin() + size) {
+      const std::int64_t residue = coefficient.modulo(p);
+      terms.emplace_back(Name(name.begin(), name.begin() + size), is_reversed ? p - residue : residue);
     }
   }
+  std::ranges::sort(terms);
   NamedChain image;
-  for (auto& [name, coefficient] : sum) {
-    const std::uint32_t residue = coefficient.modulo(p);
+  for (std::size_t at = 0; at < terms.size();) {
+    std::int64_t residue = 0;
+    std::size_t next = at;
+    for (; next < terms.size() && terms[next].first == terms[at].first; ++next) {
+      residue = (residue + terms[next].second) % p;
+    }
     if (residue != 0) {
       // The residue of least size: -1 is easier to read than p - 1.
-      const std::int64_t value = residue > p / 2 ? std::int64_t{residue} - p : std::int64_t{residue};
-      image.emplace_back(value, name);
+      image.emplace_back(residue > p / 2 ? residue - p : residue, std::move(terms[at].first));
     }
+    at = next;
   }
   return image;
 }
