@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "engine/class_space.hpp"
+#include "engine/contraction_shifts.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::engine {
@@ -62,16 +63,12 @@ class Tracker final : public BarcodeTracker {
     for (const Level& level : levels_) {
       nodes_before.push_back(level.space.nodes());
     }
-    shifts_.clear();
     for (std::size_t d = 0; d < changes.size(); ++d) {
-      below_.swap(shifts_);
-      std::ranges::sort(below_);
-      shifts_.clear();
+      shifts_.begin_dimension(d);
       for (const TowerComplex::Change& change : changes[d]) {
         apply(complex, d, change, time, static_cast<std::uint32_t>(nodes_before[d]));
       }
     }
-    below_.clear();
     for (Level& level : levels_) {
       if (level.space.nodes() > 2 * (level.space.alive() + level.refs.size()) + most_idle) {
         level.space.retire(level.refs);
@@ -173,43 +170,29 @@ class Tracker final : public BarcodeTracker {
     }
   }
 
-  /// What g of a simplex has become by the shifts of its facets: the sum, in the space of its dimension.
-  void sum_with_shifts(const TowerComplex& complex, std::size_t d, const TowerComplex::Change& change) {
+  /// What g of a simplex has become by the corrections of the contraction: the sum, in the space of its dimension.
+  void sum_with_corrections(const TowerComplex& complex, std::size_t d, const TowerComplex::Change& change) {
     ClassSpace<R>& space = levels_[d].space;
     space.clear_sum();
     add(space, levels_[d].refs[change.slot], false);
-    for (std::size_t k = 0; k <= d; ++k) {
-      if (k == change.moved_at) {
-        continue;  // the facet without the moved vertex has not changed
-      }
-      const Slot facet = complex.facet(static_cast<int>(d), change.slot, k);
-      const auto shift = std::ranges::lower_bound(below_, facet, {}, &Shift::first);
-      if (shift != below_.end() && shift->first == facet) {
-        add(space, ClassRef{shift->second}, k % 2 == 0);
-      }
-    }
+    shifts_.for_each_correction(complex, d, change,
+                                [&](std::uint32_t born, bool is_negative) { add(space, ClassRef{born}, is_negative); });
   }
 
-  /// The generator of a merged or squashed simplex x has boundary g(x) - e g(survivor), or g(x). When it is a class,
-  /// every simplex with x as a facet has it as a correction.
+  /// A generator that kills a class is 0 in homology, and no correction.
   void apply(const TowerComplex& complex, std::size_t d, const TowerComplex::Change& change, double time,
              std::uint32_t first) {
     Level& level = levels_[d];
     ClassRef& ref = level.refs[change.slot];
     if (change.fate == TowerComplex::Fate::renamed) {
-      if (!below_.empty()) {
-        sum_with_shifts(complex, d, change);
+      if (!shifts_.is_idle()) {
+        sum_with_corrections(complex, d, change);
         ref = level.space.sum_is_zero() ? ClassRef{} : ClassRef{level.space.keep_sum()};
       }
       ref = change.is_reversed ? -ref : ref;
       return;
     }
-    if (below_.empty()) {
-      level.space.clear_sum();
-      add(level.space, ref, false);
-    } else {
-      sum_with_shifts(complex, d, change);
-    }
+    sum_with_corrections(complex, d, change);
     if (change.fate == TowerComplex::Fate::merged) {
       add(level.space, level.refs[change.survivor], !change.is_reversed);
     }
@@ -218,8 +201,7 @@ class Tracker final : public BarcodeTracker {
       close(d, time, first);
       return;
     }
-    const std::uint32_t born = levels_[d + 1].space.add(time);
-    shifts_.emplace_back(change.slot, born);
+    shifts_.note(change.slot, levels_[d + 1].space.add(time));
   }
 
   R ring_;
@@ -228,9 +210,8 @@ class Tracker final : public BarcodeTracker {
   bool has_shared_slots_;
   std::vector<Level> levels_;
   std::uint64_t hidden_ = 0;
-  std::vector<ClassRef> facet_refs_;             ///< of the cell that is being included
-  using Shift = std::pair<Slot, std::uint32_t>;  ///< a merged or squashed simplex, and the class born of its generator
-  std::vector<Shift> shifts_, below_;            ///< of the dimension in hand, and of the one below, by slot
+  std::vector<ClassRef> facet_refs_;  ///< of the cell that is being included
+  ContractionShifts shifts_;
 };
 
 }  // namespace

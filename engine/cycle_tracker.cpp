@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "engine/class_space.hpp"
+#include "engine/contraction_shifts.hpp"
 #include "engine/descending_sum.hpp"
 #include "sparse/contract.hpp"
 
@@ -43,11 +44,8 @@ class Tracker final : public CycleTracker {
   void contract(const TowerComplex& complex, const TowerComplex::Changes& changes, double time) override {
     times_.push_back(time);
     reach(changes.size());
-    shifts_.clear();
     for (std::size_t d = 0; d < changes.size(); ++d) {
-      below_.swap(shifts_);
-      std::ranges::sort(below_);
-      shifts_.clear();
+      shifts_.begin_dimension(d);
       for (const TowerComplex::Change& change : changes[d]) {
         apply(complex, d, change);
       }
@@ -55,7 +53,10 @@ class Tracker final : public CycleTracker {
   }
 
   [[nodiscard]] std::vector<std::uint64_t> betti() const override {
-    std::vector<std::uint64_t> alive = alive_;
+    std::vector<std::uint64_t> alive;
+    for (const Level& level : levels_) {
+      alive.push_back(level.space.alive());
+    }
     while (!alive.empty() && alive.back() == 0) {
       alive.pop_back();
     }
@@ -154,7 +155,6 @@ class Tracker final : public CycleTracker {
   void reach(std::size_t dimension) {
     if (images_.size() < dimension + 2) {
       images_.resize(dimension + 2);
-      alive_.resize(dimension + 2, 0);
     }
     while (levels_.size() < dimension + 2) {
       levels_.emplace_back(ring_);
@@ -189,7 +189,6 @@ class Tracker final : public CycleTracker {
       terms_.insert(terms_.end(), boundary_.begin(), boundary_.end());
       nodes_.push_back(levels_[dimension].space.add(0));
       levels_[dimension].generators.push_back(b);
-      ++alive_[dimension];
       return;
     }
     Level& below = levels_[dimension - 1];
@@ -280,7 +279,6 @@ class Tracker final : public CycleTracker {
     dead.terms = static_cast<std::uint32_t>(column_.size());
     dead.partner = b;
     generators_[b].partner = negative_mark;
-    --alive_[dead.dimension];
     if (dead.operation == generators_[b].operation) {
       return;  // born and dead within one contraction: nobody's
     }
@@ -308,28 +306,20 @@ class Tracker final : public CycleTracker {
     if (change.fate == TowerComplex::Fate::merged) {
       add_cell(d, change.survivor, change.is_reversed ? ring_.one() : ring_.negate(ring_.one()));
     }
-    shifts_.emplace_back(change.slot, static_cast<Generator>(generators_.size()));
+    shifts_.note(change.slot, static_cast<Generator>(generators_.size()));
     append(d + 1, no_inclusion);
   }
 
   /// Adds to g of a simplex the generators of its facets that were merged or squashed.
   void correct(const TowerComplex& complex, std::size_t d, const TowerComplex::Change& change) {
-    for (std::size_t k = 0; k <= d && !below_.empty(); ++k) {
-      if (k == change.moved_at) {
-        continue;
-      }
-      const Slot facet = complex.facet(static_cast<int>(d), change.slot, k);
-      const auto shift = std::ranges::lower_bound(below_, facet, {}, &Shift::first);
-      if (shift == below_.end() || shift->first != facet) {
-        continue;
-      }
+    shifts_.for_each_correction(complex, d, change, [&](Generator generator, bool is_negative) {
       Image& image = images_[d][change.slot];
       if (image.corrections == no_terms) {
         image.corrections = static_cast<std::uint32_t>(corrections_.size());
         corrections_.emplace_back();
       }
-      corrections_[image.corrections].push_back({shift->second, ring_.from(k % 2 == 0 ? -1 : 1)});
-    }
+      corrections_[image.corrections].push_back({generator, ring_.from(is_negative ? -1 : 1)});
+    });
   }
 
   void reverse(Image& image) {
@@ -371,14 +361,11 @@ class Tracker final : public CycleTracker {
     return inclusions(found);
   }
 
-  using Shift = std::pair<Slot, Generator>;
-
   R ring_;
   sparse::AnyRing any_ring_;
   OnBar on_bar_;
   std::vector<Cell> generators_;
   std::vector<double> times_;  ///< per operation
-  std::vector<std::uint64_t> alive_;
   std::uint64_t hidden_ = 0;
   std::uint64_t terms_touched_ = 0;
   std::uint32_t inclusions_ = 0;
@@ -390,7 +377,7 @@ class Tracker final : public CycleTracker {
   std::vector<Addition> additions_;
   std::vector<std::vector<Image>> images_;  ///< per dimension and slot
   std::vector<Terms<R>> corrections_;
-  std::vector<Shift> shifts_, below_;
+  ContractionShifts shifts_;
   DescendingSum<R> sum_;
   Terms<R> boundary_, column_;
   std::vector<Level> levels_;

@@ -12,33 +12,16 @@
 #include <thread>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/temporary_file.hpp"
 
 using namespace sesame;
 using replay::TowerFormat;
 using replay::TowerOperation;
 using replay::TowerReader;
+using tests::TemporaryFile;
 using Lines = std::vector<std::string>;
 
 namespace {
-
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& content) {
-    char name[] = "/tmp/sesame_tower_XXXXXX";
-    const int descriptor = mkstemp(name);
-    REQUIRE(descriptor >= 0);
-    ::close(descriptor);
-    path_ = name;
-    std::ofstream(path_, std::ios::binary) << content;
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() { std::filesystem::remove(path_); }
-  [[nodiscard]] const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 /// The reading end of a pipe into which a thread writes a text, so many bytes at a time.
 class Pipe {

@@ -9,6 +9,7 @@
 
 #include "tests/support/captured.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/tools/command_run.hpp"
 #include "tools/bench/comparison.hpp"
 #include "tools/bench/measurement.hpp"
 #include "tools/bench/processes.hpp"
@@ -18,23 +19,8 @@ namespace sesame::tools {
 namespace {
 
 using Catch::Matchers::Contains;
-using tests::Captured;
 
-struct Run {
-  int status = 0;
-  std::string out, errors;
-};
-
-Run bench(const std::string& arguments) {
-  CLI::App app{"", "sesame"};
-  Run run;
-  add_bench_command(app, run.status);
-  const Captured out(std::cout), errors(std::cerr);
-  app.parse("bench " + arguments);
-  run.out = out.text();
-  run.errors = errors.text();
-  return run;
-}
+CommandRun bench(const std::string& arguments) { return run_command(add_bench_command, "bench " + arguments); }
 
 std::string text_of(const std::string& path) {
   std::ifstream file(path);
@@ -44,7 +30,7 @@ std::string text_of(const std::string& path) {
 }  // namespace
 
 TEST_CASE("bench measures what is named and prints a table", "[bench]") {
-  const Run run = bench("torus-random methods --quick --repeat 1 --method live,recompute");
+  const CommandRun run = bench("torus-random methods --quick --repeat 1 --method live,recompute");
   CHECK(run.status == 0);
   CHECK(run.errors.empty());
   CHECK_THAT(run.out, Contains("steps/s") && Contains("torus-random") && Contains("methods-menger") &&
@@ -54,7 +40,7 @@ TEST_CASE("bench measures what is named and prints a table", "[bench]") {
 
 TEST_CASE("bench names what there is when it is asked for something else", "[bench]") {
   const auto refused = [](const std::string& arguments) {
-    const Run run = bench(arguments);
+    const CommandRun run = bench(arguments);
     CHECK(run.status == 1);
     CHECK(run.out.empty());
     return run.errors;
@@ -72,7 +58,7 @@ TEST_CASE("bench names what there is when it is asked for something else", "[ben
 }
 
 TEST_CASE("bench lists scenarios, experiments and methods", "[bench]") {
-  const Run run = bench("--list");
+  const CommandRun run = bench("--list");
   CHECK(run.status == 0);
   CHECK_THAT(run.out, Contains("menger-4-random") && Contains("expected exponent 1") && Contains("method recompute"));
 }
@@ -86,7 +72,7 @@ TEST_CASE("bench writes a report that can be compared with the next one", "[benc
   CHECK(read->measurements.size() == 1);
   CHECK(read->scalings.size() > 3);
   CHECK_THAT(text_of(page), Contains("<svg") && Contains("torus-random"));
-  const Run run = bench("torus-random --quick --repeat 3 --compare " + report);
+  const CommandRun run = bench("torus-random --quick --repeat 3 --compare " + report);
   CHECK(run.status == 0);
   CHECK_THAT(run.out, Contains("1 compared"));
   CHECK(parse_report(bench("torus-random --quick --repeat 1 --json").out));
@@ -103,13 +89,13 @@ TEST_CASE("the gate fails when a count is larger than in the golden file, and sh
   REQUIRE(rows.size() > 9);
   rows[0].counts[0].second = rows[0].counts[0].second * 9 / 10;
   std::ofstream{golden} << to_text(rows);
-  const Run grown = bench("surfaces filtration-torus --quick --against " + golden);
+  const CommandRun grown = bench("surfaces filtration-torus --quick --against " + golden);
   CHECK(grown.status == 3);
   CHECK_THAT(grown.errors, Contains("grew") && Contains(rows[0].scenario) && Contains(rows[0].counts[0].first));
 
   rows[0].counts[0].second *= 2;
   std::ofstream{golden} << to_text(rows);
-  const Run shrunk = bench("surfaces filtration-torus --quick --against " + golden);
+  const CommandRun shrunk = bench("surfaces filtration-torus --quick --against " + golden);
   CHECK(shrunk.status == 0);
   CHECK_THAT(shrunk.errors, Contains("tools/bench_gate --renew"));
 
@@ -119,7 +105,7 @@ TEST_CASE("the gate fails when a count is larger than in the golden file, and sh
 }
 
 TEST_CASE("a mesh is a scenario", "[bench]") {
-  const Run run = bench("--repeat 1 --mesh " + std::string{SESAME_TEST_MESHES} + "/torus.off");
+  const CommandRun run = bench("--repeat 1 --mesh " + std::string{SESAME_TEST_MESHES} + "/torus.off");
   CHECK(run.status == 0);
   CHECK_THAT(run.out, Contains("mesh-torus"));
 }

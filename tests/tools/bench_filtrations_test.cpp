@@ -12,11 +12,14 @@
 
 #include "replay/tower_reader.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/temporary_file.hpp"
 
 using namespace sesame;
 using namespace sesame::tools;
 
 namespace {
+
+using tests::TemporaryFile;
 
 using Vertices = std::vector<std::uint32_t>;
 
@@ -58,25 +61,6 @@ bool is_ordered_by_value_dimension_vertices(const Filtration& filtration) {
   }
   return true;
 }
-
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& content) {
-    char name[] = "/tmp/sesame_bench_XXXXXX";
-    const int descriptor = mkstemp(name);
-    REQUIRE(descriptor >= 0);
-    ::close(descriptor);
-    path_ = name;
-    std::ofstream(path_, std::ios::binary) << content;
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() { std::filesystem::remove(path_); }
-  [[nodiscard]] const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 struct ReadBack {
   replay::TowerFormat format;

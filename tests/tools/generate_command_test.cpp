@@ -5,29 +5,15 @@
 
 #include "tests/support/captured.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/tools/command_run.hpp"
 #include "tools/commands.hpp"
 
 namespace sesame::tools {
 namespace {
 
 using Catch::Matchers::Contains;
-using tests::Captured;
 
-struct Run {
-  int status = 0;
-  std::string out, errors;
-};
-
-Run generate(const std::string& arguments) {
-  CLI::App app{"", "sesame"};
-  Run run;
-  add_generate_command(app, run.status);
-  const Captured out(std::cout), errors(std::cerr);
-  app.parse("generate " + arguments);
-  run.out = out.text();
-  run.errors = errors.text();
-  return run;
-}
+CommandRun generate(const std::string& arguments) { return run_command(add_generate_command, "generate " + arguments); }
 
 }  // namespace
 
@@ -50,7 +36,7 @@ TEST_CASE("generate writes each workload in its formats", "[bench]") {
 
 TEST_CASE("generate refuses what it cannot do, and says what it can", "[bench]") {
   const auto refused = [](const std::string& arguments) {
-    const Run run = generate(arguments);
+    const CommandRun run = generate(arguments);
     CHECK(run.status == 1);
     CHECK(run.out.empty());
     return run.errors;
@@ -66,7 +52,7 @@ TEST_CASE("generate refuses what it cannot do, and says what it can", "[bench]")
 
 TEST_CASE("generate writes a file", "[bench]") {
   const std::string path = (std::filesystem::temp_directory_path() / "sesame_generate_test").string();
-  const Run run = generate("torus --size 3 --format phat -o " + path);
+  const CommandRun run = generate("torus --size 3 --format phat -o " + path);
   std::stringstream written;
   written << std::ifstream(path).rdbuf();
   std::filesystem::remove(path);

@@ -6,6 +6,7 @@
 
 #include "engine/engine.hpp"
 #include "replay/script.hpp"
+#include "tests/support/captured.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/tools/mesh_support.hpp"
 #include "tools/commands.hpp"
@@ -17,21 +18,7 @@ namespace {
 
 using Catch::Matchers::Contains;
 using nlohmann::json;
-
-/// Sends a standard stream into a string while it lives.
-class Captured {
- public:
-  explicit Captured(std::ostream& stream) : stream_{stream}, before_{stream.rdbuf(text_.rdbuf())} {}
-  Captured(const Captured&) = delete;
-  Captured& operator=(const Captured&) = delete;
-  ~Captured() { stream_.rdbuf(before_); }
-  [[nodiscard]] std::string text() const { return text_.str(); }
-
- private:
-  std::ostringstream text_;
-  std::ostream& stream_;
-  std::streambuf* before_;
-};
+using tests::Captured;
 
 struct Run {
   int status = 0;
