@@ -32,12 +32,10 @@ class Run {
     }
     is_ring_of_header_ = sparse::ring_name(*ring) == header->ring;
     engine::Engine engine(*ring, options_.limits);
-    if (options_.log != nullptr) {
-      ops::Header written = *header;
-      written.ring = sparse::ring_name(*ring);
-      *options_.log << ops::to_text(written) << '\n' << std::flush;
+    Outcome outcome = options_.older_steps != nullptr ? take_older_steps(engine) : begin_log(*header, *ring);
+    if (outcome == Outcome::done) {
+      outcome = all_steps(engine);
     }
-    Outcome outcome = all_steps(engine);
     if (outcome == Outcome::done && is_stopped()) {
       outcome = Outcome::interrupted;
     }
@@ -59,8 +57,52 @@ class Run {
  private:
   [[nodiscard]] bool is_stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
+  Outcome begin_log(ops::Header header, const sparse::AnyRing& ring) {
+    header.ring = sparse::ring_name(ring);
+    return write_to_log(ops::to_text(header));
+  }
+
+  Outcome write_to_log(const std::string& line) {
+    if (options_.log == nullptr) {
+      return Outcome::done;
+    }
+    *options_.log << line << '\n' << std::flush;
+    return *options_.log ? Outcome::done : Outcome::wrong_usage;
+  }
+
+  Outcome take_older_steps(engine::Engine& engine) {
+    ScriptReader& older = *options_.older_steps;
+    const Result<ops::Header> header = older.header();
+    if (!header) {
+      return fail(header.error().what, Outcome::wrong_script);
+    }
+    const std::string ring = sparse::ring_name(engine.ring());
+    if (header->ring != ring) {
+      return fail(older.place() + "this log is over " + header->ring + ", and what is to go on from it over " + ring +
+                      "; --ring " + header->ring + " would take it over the same",
+                  Outcome::wrong_script);
+    }
+    while (!is_stopped()) {
+      Result<std::optional<ops::Operation>> operation = older.next();
+      if (!operation) {
+        return fail(operation.error().what, outcome_of(operation.error().code));
+      }
+      if (!*operation) {
+        break;
+      }
+      if (const auto report = engine.apply(std::move(**operation)); !report) {
+        return fail(older.place() + report.error().what, outcome_of(report.error().code));
+      }
+      older_ = ++steps_;
+      if (progress_ != nullptr) {
+        progress_->update(steps_);
+      }
+    }
+    return Outcome::done;
+  }
+
   Outcome all_steps(engine::Engine& engine) {
-    while (!is_stopped() && (!options_.until || steps_ < *options_.until)) {
+    while (!is_stopped() && (!options_.until || steps_ - older_ < *options_.until)) {
       Result<std::optional<ops::Operation>> operation = script_.next();
       if (!operation && is_stopped()) {
         break;  // what was cut off is no line of the script
@@ -96,8 +138,8 @@ class Run {
       }
     }
     ++steps_;
-    if (options_.log != nullptr) {
-      *options_.log << ops::to_text(engine.log().back()) << '\n' << std::flush;
+    if (const Outcome logged = write_to_log(ops::to_text(engine.log().back())); logged != Outcome::done) {
+      return logged;
     }
     const bool is_due = options_.every > 0 && steps_ % options_.every == 0 &&
                         (!options_.report_at_most || reported_ < *options_.report_at_most);
@@ -143,6 +185,7 @@ class Run {
   Progress* progress_;
   bool is_ring_of_header_ = true;
   std::uint64_t steps_ = 0;
+  std::uint64_t older_ = 0;  ///< of these, from the log that is gone on from
   std::uint64_t reported_ = 0;
 };
 

@@ -41,7 +41,12 @@ struct ReplayOptions {
   bool partial = false;  ///< after an error of the script or a failed `expect`, summarise what was before it
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: finish the current step, then summarise
   ops::Limits limits;                       ///< of what a step may make
-  std::ostream* log = nullptr;              ///< the operations applied, a line each, flushed after each
+  /// The operations applied, a line each, flushed after each. When that fails the replay ends with wrong_usage; why, is
+  /// for its owner to say.
+  std::ostream* log = nullptr;
+  /// The log as it is so far, to be gone on from: its steps come first, neither reported nor verified, counted by
+  /// `until` or written again, and its header is that of both. It has to be over the ring of the replay.
+  ScriptReader* older_steps = nullptr;
 };
 
 /// Replays a script into a fresh engine. Reports go to `reporter` (null: none), errors to `errors` (one line each),

@@ -2,8 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -16,6 +14,8 @@
 #include "tools/bench/runs.hpp"
 #include "tools/bench/scaling.hpp"
 #include "tools/commands.hpp"
+#include "tools/options.hpp"
+#include "tools/output_file.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -124,19 +124,22 @@ class Bench {
       }
       golden_ = *std::move(golden);
     }
-    for (const auto& [path, file] : outputs()) {
-      if (!path->empty()) {
-        file->open(*path, std::ios::trunc);
-      }
-      if (!*file) {
-        return "cannot write " + *path;
-      }
-    }
-    return "";
+    return open_outputs();
   }
 
-  std::array<std::pair<const std::string*, std::ofstream*>, 3> outputs() {
-    return {{{&arguments_.out, &out_}, {&arguments_.html, &html_}, {&arguments_.counts, &counts_}}};
+  std::string open_outputs() {
+    std::vector<std::string> inputs = arguments_.meshes;
+    inputs.insert(inputs.end(), {arguments_.compare, arguments_.against});
+    outputs_.emplace(std::move(inputs));
+    for (const auto& [path, file] : {std::pair{&arguments_.out, &out_}, std::pair{&arguments_.html, &html_},
+                                     std::pair{&arguments_.counts, &counts_}}) {
+      const Result<std::ostream*> opened = outputs_->open(*path);
+      if (!opened) {
+        return opened.error().what;
+      }
+      *file = *opened;
+    }
+    return "";
   }
 
   /// The methods that a scenario is run with now.
@@ -191,25 +194,20 @@ class Bench {
   }
 
   std::string write_files() {
-    if (out_.is_open()) {
-      out_ << to_text(report_) << std::flush;
+    if (out_ != nullptr) {
+      *out_ << to_text(report_);
     }
-    if (html_.is_open()) {
-      write_page(html_, report_);
-      html_ << std::flush;
+    if (html_ != nullptr) {
+      write_page(*html_, report_);
     }
-    if (counts_.is_open()) {
-      counts_ << to_text(count_rows(report_)) << std::flush;
+    if (counts_ != nullptr) {
+      *counts_ << to_text(count_rows(report_));
     }
     if (arguments_.json) {
       std::cout << to_text(report_);
     }
-    for (const auto& [path, file] : outputs()) {
-      if (!*file) {
-        return "cannot write " + *path;
-      }
-    }
-    return "";
+    const Status written = outputs_->commit();
+    return written ? "" : written.error().what;
   }
 
   /// Says what is to be said at the end. The exit status.
@@ -231,7 +229,6 @@ class Bench {
     if (golden_ && !holds(*golden_)) {
       is_wrong = true;
     }
-    std::cout << std::flush;
     return static_cast<int>(is_wrong ? Outcome::expectation_failed : Outcome::done);
   }
 
@@ -254,7 +251,8 @@ class Bench {
   bool wants_scaling_ = false;
   std::optional<Report> old_;
   std::optional<std::vector<CountRow>> golden_;
-  std::ofstream out_, html_, counts_;
+  std::optional<OutputFiles> outputs_;
+  std::ostream *out_ = nullptr, *html_ = nullptr, *counts_ = nullptr;
   Report report_;
 };
 
@@ -275,7 +273,7 @@ void add_bench_command(CLI::App& app, int& status) {
       ->capture_default_str();
   command->add_option("--size", arguments->size, "Another size for one scenario")->check(from_one_on());
   command->add_option("--time-limit", arguments->time_limit, "Seconds after which a run is cut off")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   CLI::Option* quick = command->add_flag("--quick", arguments->quick, "Small sizes");
   command->add_flag("--large", arguments->large, "Scaling up to ten million cells")->excludes(quick);

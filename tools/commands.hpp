@@ -3,7 +3,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <string>
 
 namespace sesame::tools {
 
@@ -14,11 +13,5 @@ void add_generate_command(CLI::App& app, int& status);
 void add_tower_command(CLI::App& app, int& status);
 void add_distance_command(CLI::App& app, int& status);
 void add_bench_command(CLI::App& app, int& status);
-
-/// Accepts whole numbers from 1 on.
-[[nodiscard]] CLI::Validator from_one_on();
-
-/// True when two paths name one existing file: what is read must not be written over.
-[[nodiscard]] bool is_same_file(const std::string& one, const std::string& other);
 
 }  // namespace sesame::tools

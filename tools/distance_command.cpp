@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +14,7 @@
 #include "replay/text_buffer.hpp"
 #include "sesame/version.hpp"
 #include "tools/commands.hpp"
+#include "tools/options.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -213,8 +213,7 @@ int run_distance(const Arguments& arguments) {
   }
   const auto write = arguments.json ? write_json : write_text;
   write(std::cout, compare(files[0], files[1], arguments), arguments);
-  std::cout << std::flush;
-  return std::cout ? 0 : fail("sesame distance: cannot write to standard output", Outcome::wrong_usage);
+  return 0;
 }
 
 /// Accepts finite numbers from 1 on.
@@ -244,11 +243,9 @@ void add_distance_command(CLI::App& app, int& status) {
           ->check(exponent())
           ->expected(0, 1)
           ->default_str("1");
-  command
-      ->add_option("--internal-p", arguments->ground,
-                   "The metric of the plane for --wasserstein: inf (the larger of the two differences; default) or 2")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, GroundMetric>{{"inf", GroundMetric::maximum}, {"2", GroundMetric::euclidean}}));
+  add_choice<GroundMetric>(
+      *command, "--internal-p", arguments->ground, {{"inf", GroundMetric::maximum}, {"2", GroundMetric::euclidean}},
+      "The metric of the plane for --wasserstein: inf (the larger of the two differences; default) or 2");
   command->add_option("--dim", arguments->dimension, "Compare only the bars of this dimension")
       ->check(CLI::Range(0, replay::largest_dimension_read));
   command->add_flag("--matching", arguments->matching, "Also the pairs of a best matching");

@@ -1,4 +1,3 @@
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -9,6 +8,8 @@
 #include "tools/bench/filtrations.hpp"
 #include "tools/bench/towers.hpp"
 #include "tools/commands.hpp"
+#include "tools/options.hpp"
+#include "tools/output_file.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -108,25 +109,12 @@ int run_generate(const Arguments& arguments) {
   }
   const std::string objected = std::visit([&](const auto& kind) { return objection(arguments, kind); }, found->second);
   if (!objected.empty()) return wrong_usage(objected);
-  std::ofstream file;
-  if (arguments.out != "-") {
-    file.open(arguments.out, std::ios::trunc | std::ios::binary);
-    if (!file) return wrong_usage("cannot write " + arguments.out);
-  }
-  std::ostream& out = arguments.out == "-" ? std::cout : file;
-  std::visit([&](const auto& kind) { write(out, arguments, kind); }, found->second);
-  out << std::flush;
-  return out ? 0 : wrong_usage("cannot write " + arguments.out);
-}
-
-/// Accepts whole numbers.
-CLI::Validator from_zero_on() {
-  return CLI::Validator(
-      [](const std::string& text) {
-        const bool is_number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-        return is_number ? std::string{} : "\"" + text + "\" should be a whole number from 0 on";
-      },
-      "");
+  OutputFiles outputs({});
+  const Result<std::ostream*> out = outputs.open(arguments.out);
+  if (!out) return wrong_usage(out.error().what);
+  std::visit([&](const auto& kind) { write(**out, arguments, kind); }, found->second);
+  const Status written = outputs.commit();
+  return written ? 0 : wrong_usage(written.error().what);
 }
 
 }  // namespace
@@ -134,12 +122,14 @@ CLI::Validator from_zero_on() {
 void add_generate_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("generate", "Make a filtration or a random tower to measure with");
   auto arguments = std::make_shared<Arguments>();
+  const std::vector<std::string> formats{"phat-binary", "phat", "gudhi", "tower"};
   command->add_option("NAME", arguments->name, "One of " + names())->required();
   command->add_option("-o,--output", arguments->out, "The file; - for standard output")->capture_default_str();
   command
       ->add_option("--format", arguments->format,
                    "Default: phat-binary, a boundary matrix, for a filtration, and tower for a tower")
-      ->check(CLI::IsMember({"phat-binary", "phat", "gudhi", "tower"}));
+      ->check(one_of(formats))
+      ->type_name(alternatives(formats));
   command->add_option("--seed", arguments->seed, "What the random choices depend on")
       ->check(from_zero_on())
       ->capture_default_str();

@@ -1,7 +1,4 @@
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <map>
 #include <memory>
 
 #include "replay/replay.hpp"
@@ -9,6 +6,8 @@
 #include "tools/commands.hpp"
 #include "tools/mesh/script.hpp"
 #include "tools/mesh_input.hpp"
+#include "tools/options.hpp"
+#include "tools/output_file.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -38,27 +37,20 @@ int run_import(const Arguments& arguments) {
   if (!mesh) {
     return refuse(mesh.error());
   }
-  std::ofstream file;
-  if (arguments.out != "-") {
-    if (is_same_file(arguments.mesh.file, arguments.out)) {
-      return fail("sesame import: -o would write over the mesh; give it another file", Outcome::wrong_usage);
-    }
-    file.open(arguments.out, std::ios::trunc);
-    if (!file) {
-      return fail("sesame import: cannot write " + arguments.out, Outcome::wrong_usage);
-    }
+  OutputFiles outputs({arguments.mesh.file});
+  const Result<std::ostream*> opened = outputs.open(arguments.out);
+  if (!opened) {
+    return fail("sesame import: " + opened.error().what, Outcome::wrong_usage);
   }
-  std::ostream& out = arguments.out == "-" ? std::cout : file;
+  std::ostream& out = **opened;
   const ScriptOptions options{arguments.mesh.file, arguments.ring, arguments.polygons, arguments.order, true};
   const Result<ScriptSummary> summary =
       arguments.assemble ? write_assembled_script(*mesh, out, options) : write_complex_script(*mesh, out, options);
   if (!summary) {
-    return fail(arguments.mesh.file + ": " + summary.error().what,
-                summary.error().code == Errc::io ? Outcome::wrong_usage : Outcome::wrong_script);
+    return fail(arguments.mesh.file + ": " + summary.error().what, Outcome::wrong_script);
   }
-  out << std::flush;
-  if (!out) {
-    return fail("sesame import: cannot write " + arguments.out, Outcome::wrong_usage);
+  if (const Status written = outputs.commit(); !written) {
+    return fail("sesame import: " + written.error().what, Outcome::wrong_usage);
   }
   if (!arguments.quiet) {
     for (const std::string& remark : summary->remarks) {
@@ -72,11 +64,6 @@ int run_import(const Arguments& arguments) {
 
 }  // namespace
 
-bool is_same_file(const std::string& one, const std::string& other) {
-  std::error_code missing;
-  return std::filesystem::equivalent(one, other, missing);
-}
-
 void add_import_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("import", "Make a construction script from a mesh (OFF, OBJ, PLY, STL)");
   auto arguments = std::make_shared<Arguments>();
@@ -85,17 +72,13 @@ void add_import_command(CLI::App& app, int& status) {
   command->add_flag("--assemble", arguments->assemble,
                     "One simplex per triangle, each glued to what is there, instead of one complex");
   command->add_option("--ring", arguments->ring, "The ring named in the script")->capture_default_str();
-  command
-      ->add_option("--polygons", arguments->polygons,
-                   "Cut polygons of more than 3 corners as a fan from one corner (default), or as a cone over their "
-                   "boundary from a new point in the middle")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, Polygons>{{"fan", Polygons::fan}, {"cone", Polygons::cone}}));
-  command
-      ->add_option("--order", arguments->order,
-                   "Build breadth first, so that what is built stays connected (default), or as the file lists faces")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, BuildOrder>{{"connected", BuildOrder::breadth_first}, {"file", BuildOrder::as_given}}));
+  add_choice<Polygons>(
+      *command, "--polygons", arguments->polygons, {{"fan", Polygons::fan}, {"cone", Polygons::cone}},
+      "Cut polygons of more than 3 corners as a fan from one corner (default), or as a cone over their boundary from a "
+      "new point in the middle");
+  add_choice<BuildOrder>(
+      *command, "--order", arguments->order, {{"connected", BuildOrder::breadth_first}, {"file", BuildOrder::as_given}},
+      "Build breadth first, so that what is built stays connected (default), or as the file lists faces");
   command->add_flag("--quiet", arguments->quiet, "No remarks on standard error");
   command->footer("Exit status: 0 done, 1 wrong usage or unreadable file, 2 the mesh is wrong.");
   command->callback([arguments, &status] { status = run_import(*arguments); });

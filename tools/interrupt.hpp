@@ -1,8 +1,10 @@
 /// \file
-/// Ctrl-C: the work at hand is finished and reported, instead of lost.
+/// Signals: at Ctrl-C the work at hand is finished and reported, instead of lost; and nothing half-made is left behind
+/// by a signal that ends the program.
 #pragma once
 
 #include <atomic>
+#include <string>
 
 namespace sesame::tools {
 
@@ -12,5 +14,18 @@ namespace sesame::tools {
 /// From now on the first Ctrl-C sets `stop_requested`, and ends a read that waits for input; a second one ends the
 /// program at once.
 void catch_interrupt();
+
+/// A file that goes when one of the usual signals ends the program (Ctrl-C, a broken pipe, a closed terminal, `kill`),
+/// while this lives. Not when `kill -9` or a power cut does.
+class RemovedBySignals {
+ public:
+  explicit RemovedBySignals(std::string path);
+  RemovedBySignals(const RemovedBySignals&) = delete;
+  RemovedBySignals& operator=(const RemovedBySignals&) = delete;
+  ~RemovedBySignals();
+
+ private:
+  std::string path_;
+};
 
 }  // namespace sesame::tools

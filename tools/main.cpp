@@ -3,6 +3,10 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <csignal>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -11,29 +15,35 @@
 #include "replay/replay.hpp"
 #include "sesame/version.hpp"
 #include "sparse/contract.hpp"
+#include "tools/command_line.hpp"
 #include "tools/commands.hpp"
 
 namespace {
 
 using sesame::replay::Outcome;
 
+constexpr int wrong_usage = static_cast<int>(Outcome::wrong_usage);
+
 std::function<bool(CLI::App*)> is_named(const std::string& name) {
   return [name](CLI::App* command) { return command->get_name() == name; };
 }
 
 /// `sesame help [COMMAND]`, as everyone expects beside `--help`.
-void add_help_command(CLI::App& app) {
+void add_help_command(CLI::App& app, int& status) {
   CLI::App* help = app.add_subcommand("help", "Explain a command");
   auto topic = std::make_shared<std::string>();
   help->add_option("COMMAND", *topic, "The command to explain");
-  help->callback([&app, topic] {
+  help->callback([&app, &status, topic] {
     if (topic->empty()) {
-      std::cout << app.help();
+      std::cout << app.get_formatter()->make_help(&app, app.get_name(),
+                                                  CLI::AppFormatMode::Normal);  // help() would explain this
       return;
     }
     const std::vector<CLI::App*> found = app.get_subcommands(is_named(*topic));
     if (found.empty()) {
-      throw CLI::ValidationError("help", "there is no command \"" + *topic + "\"; see sesame --help");
+      std::cerr << "sesame help: " << sesame::tools::unknown_command(app, *topic) << '\n';
+      status = wrong_usage;
+      return;
     }
     std::cout << found.front()->help(app.get_name());
   });
@@ -43,7 +53,6 @@ int run(int argc, char** argv) {
   CLI::App app{"sesame: integer homology, live, while an object is built", "sesame"};
   app.set_version_flag("--version", std::string{"sesame "} + SESAME_VERSION);
   app.require_subcommand(1);
-  app.failure_message(CLI::FailureMessage::simple);
   int status = 0;
   sesame::tools::add_replay_command(app, status);
   sesame::tools::add_import_command(app, status);
@@ -52,27 +61,60 @@ int run(int argc, char** argv) {
   sesame::tools::add_tower_command(app, status);
   sesame::tools::add_distance_command(app, status);
   sesame::tools::add_bench_command(app, status);
-  add_help_command(app);
-  if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_named(argv[1])).empty()) {
-    std::cerr << "sesame: there is no command \"" << argv[1] << "\"; see sesame --help\n";
-    return static_cast<int>(Outcome::wrong_usage);
+  add_help_command(app, status);
+  if (argc < 2) {
+    std::cerr << app.help();
+    return wrong_usage;
+  }
+  if (argv[1][0] != '-' && app.get_subcommands(is_named(argv[1])).empty()) {
+    std::cerr << "sesame: " << sesame::tools::unknown_command(app, argv[1]) << '\n';
+    return wrong_usage;
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : static_cast<int>(Outcome::wrong_usage);
+    if (e.get_exit_code() == 0) {
+      return app.exit(e);
+    }
+    // What was not expected comes first: it explains whatever else is missing.
+    const std::string unexpected = sesame::tools::unexpected_arguments(app);
+    const std::string name = sesame::tools::name_of_chosen(app);
+    std::cerr << name << ": " << (unexpected.empty() ? e.what() : unexpected) << "; see " << name << " --help\n";
+    return wrong_usage;
   }
   return status;
+}
+
+/// A standard stream that is closed would lend its number to the next file that is opened, and what is meant for the
+/// stream would go there. It becomes one that can be neither read nor written.
+void keep_numbers_of_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) == -1) {
+      (void)open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // takes the lowest number that is free
+    }
+  }
+}
+
+/// The exit status, when all that went to standard output has got there.
+int after_output(int status) {
+  std::cout << std::flush;
+  if (std::cout) {
+    return status;
+  }
+  std::cerr << "sesame: cannot write to standard output\n";
+  return wrong_usage;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_numbers_of_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow any more is an error of writing like any other
   std::ios::sync_with_stdio(false);
   try {
     spdlog::set_default_logger(spdlog::stderr_color_st("sesame"));
     spdlog::cfg::load_env_levels();
-    return run(argc, argv);
+    return after_output(run(argc, argv));
   } catch (const std::bad_alloc&) {
     std::cerr << "sesame: out of memory\n";
   } catch (const std::exception& e) {

@@ -8,6 +8,7 @@
 #include "tools/commands.hpp"
 #include "tools/mesh_input.hpp"
 #include "tools/mesh_report.hpp"
+#include "tools/options.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -37,8 +38,7 @@ int run_mesh(const Arguments& arguments) {
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   const auto write = arguments.json ? write_json : write_text;
   write(std::cout, *found, {arguments.mesh.file, arguments.generators_limit, took.count()});
-  std::cout << std::flush;
-  return std::cout ? 0 : fail("sesame mesh: cannot write to standard output", Outcome::wrong_usage);
+  return 0;
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ void add_mesh_command(CLI::App& app, int& status) {
       ->add_option("--generators-limit", arguments->generators_limit,
                    "How many generators to list: of each group (default 20), or in all with --json (default: all); 0 "
                    "saves looking for them")
-      ->check(CLI::NonNegativeNumber);
+      ->check(from_zero_on());
   command->footer(
       "Chains in the JSON name cells as `sesame import` does, so that `class` and other steps can be appended there.\n"
       "Exit status: 0 done, 1 wrong usage or unreadable file, 2 the mesh is wrong.");

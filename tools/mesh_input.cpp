@@ -3,20 +3,21 @@
 #include <charconv>
 #include <cmath>
 #include <iostream>
-#include <map>
 
 #include "replay/replay.hpp"
+#include "tools/options.hpp"
 
 namespace sesame::tools {
 
 void add_mesh_input(CLI::App& command, MeshInput& input) {
   command.add_option("MESH", input.file, "The mesh file (OFF, OBJ, PLY, STL)")->required();
-  command.add_option("--format", input.format, "The mesh format; default: by extension, else by content")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Format>{{"auto", Format::automatic},
-                                                                        {"off", Format::off},
-                                                                        {"obj", Format::obj},
-                                                                        {"ply", Format::ply},
-                                                                        {"stl", Format::stl}}));
+  add_choice<Format>(command, "--format", input.format,
+                     {{"auto", Format::automatic},
+                      {"off", Format::off},
+                      {"obj", Format::obj},
+                      {"ply", Format::ply},
+                      {"stl", Format::stl}},
+                     "The mesh format; default: by extension, else by content");
   command.add_option("--weld", input.weld, "Make one of points within this distance (STL: equal points always are)");
 }
 

@@ -13,6 +13,8 @@
 #include "replay/replay.hpp"
 #include "tools/commands.hpp"
 #include "tools/interrupt.hpp"
+#include "tools/log_file.hpp"
+#include "tools/options.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -47,28 +49,12 @@ struct Arguments {
   std::uint64_t every = 0;
   std::int64_t explicit_cones = ops::Limits{}.cells_of_explicit_cone;
   std::string log;
+  LogFile::Old old_log = LogFile::Old::is_refused;
   bool json = false;
   bool generators = false;
   bool verify = false;
   bool follow = false;
   bool quiet = false;
-};
-
-/// A file that is emptied when the first thing is written to it: a script that turns out to be none costs no old log.
-class FreshFile final : public std::filebuf {
- public:
-  explicit FreshFile(std::string path) : path_{std::move(path)} {}
-
- protected:
-  int_type overflow(int_type c) override { return ensure_open() ? std::filebuf::overflow(c) : traits_type::eof(); }
-  std::streamsize xsputn(const char* text, std::streamsize size) override {
-    return ensure_open() ? std::filebuf::xsputn(text, size) : 0;
-  }
-
- private:
-  bool ensure_open() { return is_open() || open(path_, std::ios::out | std::ios::trunc) != nullptr; }
-
-  std::string path_;
 };
 
 constexpr std::uint64_t most_steps_reported_by_default = 200;
@@ -97,6 +83,20 @@ bool wait_for_growth() {
   return !stop_requested().load();
 }
 
+/// The exit status, that of the outcome unless the log could not be kept.
+int close_log(LogFile* log, const std::string& path, Outcome outcome) {
+  if (log != nullptr) {
+    const bool is_whole = outcome == Outcome::done || outcome == Outcome::interrupted;
+    if (const Status closed = log->close(is_whole); !closed) {
+      return wrong_usage(closed.error().what);
+    }
+    if (const std::string part = log->part(); !part.empty()) {
+      std::cerr << path << " is as it was; the log of the steps until here is " << part << '\n';
+    }
+  }
+  return static_cast<int>(outcome);
+}
+
 int run_replay(const Arguments& arguments) {
   replay::ReplayOptions options;
   if (!arguments.ring.empty()) {
@@ -115,16 +115,20 @@ int run_replay(const Arguments& arguments) {
     }
     file.clear();
   }
-  FreshFile log_file(arguments.log);
-  std::ostream log(&log_file);
+  std::unique_ptr<LogFile> log;
+  std::ifstream older_log;
+  std::optional<replay::ScriptReader> older_steps;
   if (!arguments.log.empty()) {
-    if (is_same_file(arguments.file, arguments.log)) {
-      return wrong_usage("--log would write over the script; give it another file");
+    Result<std::unique_ptr<LogFile>> opened = LogFile::open(arguments.log, arguments.old_log, {arguments.file});
+    if (!opened) {
+      return wrong_usage(opened.error().what);
     }
-    if (!std::ofstream(arguments.log, std::ios::app)) {
-      return wrong_usage("cannot write " + arguments.log);
+    log = std::move(*opened);
+    options.log = &log->stream();
+    if (log->goes_on()) {
+      older_log.open(arguments.log);
+      options.older_steps = &older_steps.emplace(older_log, arguments.log);
     }
-    options.log = &log;
   }
   const std::optional<std::uint64_t> operations = operations_of(arguments);
   const std::uint64_t shown = operations.value_or(most_steps_reported_by_default);
@@ -160,32 +164,14 @@ int run_replay(const Arguments& arguments) {
   replay::ScriptReader script(arguments.file == "-" ? standard_stream : file,
                               arguments.file == "-" ? "standard input" : arguments.file,
                               arguments.follow ? wait_for_growth : std::function<bool()>{});
-  const Outcome outcome = replay::replay(script, options, reporter.get(), std::cerr, progress.get());
-  std::cout << std::flush;
+  Outcome outcome = replay::replay(script, options, reporter.get(), std::cerr, progress.get());
   if (standard_input.is_unreadable()) {
-    return wrong_usage("cannot read standard input");
+    outcome = static_cast<Outcome>(wrong_usage("cannot read standard input"));
   }
-  if (!std::cout) {
-    return wrong_usage("cannot write to standard output");
-  }
-  if (options.log != nullptr && !log) {
-    return wrong_usage("cannot write " + arguments.log);
-  }
-  return static_cast<int>(outcome);
+  return close_log(log.get(), arguments.log, outcome);
 }
 
 }  // namespace
-
-CLI::Validator from_one_on() {
-  return CLI::Validator(
-      [](const std::string& text) {
-        const bool is_number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-        return is_number && text.find_first_not_of('0') != std::string::npos
-                   ? std::string{}
-                   : "\"" + text + "\" should be a whole number from 1 on";
-      },
-      "");
-}
 
 void add_replay_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("replay", "Replay a construction script, with the homology after every step");
@@ -205,7 +191,14 @@ void add_replay_command(CLI::App& app, int& status) {
                    "Write cones over whole bodies of up to N cells out; of larger ones only the cells that are used")
       ->capture_default_str()
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
-  command->add_option("--log", arguments->log, "Keep the operations that were applied in this file");
+  CLI::Option* log = command->add_option("--log", arguments->log, "Keep the steps that were applied in this file");
+  const auto old_log = [&](const char* name, LogFile::Old old, const char* description) {
+    const auto choose = [arguments, old](std::int64_t) { arguments->old_log = old; };
+    return command->add_flag_function(name, choose, description)->needs(log);
+  };
+  CLI::Option* append = old_log("--append", LogFile::Old::goes_on,
+                                "If there is a log, take its steps first, then those of FILE, and add these to it");
+  old_log("--overwrite", LogFile::Old::is_replaced, "If there is a log, replace it at the end")->excludes(append);
   command->add_flag("--follow", arguments->follow, "Go on as the file grows, until Ctrl-C");
   command->add_flag("--quiet", arguments->quiet, "No table and no progress: errors only (and what --json prints)");
   command->footer(

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -19,6 +18,7 @@
 #include "replay/tower_report.hpp"
 #include "tools/commands.hpp"
 #include "tools/interrupt.hpp"
+#include "tools/options.hpp"
 #include "tools/output_file.hpp"
 
 namespace sesame::tools {
@@ -51,33 +51,11 @@ int say(Outcome outcome, const std::string& what) {
 
 int wrong_usage(const std::string& what) { return say(Outcome::wrong_usage, what); }
 
+/// Streams to what is wanted; null for what is not.
 struct Outputs {
-  OutputFile pers, csv, svg, html;
+  std::ostream *pers = nullptr, *csv = nullptr, *svg = nullptr, *html = nullptr;
 
-  std::string open(const Arguments& arguments) {
-    for (auto& [file, path] : {std::pair{&pers, &arguments.pers}, std::pair{&csv, &arguments.csv},
-                               std::pair{&svg, &arguments.svg}, std::pair{&html, &arguments.html}}) {
-      if (std::string problem = file->open(*path, arguments.file); !problem.empty()) {
-        return problem;
-      }
-    }
-    for (const auto& [one, other] : {std::pair{&pers, &csv}, std::pair{&pers, &svg}, std::pair{&pers, &html},
-                                     std::pair{&csv, &svg}, std::pair{&csv, &html}, std::pair{&svg, &html}}) {
-      if (one->clashes_with(*other)) {
-        return "two outputs are one file; give each a name of its own";
-      }
-    }
-    return "";
-  }
-  [[nodiscard]] bool need_barcode() const { return csv.is_wanted() || svg.is_wanted() || html.is_wanted(); }
-  std::string commit() {
-    for (OutputFile* file : {&pers, &csv, &svg, &html}) {
-      if (std::string problem = file->commit(); !problem.empty()) {
-        return problem;
-      }
-    }
-    return "";
-  }
+  [[nodiscard]] bool need_barcode() const { return csv != nullptr || svg != nullptr || html != nullptr; }
 };
 
 /// Where the bars over one ring go.
@@ -126,7 +104,7 @@ class BarSink {
 /// One run of the command.
 class Run {
  public:
-  explicit Run(const Arguments& arguments) : arguments_{arguments} {}
+  explicit Run(const Arguments& arguments) : arguments_{arguments}, files_{{arguments.file}} {}
 
   int run() {
     if (std::string problem = read_rings(); !problem.empty()) {
@@ -147,7 +125,7 @@ class Run {
     if (std::string problem = objection(); !problem.empty()) {
       return wrong_usage(problem);
     }
-    if (std::string problem = outputs_.open(arguments_); !problem.empty()) {
+    if (std::string problem = open_outputs(); !problem.empty()) {
       return wrong_usage(problem);
     }
     if (!arguments_.quiet && isatty(STDERR_FILENO) == 1) {
@@ -158,12 +136,11 @@ class Run {
                             : is_integral()                          ? run_groups()
                                                                      : run_barcode();
     if (is_reported(outcome)) {
-      if (std::string problem = outputs_.commit(); !problem.empty()) {
-        return wrong_usage(problem);
+      if (const Status written = files_.commit(); !written) {
+        return wrong_usage(written.error().what);
       }
     }
-    std::cout << std::flush;
-    return std::cout ? static_cast<int>(outcome) : wrong_usage("cannot write to standard output");
+    return static_cast<int>(outcome);
   }
 
  private:
@@ -215,6 +192,19 @@ class Run {
     return "";
   }
 
+  std::string open_outputs() {
+    for (const auto& [path, stream] :
+         {std::pair{&arguments_.pers, &outputs_.pers}, std::pair{&arguments_.csv, &outputs_.csv},
+          std::pair{&arguments_.svg, &outputs_.svg}, std::pair{&arguments_.html, &outputs_.html}}) {
+      const Result<std::ostream*> opened = files_.open(*path);
+      if (!opened) {
+        return opened.error().what;
+      }
+      *stream = *opened;
+    }
+    return "";
+  }
+
   // ---- the loop
 
   /// Reads to the end, until --until, Ctrl-C or an error; apply(operation) -> Status, after(operation).
@@ -260,8 +250,8 @@ class Run {
   Outcome run_barcode() {
     const bool keeps_bars = arguments_.json || rings_.size() > 1 || outputs_.need_barcode();
     std::optional<replay::PersWriter> pers;
-    if (outputs_.pers.is_wanted()) {
-      pers.emplace(outputs_.pers.stream(), sparse::ring_name(rings_[0]), source_);
+    if (outputs_.pers != nullptr) {
+      pers.emplace(*outputs_.pers, sparse::ring_name(rings_[0]), source_);
     }
     std::vector<BarSink> sinks;
     std::vector<std::unique_ptr<engine::BarcodeTracker>> trackers;
@@ -341,14 +331,14 @@ class Run {
   }
 
   void write(std::span<const TowerResult> results, const replay::CycleReport* cycles) {
-    if (outputs_.csv.is_wanted()) {
-      replay::write_betti_csv(outputs_.csv.stream(), *results[0].barcode, results[0].provenance);
+    if (outputs_.csv != nullptr) {
+      replay::write_betti_csv(*outputs_.csv, *results[0].barcode, results[0].provenance);
     }
-    if (outputs_.svg.is_wanted()) {
-      replay::write_svg(outputs_.svg.stream(), *results[0].barcode, results[0].provenance, drawing());
+    if (outputs_.svg != nullptr) {
+      replay::write_svg(*outputs_.svg, *results[0].barcode, results[0].provenance, drawing());
     }
-    if (outputs_.html.is_wanted()) {
-      replay::write_html(outputs_.html.stream(), *results[0].barcode, results[0].provenance, drawing());
+    if (outputs_.html != nullptr) {
+      replay::write_html(*outputs_.html, *results[0].barcode, results[0].provenance, drawing());
     }
     if (arguments_.json) {
       replay::write_tower_json(std::cout, results, cycles, start_);
@@ -460,8 +450,8 @@ class Run {
 
   void write_script(std::uint64_t steps, const Barcode& barcode) {
     std::optional<replay::PersWriter> pers;
-    if (outputs_.pers.is_wanted()) {
-      pers.emplace(outputs_.pers.stream(), sparse::ring_name(rings_[0]), source_);
+    if (outputs_.pers != nullptr) {
+      pers.emplace(*outputs_.pers, sparse::ring_name(rings_[0]), source_);
     }
     BarSink sink(rings_[0], source_, arguments_.min_length, true, pers ? &*pers : nullptr);
     std::ranges::for_each(barcode.bars, [&](const Bar& bar) { sink.add(bar); });
@@ -476,6 +466,7 @@ class Run {
   std::vector<sparse::AnyRing> rings_;
   std::unique_ptr<TowerReader> reader_;
   std::string source_;  ///< what outputs and messages call the input
+  OutputFiles files_;
   Outputs outputs_;
   std::optional<replay::Progress> progress_;
   Clock::time_point start_;
@@ -487,12 +478,14 @@ void add_tower_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("tower", "The barcode of a tower or a filtration, computed online");
   auto arguments = std::make_shared<Arguments>();
   command->add_option("FILE", arguments->file, "The tower, gzip or not; - for standard input")->required();
-  const std::map<std::string, TowerFormat> formats{
-      {"auto", TowerFormat::automatic},          {"tower", TowerFormat::tower}, {"phat", TowerFormat::phat},
-      {"phat-binary", TowerFormat::phat_binary}, {"gudhi", TowerFormat::gudhi}, {"script", TowerFormat::script}};
-  command->add_option("--format", arguments->format, "auto (by content), tower, phat, phat-binary, gudhi or script")
-      ->transform(CLI::CheckedTransformer(formats))
-      ->option_text("FORMAT");
+  add_choice<TowerFormat>(*command, "--format", arguments->format,
+                          {{"auto", TowerFormat::automatic},
+                           {"tower", TowerFormat::tower},
+                           {"phat", TowerFormat::phat},
+                           {"phat-binary", TowerFormat::phat_binary},
+                           {"gudhi", TowerFormat::gudhi},
+                           {"script", TowerFormat::script}},
+                          "What the file is; default: by content");
   CLI::Option* ring = command->add_option("--ring", arguments->ring,
                                           "Coefficients Z/p (default Z/2); Z gives the sequence of groups instead");
   command->add_option("--rings", arguments->rings, "Several of them side by side, Z/2,Z/3,...: where do they differ?")

@@ -142,23 +142,6 @@ class Replay(unittest.TestCase):
                       for line in done.stdout.splitlines()] for done in (first, again)]
             self.assertEqual(strip[0], strip[1])
 
-    def test_nothing_that_is_read_is_written_over(self):
-        with tempfile.TemporaryDirectory() as directory:
-            script = pathlib.Path(directory, "script.jsonl")
-            script.write_text(HEADER + TRIANGLE, encoding="utf-8")
-            done = run("replay", script, "--log", script)
-            self.assertEqual(done.returncode, 1)
-            self.assertEqual(script.read_text(encoding="utf-8"), HEADER + TRIANGLE)
-            old, wrong = pathlib.Path(directory, "old.jsonl"), pathlib.Path(directory, "wrong.jsonl")
-            old.write_text("old log\n", encoding="utf-8")
-            wrong.write_text("no header\n", encoding="utf-8")
-            self.assertEqual(run("replay", wrong, "--log", old).returncode, 2)
-            self.assertEqual(old.read_text(encoding="utf-8"), "old log\n")
-            mesh = pathlib.Path(directory, "mesh.off")
-            mesh.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", encoding="utf-8")
-            self.assertEqual(run("import", mesh, "-o", mesh).returncode, 1)
-            self.assertTrue(mesh.read_text(encoding="utf-8").startswith("OFF"))
-
     def test_deep_nesting_is_an_error_and_no_crash(self):
         for text in ('{"sesame":' + "[" * 300000 + "]" * 300000 + "}\n",
                      HEADER + '{"op":"note","text":' + "[" * 300000 + "]" * 300000 + "}\n"):
@@ -219,6 +202,53 @@ class Program(unittest.TestCase):
             done = run(*arguments)
             self.assertEqual((arguments, done.returncode), (arguments, 0))
             self.assertIn("sesame", done.stdout)
+
+    def test_every_command_is_explained(self):
+        commands = ("replay", "import", "mesh", "generate", "tower", "distance", "bench", "help")
+        general = run("--help").stdout
+        self.assertEqual((run("help").stdout, general.count("\nUsage: sesame [OPTIONS] SUBCOMMAND\n")), (general, 1))
+        for command in commands:
+            self.assertIn(f"\n  {command} ", general)
+            explained = run("help", command)
+            self.assertEqual((explained.returncode, explained.stderr), (0, ""))
+            self.assertIn(f"Usage: sesame {command} ", explained.stdout)
+            self.assertEqual(run(command, "--help").stdout, explained.stdout)
+            self.assertNotIn("->", explained.stdout)
+
+    def test_without_arguments_it_says_what_there_is_and_fails(self):
+        done = run()
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (1, "", run("--help").stdout))
+
+    def test_what_is_wrong_on_the_command_line_is_said_in_one_line(self):
+        cases = {
+            ("repaly", "x"): 'sesame: there is no command "repaly"; did you mean replay?\n',
+            ("xyzzy",): 'sesame: there is no command "xyzzy"; see sesame --help\n',
+            ("help", "tower-"): 'sesame help: there is no command "tower-"; did you mean tower?\n',
+            ("--versoin",): "sesame: not expected: --versoin (did you mean --version?); see sesame --help\n",
+            ("--json", "replay", "x"): "sesame replay: not expected: --json (it goes behind the command); ",
+            ("replay", "--jsn"):
+                "sesame replay: not expected: --jsn (did you mean --json?); see sesame replay --help\n",
+            ("replay", "--utnil=3", "x"): "sesame replay: not expected: --utnil=3 (did you mean --until?); ",
+            ("replay", "--xyzzy", "x"): "sesame replay: not expected: --xyzzy; ",
+            ("tower", "a", "b", "c", "--formt", "d"): "not expected: b, c, --formt (did you mean --format?), d; ",
+            ("replay", "--", "a", "--b", "c"): "sesame replay: not expected: --b, c; ",
+            ("replay",): "sesame replay: FILE is required; ",
+            ("mesh", "m.off", "--format", "3"): 'sesame mesh: --format: "3" should be auto, off, obj, ply or stl; ',
+            ("mesh", "m.off", "--format", "OFF"): '"OFF" should be auto, off, obj, ply or stl; ',
+            ("mesh", "m.off", "--generators-limit", "-1"): '"-1" should be a whole number from 0 on; ',
+            ("import", "m.off", "--polygons", "0"): '"0" should be fan or cone; ',
+            ("import", "m.off", "--order", "1"): '"1" should be connected or file; ',
+            ("tower", "t", "--format", "1"): '"1" should be auto, tower, phat, phat-binary, gudhi or script; ',
+            ("distance", "a", "b", "--internal-p", "0"): '"0" should be inf or 2; ',
+            ("generate", "torus", "--format", "off"): '"off" should be phat-binary, phat, gudhi or tower; ',
+            ("bench", "--time-limit", "0"): '"0" should be a number above 0; ',
+        }
+        for arguments, said in cases.items():
+            done = run(*arguments)
+            self.assertEqual((arguments, done.returncode, done.stdout), (arguments, 1, ""))
+            self.assertIn(said, done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1)
+            self.assertTrue(done.stderr.startswith("sesame"), done.stderr)
 
     def test_import_then_replay(self):
         square = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"

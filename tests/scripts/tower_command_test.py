@@ -206,7 +206,7 @@ class Tower(unittest.TestCase):
         path = self.file("c.tower", CIRCLE)
         self.assertIn(b"1 5 6", self.run_on(path, "--quiet", "--pers", "/dev/stdout").stdout)
         done = self.run_on(path, "--quiet", "--csv", "/dev/full")
-        self.assertEqual((done.returncode, done.stderr), (1, b"sesame tower: cannot write /dev/full\n"))
+        self.assertEqual((done.returncode, done.stderr), (1, b"sesame tower: cannot write /dev/full: No space left on device\n"))
 
     def test_outputs_that_would_be_lost_are_refused(self):
         path, out = self.file("c.tower", CIRCLE), self.folder / "x"

@@ -264,14 +264,6 @@ TEST_CASE("what was changed on the way stands in the script and in the summary",
   CHECK_THAT(script.summary.remarks.back(), Contains("fans"));
 }
 
-TEST_CASE("a stream that fails is an error", "[mesh]") {
-  std::ostringstream out;
-  out.setstate(std::ios::badbit);
-  const auto summary = write_complex_script(read_fixture("torus.off"), out, {});
-  REQUIRE_FALSE(summary);
-  CHECK(summary.error().code == Errc::io);
-}
-
 TEST_CASE("names of files become names of cells", "[mesh]") {
   CHECK(name_of_source("/a.b/knot 2.v1.off") == "knot_2_v1");
   CHECK(name_of_source("C:\\meshes\\torus.obj") == "torus");

@@ -206,8 +206,6 @@ class ScriptWriter {
 
   Result<ScriptSummary> finish() {
     flush();
-    out_.flush();
-    if (!out_) return Error{Errc::io, "the script cannot be written, is there room on the disk?"};
     const auto& mesh = items_.mesh();
     return ScriptSummary{mesh.points.size(), items_.incidence().edges.size(), mesh.faces.size(), steps_, mesh.remarks};
   }

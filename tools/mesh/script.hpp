@@ -41,7 +41,7 @@ struct ScriptSummary {
 ///
 /// Each triangle comes after those of its vertices and edges that no earlier one has. Faces are in the order d_0, d_1,
 /// d_2 with the vertices of every cell in increasing order, so the face laws hold. Errors: bad_input for a mesh without
-/// points, io when the stream fails.
+/// points. Whether the stream has taken everything, its owner sees.
 [[nodiscard]] Result<ScriptSummary> write_complex_script(const Mesh& mesh, std::ostream& out,
                                                          const ScriptOptions& options);
 
