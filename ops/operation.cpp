@@ -8,6 +8,7 @@ struct Keyword {
   std::string_view operator()(const MakeSimploid&) const { return "simploid"; }
   std::string_view operator()(const MakeComplex&) const { return "complex"; }
   std::string_view operator()(const MakeCone&) const { return "cone"; }
+  std::string_view operator()(const MakeSuspension&) const { return "suspend"; }
   std::string_view operator()(const Identify&) const { return "identify"; }
   std::string_view operator()(const MakeProduct&) const { return "product"; }
   std::string_view operator()(const Degenerate&) const { return "degenerate"; }

@@ -46,11 +46,20 @@ struct MakeComplex {
   std::vector<Cell> cells;
 };
 
-/// A cone over everything, over a body, or over the closure of some cells.
+/// What a cone or a suspension is taken over: everything, a body, or the closure of some cells.
+using ConeBase = std::variant<std::monostate, std::string, std::vector<std::string>>;
+
 struct MakeCone {
   std::string apex;
-  std::variant<std::monostate, std::string, std::vector<std::string>> over;
+  ConeBase over;
   std::optional<Point> at;
+};
+
+/// Two cones over the same cells. `at`: empty, or a point per apex.
+struct MakeSuspension {
+  std::array<std::string, 2> apexes;
+  ConeBase over;
+  std::vector<Point> at;
 };
 
 /// Glues pairs of cells, and all that this entails on their faces.
@@ -113,8 +122,8 @@ struct Note {
   std::string text;
 };
 
-using Operation = std::variant<MakeSimplex, MakeSimploid, MakeComplex, MakeCone, MakeProduct, Identify, Degenerate,
-                               Deidentify, Insert, Collapse, Expect, AskClass, Undo, Note>;
+using Operation = std::variant<MakeSimplex, MakeSimploid, MakeComplex, MakeCone, MakeSuspension, MakeProduct, Identify,
+                               Degenerate, Deidentify, Insert, Collapse, Expect, AskClass, Undo, Note>;
 
 /// The word that stands for an operation in a log: "simplex", "identify", ...
 [[nodiscard]] std::string_view keyword(const Operation& operation);

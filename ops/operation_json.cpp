@@ -1,6 +1,7 @@
 // The text form of operations. Every field is checked by name and by kind; what is not known is an error that names it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <initializer_list>
 #include <limits>
@@ -212,19 +213,38 @@ Operation read_complex(Fields& in) {
   return op;
 }
 
+ConeBase cone_base(Fields& in) {
+  const Json* over = in.find("over");
+  if (over == nullptr) {
+    return {};
+  }
+  if (over->is_string()) {
+    return over->get<std::string>();
+  }
+  return texts(in, "over", *over, "the name of a body or a list of cells");
+}
+
 Operation read_cone(Fields& in) {
   MakeCone op;
   op.apex = text(in, "apex", in.need("apex"));
-  if (const Json* over = in.find("over")) {
-    if (over->is_string()) {
-      op.over = over->get<std::string>();
-    } else {
-      op.over = texts(in, "over", *over, "the name of a body or a list of cells");
-    }
-  }
+  op.over = cone_base(in);
   if (const Json* at = in.find("at")) {
     op.at = point(in, *at);
   }
+  return op;
+}
+
+Operation read_suspension(Fields& in) {
+  MakeSuspension op;
+  constexpr std::string_view expected = "a list of two names, such as [\"n\",\"s\"]";
+  const Json& apexes = in.need("apexes");
+  const std::vector<std::string> names = texts(in, "apexes", apexes, expected);
+  if (names.size() != op.apexes.size()) {
+    throw Wrong{fmt::format("field \"apexes\" of a suspension should be {}, but lists {}", expected, names.size())};
+  }
+  std::copy(names.begin(), names.end(), op.apexes.begin());
+  op.over = cone_base(in);
+  op.at = points(in, op.apexes.size());
   return op;
 }
 
@@ -377,6 +397,7 @@ constexpr Reader readers[] = {{"simplex", read_simplex},
                               {"simploid", read_simploid},
                               {"complex", read_complex},
                               {"cone", read_cone},
+                              {"suspend", read_suspension},
                               {"product", read_product},
                               {"identify", read_identify},
                               {"degenerate", read_degenerate},
@@ -556,15 +577,25 @@ struct Writer {
       cells.push_back(std::move(item));
     }
   }
-  void operator()(const MakeCone& op) const {
-    out["apex"] = op.apex;
-    if (const auto* body = std::get_if<std::string>(&op.over)) {
+  void write(const ConeBase& over) const {
+    if (const auto* body = std::get_if<std::string>(&over)) {
       out["over"] = *body;
-    } else if (const auto* cells = std::get_if<std::vector<std::string>>(&op.over)) {
+    } else if (const auto* cells = std::get_if<std::vector<std::string>>(&over)) {
       out["over"] = *cells;
     }
+  }
+  void operator()(const MakeCone& op) const {
+    out["apex"] = op.apex;
+    write(op.over);
     if (op.at) {
       out["at"] = *op.at;
+    }
+  }
+  void operator()(const MakeSuspension& op) const {
+    out["apexes"] = op.apexes;
+    write(op.over);
+    if (!op.at.empty()) {
+      out["at"] = op.at;
     }
   }
   void operator()(const Identify& op) const {

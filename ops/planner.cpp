@@ -377,9 +377,9 @@ Status Planner::plan(const MakeComplex& operation, Plan& plan) {
 
 // -------------------------------------------------------------------------------------------------------------- cones
 
-Result<std::optional<std::vector<BodyId>>> Planner::coned_bodies(const MakeCone& operation) const {
+Result<std::optional<std::vector<BodyId>>> Planner::coned_bodies(const ConeBase& over) const {
   std::optional<std::vector<BodyId>> bodies;
-  if (const auto* name = std::get_if<std::string>(&operation.over)) {
+  if (const auto* name = std::get_if<std::string>(&over)) {
     const auto body = resolve_body(*name);
     if (!body) {
       return structure_.lookup(*name) && !structure_.lookup_body(*name)
@@ -389,10 +389,37 @@ Result<std::optional<std::vector<BodyId>>> Planner::coned_bodies(const MakeCone&
                  : body.error();
     }
     bodies = std::vector<BodyId>{*body};
-  } else if (std::holds_alternative<std::monostate>(operation.over)) {
+  } else if (std::holds_alternative<std::monostate>(over)) {
     bodies = structure_.current_bodies();
   }
+  for (const BodyId body : bodies.value_or(std::vector<BodyId>{})) {
+    if (Status s = check_orders(body); !s) {
+      return s.error();
+    }
+  }
   return bodies;
+}
+
+std::uint64_t Planner::cells_in(const std::vector<BodyId>& bodies) const {
+  std::uint64_t cells = 0;
+  for (const BodyId body : bodies) {
+    const auto counts = structure_.counts_of(body);
+    cells = std::accumulate(counts.begin(), counts.end(), cells);
+  }
+  return cells;
+}
+
+Result<std::vector<CellId>> Planner::coned_cells(const std::optional<std::vector<BodyId>>& bodies,
+                                                 const ConeBase& over) const {
+  if (!bodies) {
+    return closure(std::get<std::vector<std::string>>(over));
+  }
+  std::vector<CellId> coned;
+  for (const BodyId body : *bodies) {
+    const std::vector<CellId> of_body = structure_.cells_of(body);
+    coned.insert(coned.end(), of_body.begin(), of_body.end());
+  }
+  return coned;
 }
 
 Result<std::vector<CellId>> Planner::closure(const std::vector<std::string>& names) const {
@@ -424,48 +451,50 @@ Status Planner::plan(const MakeCone& operation, Plan& plan) {
   if (Status s = check_new_name(operation.apex); !s) {
     return s;
   }
-  auto bodies = coned_bodies(operation);
+  const auto bodies = coned_bodies(operation.over);
   if (!bodies) {
     return bodies.error();
   }
-  std::vector<CellId> coned;
-  if (bodies->has_value()) {
-    std::uint64_t cells = 0;
-    for (const BodyId body : **bodies) {
-      if (Status s = check_orders(body); !s) {
-        return s;
-      }
-      for (const std::uint64_t count : structure_.counts_of(body)) {
-        cells += count;
-      }
-    }
-    if (cells > static_cast<std::uint64_t>(limits_.cells_of_explicit_cone)) {
-      return plan_lazy_cone(operation, **bodies, plan);
-    }
-    for (const BodyId body : **bodies) {
-      const std::vector<CellId> of_body = structure_.cells_of(body);
-      coned.insert(coned.end(), of_body.begin(), of_body.end());
-    }
-  } else {
-    auto listed = closure(std::get<std::vector<std::string>>(operation.over));
-    if (!listed) {
-      return listed.error();
-    }
-    coned = std::move(*listed);
+  if (*bodies && cells_in(**bodies) > static_cast<std::uint64_t>(limits_.cells_of_explicit_cone)) {
+    return plan_lazy_cone(operation, **bodies, plan);
   }
-  return plan_explicit_cone(operation, std::move(coned), plan);
+  auto coned = coned_cells(*bodies, operation.over);
+  return coned ? plan_explicit_cones({&operation.apex, 1}, std::move(*coned), plan) : coned.error();
+}
+
+Status Planner::plan(const MakeSuspension& operation, Plan& plan) {
+  plan.clear();
+  for (const std::string& apex : operation.apexes) {
+    if (Status s = check_new_name(apex); !s) {
+      return s;
+    }
+  }
+  if (operation.apexes[0] == operation.apexes[1]) {
+    return bad_input(fmt::format("both apexes are called \"{}\": names are unique", operation.apexes[0]));
+  }
+  const auto bodies = coned_bodies(operation.over);
+  if (!bodies) {
+    return bodies.error();
+  }
+  // Before cells are listed: of a product there may be more than anybody can list.
+  if (*bodies && cells_in(**bodies) > static_cast<std::uint64_t>(limits_.cells_per_step)) {
+    return Error{Errc::refused, fmt::format("a suspension is written out, and this one would be taken over {} cells; "
+                                            "the limit is {} cells a step",
+                                            cells_in(**bodies), limits_.cells_per_step)};
+  }
+  auto coned = coned_cells(*bodies, operation.over);
+  return coned ? plan_explicit_cones(operation.apexes, std::move(*coned), plan) : coned.error();
 }
 
 namespace {
 
-/// Lays out the cells of a cone: the apex, then v*c for each coned cell, faces first.
+/// Lays out the cells of a cone after those of the plan: the apex, then v*c for each coned cell, faces first.
 class ConePlanner {
  public:
-  ConePlanner(const MakeCone& operation, const Structure& structure, bool by_edges, Plan& plan)
-      : structure_{structure}, by_edges_{by_edges}, base_{structure.created()}, plan_{plan} {
-    plan_.first = base_;
-    plan_.names = operation.apex;
-    add_cell(plan_, structure_.types().vertex(), 0);
+  ConePlanner(const std::string& apex, const Structure& structure, bool by_edges, Plan& plan)
+      : structure_{structure}, by_edges_{by_edges}, plan_{plan}, apex_{next()} {
+    plan_.names += apex;
+    add_cell(plan_, structure_.types().vertex(), plan_.faces.size());
   }
 
   /// `name` is that of v*c. Requires: the faces of c have been added.
@@ -477,9 +506,9 @@ class ConePlanner {
       faces.push_back(coned_value(structure_.value(face)));
     }
     if (p == 0) {
-      faces.push_back(base_);
+      faces.push_back(apex_);
     } else if (by_edges_) {  // the far end, squashed to the apex
-      faces.push_back(degenerate({base_, type, (Degeneracy{1} << p) - 1}));
+      faces.push_back(degenerate({apex_, type, (Degeneracy{1} << p) - 1}));
     }
     faces.push_back(c);
     cone_of_.emplace(c, next());
@@ -490,7 +519,7 @@ class ConePlanner {
   }
 
  private:
-  [[nodiscard]] CellId next() const { return base_ + static_cast<CellId>(plan_.cells.size()); }
+  [[nodiscard]] CellId next() const { return plan_.first + static_cast<CellId>(plan_.cells.size()); }
   /// v*c for a value c: degenerate in the same directions; the new one comes last.
   CellId coned_value(const Value& v) {
     const CellId cone = cone_of_.at(v.cell);
@@ -507,27 +536,26 @@ class ConePlanner {
 
   const Structure& structure_;
   bool by_edges_;
-  CellId base_;
   Plan& plan_;
+  CellId apex_;
   std::unordered_map<CellId, CellId> cone_of_;
   std::unordered_map<Value, CellId, ValueHash> degenerate_;
 };
 
 }  // namespace
 
-Status Planner::plan_explicit_cone(const MakeCone& operation, std::vector<CellId> coned, Plan& plan) {
+Status Planner::plan_explicit_cones(std::span<const std::string> apexes, std::vector<CellId> coned, Plan& plan) {
   std::sort(coned.begin(), coned.end(), [this](CellId a, CellId b) {
     const int p = structure_.dimension(a);
     const int q = structure_.dimension(b);
     return p != q ? p < q : structure_.is_older(structure_.oldest(a), structure_.oldest(b));
   });
-  if (Status s = check_room(static_cast<std::int64_t>(coned.size()) + 1); !s) {
+  if (Status s = check_room(static_cast<std::int64_t>(apexes.size() * (coned.size() + 1))); !s) {
     return s;
   }
   const bool by_edges =
       std::any_of(coned.begin(), coned.end(), [this](CellId c) { return !is_simplex(structure_.type(c).type); });
   // All that may make lazy cells comes first: the plan counts on ids.
-  std::vector<std::string> names;
   for (const CellId c : coned) {
     (void)structure_.faces(c);
     CellType type = structure_.type(c).type;
@@ -539,28 +567,40 @@ Status Planner::plan_explicit_cone(const MakeCone& operation, std::vector<CellId
     if (Status s = check_standard(type); !s) {
       return s;
     }
-    const std::string name = fmt::format("{}*{}", operation.apex, structure_.name(c));
-    if (structure_.is_name_taken(name)) {
-      return bad_input(fmt::format("the name \"{}\" is in use: choose another apex", name));
+  }
+  std::vector<std::string> names;  // of the cones, apex by apex
+  std::unordered_set<std::string_view> met(apexes.begin(), apexes.end());
+  names.reserve(apexes.size() * coned.size());
+  for (const std::string& apex : apexes) {
+    for (const CellId c : coned) {
+      const std::string& name = names.emplace_back(fmt::format("{}*{}", apex, structure_.name(c)));
+      if (structure_.is_name_taken(name)) {
+        return bad_input(fmt::format("the name \"{}\" is in use: choose another apex", name));
+      }
+      if (apexes.size() > 1 && !met.insert(name).second) {
+        return bad_input(fmt::format("two of the new cells would have the name \"{}\": choose other apexes", name));
+      }
     }
-    names.push_back(name);
   }
-  ConePlanner cone(operation, structure_, by_edges, plan);
-  for (std::size_t k = 0; k < coned.size(); ++k) {
-    cone.add(coned[k], names[k]);
+  plan.first = structure_.created();
+  auto name = names.cbegin();
+  for (const std::string& apex : apexes) {
+    ConePlanner cone(apex, structure_, by_edges, plan);
+    for (const CellId c : coned) {
+      cone.add(c, *name++);
+    }
   }
-  place_in_bodies(operation, coned, plan);
+  place_in_bodies(apexes.front(), coned, plan);
   return Done{};
 }
 
-/// The new cells belong to the body that they are built over; a cone over several bodies makes them one.
-void Planner::place_in_bodies(const MakeCone& operation, const std::vector<CellId>& coned, Plan& plan) const {
+void Planner::place_in_bodies(const std::string& name, const std::vector<CellId>& coned, Plan& plan) const {
   std::set<BodyId> bodies;
   for (const CellId a : coned) {
     bodies.insert(structure_.body_of(a));
   }
   if (bodies.empty()) {
-    plan.new_body = operation.apex;
+    plan.new_body = name;
     return;
   }
   plan.into_body = *bodies.begin();

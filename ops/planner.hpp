@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -37,6 +38,7 @@ class Planner {
   Status plan(const MakeSimploid& operation, Plan& plan);
   Status plan(const MakeComplex& operation, Plan& plan);
   Status plan(const MakeCone& operation, Plan& plan);
+  Status plan(const MakeSuspension& operation, Plan& plan);
   Status plan(const MakeProduct& operation, Plan& plan);
   Status plan(const Identify& operation, Plan& plan);
   Status plan(const Degenerate& operation, Plan& plan);
@@ -69,13 +71,19 @@ class Planner {
                      Plan& plan);
 
   /// The bodies that a cone is taken over wholly, or nothing when it is taken over listed cells.
-  [[nodiscard]] Result<std::optional<std::vector<BodyId>>> coned_bodies(const MakeCone& operation) const;
+  [[nodiscard]] Result<std::optional<std::vector<BodyId>>> coned_bodies(const ConeBase& over) const;
+  [[nodiscard]] std::uint64_t cells_in(const std::vector<BodyId>& bodies) const;
+  /// The cells of the bodies; or, when there are none, the closure of the cells listed.
+  [[nodiscard]] Result<std::vector<CellId>> coned_cells(const std::optional<std::vector<BodyId>>& bodies,
+                                                        const ConeBase& over) const;
   /// The closure of the listed cells.
   [[nodiscard]] Result<std::vector<CellId>> closure(const std::vector<std::string>& names) const;
-  Status plan_explicit_cone(const MakeCone& operation, std::vector<CellId> coned, Plan& plan);
+  /// The cones over the same cells from each apex, one after the other.
+  Status plan_explicit_cones(std::span<const std::string> apexes, std::vector<CellId> coned, Plan& plan);
   Status plan_lazy_cone(const MakeCone& operation, const std::vector<BodyId>& bodies, Plan& plan);
   Status check_family(const NewFamily& family) const;
-  void place_in_bodies(const MakeCone& operation, const std::vector<CellId>& coned, Plan& plan) const;
+  /// The new cells belong to the body that they are built over, which several bodies become; to a new one over nothing.
+  void place_in_bodies(const std::string& name, const std::vector<CellId>& coned, Plan& plan) const;
 
   /// Makes two values of one type equal, with all that this entails, and writes the merges.
   Status plan_equation(std::vector<std::pair<Value, Value>> equations, Plan& plan);

@@ -39,6 +39,9 @@ TEST_CASE("every op has one canonical text, which says the same operation", "[op
       R"({"op":"cone","apex":"v","over":"t"})",
       R"({"op":"cone","apex":"v","over":[]})",
       R"({"op":"cone","apex":"v","over":["t.0","t.1"],"at":[0.0,0.0,9.0]})",
+      R"({"op":"suspend","apexes":["n","s"]})",
+      R"({"op":"suspend","apexes":["n","s"],"over":"t"})",
+      R"({"op":"suspend","apexes":["n","s"],"over":["t.0"],"at":[[0.0,0.0,1.0],[0.0,0.0,-1.0]]})",
       R"({"op":"identify","pairs":[]})",
       R"({"op":"identify","pairs":[["a","b"],["c","c"]]})",
       R"({"op":"product","name":"P","left":"A","right":"A"})",
@@ -121,8 +124,8 @@ TEST_CASE("integers of any size are read from strings of digits, and from number
 
 TEST_CASE("an unknown op is named, and the known ones listed", "[ops]") {
   CHECK_THAT(complaint(R"({"op":"frobnicate"})"), Contains("\"frobnicate\""));
-  for (const std::string word : {"simplex", "simploid", "complex", "cone", "product", "identify", "degenerate",
-                                 "deidentify", "insert", "collapse", "expect", "class", "undo", "note"}) {
+  for (const std::string word : {"simplex", "simploid", "complex", "cone", "suspend", "product", "identify",
+                                 "degenerate", "deidentify", "insert", "collapse", "expect", "class", "undo", "note"}) {
     CHECK_THAT(complaint(R"({"op":"frobnicate"})"), Contains("the ops are: ") && Contains(" " + word));
   }
   for (const std::string line : {R"({})", R"({"op":3})", R"({"op":null})", R"({"name":"t"})", R"({"op":["note"]})"}) {
@@ -135,7 +138,8 @@ TEST_CASE("an unknown field is named, in every op", "[ops]") {
        {R"({"op":"simplex","name":"t","dim":2,"odd":1})", R"({"op":"simploid","name":"t","type":[2],"odd":1})",
         R"({"op":"complex","name":"t","cells":[],"odd":1})",
         R"({"op":"complex","name":"t","cells":[{"id":"a","odd":1}]})", R"({"op":"cone","apex":"v","odd":1})",
-        R"({"op":"identify","pairs":[],"odd":1})", R"({"op":"product","name":"P","left":"A","right":"B","odd":1})",
+        R"({"op":"suspend","apexes":["n","s"],"odd":1})", R"({"op":"identify","pairs":[],"odd":1})",
+        R"({"op":"product","name":"P","left":"A","right":"B","odd":1})",
         R"({"op":"degenerate","cell":"t","along":0,"odd":1})", R"({"op":"deidentify","split":[],"odd":1})",
         R"({"op":"deidentify","split":[{"cell":"x","as":"y","moves":[],"odd":1}]})",
         R"({"op":"insert","simplex":[1],"odd":1})", R"({"op":"collapse","from":1,"to":2,"odd":1})",
@@ -155,6 +159,7 @@ TEST_CASE("a missing field is named, in every op", "[ops]") {
       {R"({"op":"complex","cells":[]})", "name"},
       {R"({"op":"complex","name":"t","cells":[{}]})", "id"},
       {R"({"op":"cone"})", "apex"},
+      {R"({"op":"suspend"})", "apexes"},
       {R"({"op":"identify"})", "pairs"},
       {R"({"op":"product","left":"A","right":"B"})", "name"},
       {R"({"op":"product","name":"P","right":"B"})", "left"},
@@ -203,6 +208,9 @@ TEST_CASE("a field of the wrong kind is named, with what it should be and is", "
       {R"({"op":"complex","name":"t","cells":[{"id":"e","faces":["a","a"],"at":[0,0]}]})", "only vertices"},
       {R"({"op":"cone","apex":"v","over":3})", "the name of a body or a list of cells"},
       {R"({"op":"cone","apex":"v","over":null})", "null"},
+      {R"({"op":"suspend","apexes":"n"})", "a list of two names"},
+      {R"({"op":"suspend","apexes":["n"]})", "a list of two names"},
+      {R"({"op":"suspend","apexes":["n","s"],"at":[[0,0]]})", "2 points"},
       {R"({"op":"cone","apex":"v","over":[["t"]]})", "field \"over\""},
       {R"({"op":"identify","pairs":[["a"]]})", "a list of pairs"},
       {R"({"op":"identify","pairs":[["a","b","c"]]})", "a list of pairs"},

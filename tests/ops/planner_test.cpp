@@ -309,6 +309,61 @@ TEST_CASE("a cone over a simplex of the largest dimension is refused", "[ops]") 
   CHECK(shop.apply(MakeCone{"v", std::vector<std::string>{"t.0-1"}, {}}));
 }
 
+// ------------------------------------------------------------------------------------------------------ suspension
+
+TEST_CASE("a suspension is two cones over the same cells, in one step", "[ops]") {
+  Workshop shop;
+  furnished(shop);
+  shop.build({R"({"op":"suspend","apexes":["n","s"],"over":["t"]})"});
+  CHECK(faces(shop, "n*t") == Texts{"n*t.1-2", "n*t.0-2", "n*t.0-1", "t"});
+  CHECK(faces(shop, "s*t") == Texts{"s*t.1-2", "s*t.0-2", "s*t.0-1", "t"});
+  CHECK(faces(shop, "s*t.1") == Texts{"s", "t.1"});
+  CHECK_FALSE(shop.structure().lookup("s*n"));
+  CHECK_FALSE(shop.structure().lookup("n*line"));
+  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("s"))) == "t");
+}
+
+TEST_CASE("a suspension is what one cone, and another over a list of the same cells, make together", "[ops]") {
+  const std::string over = GENERATE(R"(["t"])", R"(["q"])", R"(["t","line"])", R"(["q","t.0"])");
+  Workshop one;
+  Workshop two;
+  furnished(one);
+  furnished(two);
+  one.build({R"({"op":"suspend","apexes":["n","s"],"over":)" + over + "}"});
+  two.build({R"({"op":"cone","apex":"n","over":)" + over + "}", R"({"op":"cone","apex":"s","over":)" + over + "}"});
+  CHECK(first_difference(dump(one.structure()), dump(two.structure())) == "");
+}
+
+TEST_CASE("a suspension over everything is taken over all bodies, over nothing it is two points", "[ops]") {
+  Workshop shop;
+  shop.build({R"({"op":"suspend","apexes":["n","s"]})"});
+  CHECK(counts(shop) == Counts{2});
+  CHECK(shop.structure().current_bodies().size() == 1);
+  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("s"))) == "n");
+  shop.build({R"({"op":"suspend","apexes":["e","w"]})"});
+  CHECK(counts(shop) == Counts{4, 4});
+  CHECK(shop.structure().current_bodies().size() == 1);
+}
+
+TEST_CASE("a suspension is refused when its names would be given twice, or its base cannot be listed", "[ops]") {
+  Workshop shop(Limits{.cells_per_step = 100});
+  furnished(shop);
+  const auto what = [&shop](const std::string& line) { return refused(shop, line).what; };
+  CHECK_THAT(what(R"({"op":"suspend","apexes":["n","n"]})"), Contains("both apexes are called \"n\""));
+  CHECK_THAT(what(R"({"op":"suspend","apexes":["n","t"]})"), Contains("\"t\" is in use"));
+  CHECK_THAT(what(R"({"op":"suspend","apexes":["n","a b"]})"), Contains("is not a name"));
+  CHECK_THAT(what(R"({"op":"suspend","apexes":["n","n*t.0"],"over":["t"]})"), Contains("\"n*t.0\""));
+  CHECK_THAT(what(R"({"op":"suspend","apexes":["n","s"],"over":"nobody"})"), Contains("no body \"nobody\""));
+  CHECK_THAT(what(R"({"op":"suspend","apexes":["n","s"],"over":["nobody"]})"), Contains("no cell \"nobody\""));
+  shop.build({R"({"op":"cone","apex":"m","over":["t.0"]})"});
+  CHECK_THAT(what(R"({"op":"suspend","apexes":["x","x*m"],"over":["m*t.0","t.0"]})"),
+             Contains("two of the new cells would have the name \"x*m\""));
+  shop.build({R"({"op":"product","name":"P","left":"q","right":"t"})",
+              R"({"op":"product","name":"Q","left":"P","right":"P"})"});
+  CHECK_THAT(what(R"({"op":"suspend","apexes":["n","s"],"over":"Q"})"),
+             Contains("cells; the limit is 100 cells a step"));
+}
+
 // -------------------------------------------------------------------------------------------------- identification
 
 TEST_CASE("cells of different types never glue, and nothing beside them does either", "[ops]") {

@@ -353,12 +353,14 @@ TEST_CASE("a random stream of everything has every operation in it", "[ops][stre
         ++seen[split->splits.size() > 1 ? "several" : "single"];
       } else if (const auto* cone = std::get_if<MakeCone>(&op)) {
         ++seen["over " + std::to_string(cone->over.index())];
+      } else if (const auto* suspension = std::get_if<MakeSuspension>(&op)) {
+        ++seen["over " + std::to_string(suspension->over.index())];
       }
     }
   }
   for (const std::string what :
-       {"simplex", "simploid", "complex", "cone", "product", "identify", "degenerate", "deidentify", "triangulated",
-        "of simploids", "square", "of two", "several", "single", "over 0", "over 1", "over 2"}) {
+       {"simplex", "simploid", "complex", "cone", "suspend", "product", "identify", "degenerate", "deidentify",
+        "triangulated", "of simploids", "square", "of two", "several", "single", "over 0", "over 1", "over 2"}) {
     CAPTURE(what);
     CHECK(seen[what] >= 3);
   }

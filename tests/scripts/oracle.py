@@ -8,7 +8,7 @@ Replays a script and prints one JSON object a step with the keys step, op, cells
 of the effective complexes. It shares no idea with the engine: a step copies the whole state, and homology is computed
 from scratch with a Smith form on Python's integers. Where both agree, they agree for different reasons.
 
-Covered: simplex, simploid, complex, cone, identify, degenerate, deidentify, product, insert, collapse, expect, class,
+Covered: simplex, simploid, complex, cone, suspend, identify, degenerate, deidentify, product, insert, collapse, expect, class,
 undo, note.
 Exit status as `sesame replay`: 0 done, 1 wrong usage or unreadable file, 2 the script is wrong, 3 an expect failed.
 
@@ -740,22 +740,22 @@ def cells_to_cone(state, over):
     return state.closure([state.value(name)[0] for name in over])
 
 
-def op_cone(state, step, _prime):
-    fields(step, ("apex",), ("over", "at"))
-    apex = check_name(step["apex"], "apex")
-    if "at" in step:
-        check_point(step["at"], "at")
-    if "over" in step and step["over"] is None:
-        raise ScriptError("over must be the name of a body or a list of cells")
-    base = cells_to_cone(state, step.get("over"))
+def add_cones(state, apexes, over):
+    """The cones from each apex over the same cells, one after the other."""
+    base = cells_to_cone(state, over)
     simplicial = all(len(state.cells[c].kind) <= 1 for c in base)
     if base:
         body = min(state.body_root(state.cells[c].body) for c in base)
         for c in base:
             state.merge_bodies(body, state.cells[c].body)
-        state.check_free(apex)
+        state.check_free(apexes[0])
     else:
-        body = state.new_body(apex)
+        body = state.new_body(apexes[0])
+    for apex in apexes:
+        add_cone(state, apex, base, simplicial, body)
+
+
+def add_cone(state, apex, base, simplicial, body):
     tip = state.add(apex, (), [], body, apex)
     coned = {}
 
@@ -775,6 +775,28 @@ def op_cone(state, step, _prime):
             below.append((tip, squashed(kind)))
             own_kind = kind + (1,)
         coned[c] = state.add(f"{apex}*{state.cells[c].name}", own_kind, below + [state.plain(c)], body)
+
+
+def read_over(step):
+    if "over" in step and step["over"] is None:
+        raise ScriptError("over must be the name of a body or a list of cells")
+    return step.get("over")
+
+
+def op_cone(state, step, _prime):
+    fields(step, ("apex",), ("over", "at"))
+    if "at" in step:
+        check_point(step["at"], "at")
+    add_cones(state, [check_name(step["apex"], "apex")], read_over(step))
+
+
+def op_suspend(state, step, _prime):
+    fields(step, ("apexes",), ("over", "at"))
+    if not isinstance(step["apexes"], list) or len(step["apexes"]) != 2:
+        raise ScriptError("apexes must be a list of two names")
+    if "at" in step:
+        check_points(step["at"], 2)
+    add_cones(state, [check_name(apex, "an apex") for apex in step["apexes"]], read_over(step))
 
 
 def op_identify(state, step, _prime):
@@ -1102,6 +1124,7 @@ OPERATIONS = {
     "simploid": op_simploid,
     "complex": op_complex,
     "cone": op_cone,
+    "suspend": op_suspend,
     "identify": op_identify,
     "degenerate": op_degenerate,
     "deidentify": op_deidentify,

@@ -313,6 +313,12 @@ class OperationsTest(unittest.TestCase):
             twin = run(*base, ("cone", {"apex": "v"}), ("cone", {"apex": "w", "over": names}))
             self.assertEqual(found(run(*base))[1:], ([1, 1], [[], [2], [2]]))
             self.assertEqual(found(twin)[1:], ([1, 0, 1], [[], [], [2], [2]]))
+            self.assertEqual(found(run(*base, ("suspend", {"apexes": ["v", "w"]}))), found(twin))
+
+    def test_a_suspension_may_not_give_a_name_twice(self):
+        for apexes in (["v", "v"], ["v", "q"], ["v"], ["v", "v*q"], "v"):
+            with self.assertRaises(oracle.ScriptError):
+                run(simplex("q", 1), ("suspend", {"apexes": apexes}))
 
     def test_a_triangle_with_one_edge_squashed_has_two_edges(self):
         twin = run(simplex("t", 2), squash("t.0-1", 0))

@@ -4,7 +4,7 @@
     random_script.py --seed N [--steps M] [--ring Z|Z/p] [--ops basic|all|tear|nest|abstract] [--weight NAME=N]...
                      [--illegal]
 
-basic: simplex, simploid, complex, cone, identify, expect, class, undo and note: several bodies, self-gluings and
+basic: simplex, simploid, complex, cone, suspend, identify, expect, class, undo and note: several bodies, self-gluings and
 twisted ones (torsion), simploids of mixed types up to dimension 3, cones over bodies and over lists, classes of
 boundaries, cycles and other chains.
 all: cones over simploids, degenerate cells, products of both kinds, deidentify as well (cells cut off or torn out,
@@ -142,6 +142,11 @@ class Writer:
             step["over"] = self.random.choice(sorted(state.bodies))
         if self.random.random() < 0.3:
             step["at"] = [0, 0, self.random.randint(1, 5)]
+        if self.random.random() < 0.25:
+            step["op"] = "suspend"
+            step["apexes"] = [step.pop("apex"), self.fresh("s")]
+            if "at" in step:
+                step["at"] = [step["at"], [0, 0, -1]]
         return self.attempt_cone(step)
 
     def attempt_cone(self, step):
@@ -252,6 +257,8 @@ class Writer:
             {"op": "complex", "name": "fresh", "cells": [
                 {"id": "a"}, {"id": "b"}, {"id": "e", "faces": ["b", "a"]}, {"id": "t", "faces": ["e", "e", "e"]}]},
             {"op": "cone", "apex": "fresh", "over": "nobody"},
+            {"op": "suspend", "apexes": ["fresh", "fresh"]},
+            {"op": "suspend", "apexes": ["fresh", name]},
             {"op": "undo", "steps": len(self.oracle.history) + 1},
             {"op": "frobnicate"},
             {"op": "note", "text": "a", "txt": "b"},

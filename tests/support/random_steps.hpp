@@ -332,6 +332,14 @@ class RandomSteps {
                             std::string{structure.body_name(right)}, is_simplicial};
   }
 
+  /// The cone, or the suspension over the same cells.
+  ops::Operation cone_or_suspension(ops::MakeCone cone) {
+    if (random_.one_in(4)) {
+      return ops::MakeSuspension{{cone.apex, fresh_name()}, std::move(cone.over), {}};
+    }
+    return cone;
+  }
+
   std::optional<ops::Operation> pyramid(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
     ops::MakeCone op{fresh_name(), std::vector<std::string>{}, {}};
     if (random_.one_in(3)) {
@@ -341,7 +349,7 @@ class RandomSteps {
           over.emplace_back(structure.name(c));
         }
       }
-      return op;
+      return cone_or_suspension(std::move(op));
     }
     const auto bodies = structure.current_bodies();
     const auto body = bodies[static_cast<std::size_t>(random_.in(0, static_cast<int>(bodies.size()) - 1))];
@@ -349,12 +357,12 @@ class RandomSteps {
         structure.cells_of(body).size() + cells.size() > 2 * shape_.most_cells) {
       return std::nullopt;
     }
-    if (bodies.size() == 1 && random_.one_in(2)) {
+    if (bodies.size() == 1 || random_.one_in(6)) {
       op.over = std::monostate{};
     } else {
       op.over = std::string{structure.body_name(body)};
     }
-    return op;
+    return cone_or_suspension(std::move(op));
   }
 
   Random random_;
