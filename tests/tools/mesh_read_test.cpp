@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include "tests/support/catch.hpp"
@@ -25,24 +26,89 @@ TEST_CASE("OFF skips comments, blank lines and colours", "[mesh]") {
   CHECK(mesh.remarks.empty());
 }
 
-TEST_CASE("OFF is read with every prefix and layout of its head", "[mesh]") {
-  const std::string head =
-      GENERATE("OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF 3\n1 0\n", "COFF\n3 1 0\n", "NOFF\n3 1 3\n", "STCNOFF\n3 1 3\n",
-               "# first\n\n  OFF\n\n# second\n3 1\n", "OFF\r\n3 1 0\r\n", "3 1 0\n", "\xef\xbb\xbfOFF\n3 1 0\n");
-  const std::string body = "\n0 0 0 255 0 0 255\n+1 0 0\n 0\t1e0 0 # here\n\n3 0 1 2 0.1 0.2 0.3\n";
-  const auto mesh = parsed(head + body, "a.off");
+TEST_CASE("OFF is read with every form of its head", "[mesh]") {
+  const std::string head = GENERATE("OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF3 1 0\n", "OFF 3\n1 0\n", "OFF\n3\n1\n0\n",
+                                    "off\n3 1 0\n", "Off3 1 3\n", "# first\n\n  OFF\n\n# second\n3 1\n",
+                                    "OFF\r\n3 1 0\r\n", "OFF\r3 1 0\r", "3 1 0\n", "\xef\xbb\xbfOFF\n3 1 0\n",
+                                    "nOFF 3 3 1 0\n", "nOFF3\n3 1 0\n", "4nOFF 2\n3 1 0\n", "OFF 3 1 # no edges\n");
+  const auto mesh = parsed(head + "\n0 0 0\n+1 0 0\n 0\t1e0 0 # here\n\n3 0 1 2 0.1 0.2 0.3\n", "a.off");
   CHECK(mesh.points == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   CHECK(faces_of(mesh) == one_triangle);
 }
 
-TEST_CASE("OFF with other than three coordinates keeps three and says so", "[mesh]") {
-  const auto four = parsed("4OFF 2 0 0\n1 2 3 4\n5 6 7 8\n", "a.off");
-  CHECK(four.points == std::vector<Point>{{1, 2, 3}, {5, 6, 7}});
-  CHECK(four.remarks.size() == 1);
+TEST_CASE("OFF skips the numbers that its prefixes announce, wherever lines break", "[mesh]") {
+  const auto [head, others] = GENERATE(table<std::string, std::string>({{"OFF", ""},
+                                                                        {"COFF", " 255 0 0 255"},
+                                                                        {"cOff", " .1 .2 .3 1"},
+                                                                        {"NOFF", " 0 0 1"},
+                                                                        {"STOFF", " 0.5 0.5"},
+                                                                        {"STCNOFF", " 0 0 1 1 0 0 1 0.5 0.5"},
+                                                                        {"NCSTOFF", " 0 0 1 1 0 0 1 0.5 0.5"},
+                                                                        {"ST4OFF", " 1 0.5 0.5"}}));
+  std::string body;
+  for (const char* point : {"0 0 0", "2 0 0", "0 2 0", "2 2 0"}) body += point + others + "\n";
+  const std::string faces = "3 0 1 2 7\n3 1 3 2\n";
+  std::string one_line = body;
+  std::replace(one_line.begin(), one_line.end(), '\n', ' ');
+  std::string one_number_a_line = body;
+  std::replace(one_number_a_line.begin(), one_number_a_line.end(), ' ', '\n');
+  for (const auto& points : {body, one_line, one_number_a_line}) {
+    const auto mesh = parsed(head + " 4 2 5\n" + points + faces, "a.off");
+    CHECK(mesh.points == std::vector<Point>{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}});
+    CHECK(faces_of(mesh) == FaceList{{0, 1, 2}, {1, 3, 2}});
+  }
+  CHECK(faces_of(parsed(head + "4 2 5 " + one_line + "3\n0 1\n2 7\n3 1 3\n2", "a.off")) ==
+        FaceList{{0, 1, 2}, {1, 3, 2}});
+}
+
+TEST_CASE("two OFF points on a line are two points, and the next line is a face", "[mesh]") {
+  const auto mesh = parsed("OFF\n4 2 0\n0 0 0 1 0 0\n0 1 0 1 1 0\n3 0 1 2\n3 1 3 2\n", "a.off");
+  CHECK(mesh.points == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
+  CHECK(faces_of(mesh) == FaceList{{0, 1, 2}, {1, 3, 2}});
+  // The face was a point, and the rest of the file a mesh of its own.
+  CHECK_THAT(complaint("OFF 3 1 0\n0 0 0 1 0 0\n0 1 0\n3 0 1 9\n3 0 1 2\n", "a.off"),
+             StartsWith("a.off:4: corner 2 of face 0 is `9`"));
+}
+
+TEST_CASE("what follows the corners of an OFF face on its line is its colour", "[mesh]") {
+  const std::string head = "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n";
+  for (const char* colour : {"", " 7", " 255 0 0", " 0.5 0.5 0.5 1", " # 3 0 1 2"}) {
+    const auto mesh = parsed(head + "3 0 1 2" + colour + "\n3 0 2 1" + colour + "\n", "a.off");
+    CHECK(faces_of(mesh) == FaceList{{0, 1, 2}, {0, 2, 1}});
+    CHECK(mesh.remarks.empty());
+  }
+  const auto more = parsed(head + "3 0 1 2 1 2 3 4 5\n3 0 2 1\n", "a.off");
+  REQUIRE(more.remarks.size() == 1);
+  CHECK_THAT(more.remarks[0], StartsWith("1 face has more after the corners than the four numbers of a colour"));
+  CHECK_THAT(complaint(head + "3 0 1 2 3 0 2 1\n", "a.off"), StartsWith("a.off:6: the file ends after 1 of 2 faces"));
+}
+
+TEST_CASE("OFF points may have other numbers on their lines than the head announces, if all have as many", "[mesh]") {
+  const auto [head, others] = GENERATE(table<std::string, std::string>(
+      {{"OFF", " 255 0 0"}, {"OFF", " 0 0 1 255 0 0 255"}, {"COFF", " 255 0 0"}, {"COFF", ""}, {"NOFF", ""}}));
+  std::string text = head + "\n3 1 0\n";
+  for (const char* point : {"0 0 0", "1 0 0", "0 1 0"}) text += point + others + "\n";
+  const auto mesh = parsed(text + "3 0 1 2\n", "a.off");
+  CHECK(mesh.points == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  CHECK(faces_of(mesh) == one_triangle);
+  REQUIRE(mesh.remarks.size() == 1);
+  CHECK_THAT(mesh.remarks[0], Contains("on their lines where the head announces"));
+  CHECK_THAT(complaint(text + "3 0 1 3\n", "a.off"), StartsWith("a.off:6: corner 2 of face 0 is `3`"));
+}
+
+TEST_CASE("OFF points are divided by a homogeneous coordinate, and of many the first three are kept", "[mesh]") {
+  const auto four = parsed("4OFF 3 0 0\n1 2 3 4\n5 6 7 -1\n5 6 7 0\n", "a.off");
+  CHECK(four.points == std::vector<Point>{{0.25, 0.5, 0.75}, {-5, -6, -7}, {5, 6, 7}});
+  REQUIRE(four.remarks.size() == 2);
+  CHECK_THAT(four.remarks[0], Contains("homogeneous"));
+  CHECK_THAT(four.remarks[1], StartsWith("1 point has 0 as the homogeneous coordinate and is drawn"));
+  CHECK(parsed("4OFF 1 0 0\n1e300 0 0 1e-300\n", "a.off").points == std::vector<Point>{{1e300, 0, 0}});
   const auto plane = parsed("nOFF\n2\n1 0 0\n1 2\n", "a.off");
   CHECK(plane.points == std::vector<Point>{{1, 2, 0}});
-  CHECK_THAT(complaint("nOFF 5\n1 0 0\n1 2 3 4\n", "a.off"), StartsWith("a.off:3: coordinate 4 of point 0: nothing"));
-  CHECK_THAT(complaint("4nOFF 2\n1 0 0\n1 2\n", "a.off"), StartsWith("a.off:3: coordinate 2 of point 0: nothing"));
+  CHECK(parsed("nOFF 5 1 0 0\n1 2 3 4 5\n", "a.off").points == std::vector<Point>{{1, 2, 3}});
+  CHECK(parsed("4nOFF 4 1 0 0\n1 2 3 4 5\n", "a.off").points == std::vector<Point>{{1, 2, 3}});
+  CHECK_THAT(complaint("nOFF 5\n1 0 0\n1 2 3 4\n", "a.off"), StartsWith("a.off:3: the file ends after 0 of 1 point"));
+  CHECK_THAT(complaint("4nOFF 2\n1 0 0\n1 2\n", "a.off"), StartsWith("a.off:3: the file ends after 0 of 1 point"));
 }
 
 TEST_CASE("what follows the last face of an OFF file is left out with a remark", "[mesh]") {
@@ -109,6 +175,32 @@ TEST_CASE("ASCII PLY need not have a row a line", "[mesh]") {
   CHECK(faces_of(mesh) == one_triangle);
 }
 
+TEST_CASE("PLY faces may have no corners, and what follows the last row is left out with a remark", "[mesh]") {
+  const auto mesh = parsed(
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty int x\nproperty int y\nproperty int z\nelement face 4\n"
+      "property list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n0\n1 2\n2 0 1\n3 0 2 1\n",
+      "a.ply");
+  CHECK(faces_of(mesh) == FaceList{{0, 1, 2}, {}, {2}, {0, 1}});
+  CHECK(mesh.remarks == std::vector<std::string>{"left out line 17 and what follows after the last element"});
+  CHECK(parsed(binary_ply(true) + "tail", "a.ply").remarks.back() == "left out 4 bytes after the last element");
+}
+
+TEST_CASE("PLY triangle strips turn over every second triangle, and begin again at -1", "[mesh]") {
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 7\nproperty int x\nproperty int y\nproperty int z\nelement tristrips ";
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n0 3 0\n";
+  const auto mesh = parsed(head + "1\nproperty list int int vertex_indices\nend_header\n" + points +
+                               "15 0 1 2 3 4 -1 -1 2 3 -1 4 5 6 -1 6\n",
+                           "a.ply");
+  CHECK(faces_of(mesh) == FaceList{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 5, 6}});
+  CHECK(mesh.remarks == std::vector<std::string>{"left out 2 strips of fewer than three points"});
+  const auto rows = parsed(head + "2\nproperty list uchar uint vertex_index\nend_header\n" + points +
+                               "4 0 1 2 3\n8 4 5 6 4294967295 3 2 1 0\n",
+                           "a.ply");
+  CHECK(faces_of(rows) == FaceList{{0, 1, 2}, {2, 1, 3}, {4, 5, 6}, {3, 2, 1}, {1, 2, 0}});
+  CHECK(rows.remarks.empty());
+}
+
 TEST_CASE("STL is welded, and -0 equals 0", "[mesh]") {
   const auto mesh = read_fixture("tetrahedron.stl");
   CHECK(mesh.points.size() == 4);
@@ -126,9 +218,38 @@ TEST_CASE("binary STL is told by its size, even when it begins with solid", "[me
   CHECK(faces_of(mesh) == FaceList{{0, 1, 2}, {0, 2, 3}});
 }
 
+TEST_CASE("STL is binary when its content is, even when it begins with solid and its size is not the expected one",
+          "[mesh]") {
+  const std::string head = GENERATE("solid created by a program that adds to the size", "solid", "SOLID x");
+  const std::string name = GENERATE("a.stl", "unnamed");
+  const auto bytes = binary_stl(head, {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}}});
+  for (const std::string tail : {"\n", "12345", " facet "}) {
+    const auto mesh = parsed(bytes + tail, name);
+    CHECK(faces_of(mesh) == FaceList{{0, 1, 2}, {1, 3, 2}});
+    CHECK_THAT(mesh.remarks.at(0), StartsWith("left out " + std::to_string(tail.size()) + " byte"));
+  }
+  CHECK_THAT(complaint(bytes.substr(0, bytes.size() - 10), name),
+             StartsWith(name + ": byte 80: 2 triangles are announced, which takes 184 bytes, but the file has 174"));
+}
+
+TEST_CASE("the statements of an STL text may share lines, and end words may be apart", "[mesh]") {
+  const std::string facet = "facet normal 0 0 1\n outer loop\n vertex 0 0 0\n vertex 1 0 0\n vertex 0 1 0\n";
+  const std::string text = GENERATE_COPY(
+      "solid a b c\n" + facet + "endloop\nendfacet\nendsolid a b c\n",
+      "solid\n" + facet + "end loop\nend facet\nend solid\n",
+      "Solid x\r\nFacet\r\nOuter Loop\r\nVertex 0 0 0\r\nVertex 1 0 0 9\r\nVertex 0 1 0\r\nEndLoop\r\nEnd Facet\r\nEND "
+      "SOLID x y\r\n",
+      "solid\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet endsolid\n");
+  for (const auto& whole : {text, text + text.substr(text.find_first_of("sS"))}) {
+    const auto mesh = parsed(whole, "a.stl");
+    CHECK(mesh.points == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    CHECK(faces_of(mesh) == FaceList(whole.size() == text.size() ? 1 : 2, {0, 1, 2}));
+  }
+}
+
 TEST_CASE("STL that goes on or stops short is read with a remark", "[mesh]") {
   const auto longer = parsed(binary_stl("", {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}}) + "tail", "a.stl");
-  CHECK(longer.remarks == std::vector<std::string>{"the 4 bytes after the last triangle were left out"});
+  CHECK(longer.remarks == std::vector<std::string>{"left out 4 bytes after the last triangle"});
   const auto open = parsed("solid a\n", "a.stl");
   CHECK(open.remarks.size() == 1);
 }
@@ -209,13 +330,18 @@ TEST_CASE("broken texts are refused at the line that is wrong", "[mesh]") {
       {"a.off", "OFF\n18446744073709551615 1 0\n0 0 0\n", ":2: `18446744073709551615` in the place"},
       {"a.off", "OFF\n9223372036854775807 9223372036854775807 0\n0 0 0\n", ":2: 9223372036854775807 points"},
       {"a.off", "OFF\n2 0 0\n0 0 0\n# 123456789\n", ":4: the file ends after 1 of 2 points"},
-      {"a.off", "OFF\n1 0 0\n0 0\n", ":3: coordinate 2 of point 0: nothing is not a number"},
+      {"a.off", "OFF\n1 0 0\n0 0\n", ":3: the file ends after 0 of 1 point"},
+      {"a.off", "COFF\n1 0 0\n0 0 0 255 0 x 255\n", ":3: `x` in the place of number 2 of the normal, colour"},
+      {"a.off", "OFF\n1 1 x\n0 0 0\n1 0\n", ":2: `x` in the place of the number of edges"},
+      {"a.off", "noff\n3 1 0\n", ":1: `noff` may be NOFF, with normals, or nOFF, with a dimension"},
+      {"a.off", "CCOFF\n1 0 0\n", ":1: `CCOFF` in the place of the head of an OFF file"},
       {"a.off", "OFF\n1 0 0\n0 1,5 0\n", ":3: coordinate 1 of point 0: `1,5` is not a number"},
       {"a.off", "OFF\n1 0 0\n0 -inf 0\n", ":3: coordinate 1 of point 0: `-inf` is not finite"},
       {"a.off", "OFF\n1 2 0\n0 0 0\n1 0\n#\n", ":5: the file ends after 1 of 2 faces"},
       {"a.off", "OFF\n1 1 0\n0 0 0\n0\n", ":4: face 0 begins with `0`"},
       {"a.off", "OFF\n1 1 0\n0 0 0\nx\n", ":4: face 0 begins with `x`"},
-      {"a.off", "OFF\n1 1 0\n0 0 0\n4000000000 0\n", ":4: face 0 announces 4000000000 corners, but the line has 1"},
+      {"a.off", "OFF\n1 1 0\n0 0 0\n4000000000 0\n",
+       ":4: face 0 announces 4000000000 corners, but the file ends after 1"},
       {"a.off", "OFF\n1 1 0\n0 0 0\n3 0 0 -1\n", ":4: corner 2 of face 0 is `-1`"},
       {"a.obj", "# only\n", ":1: there is no point"},
       {"a.obj", "v 1 2\n", ":1: a point: nothing is not a number"},
@@ -249,9 +375,6 @@ TEST_CASE("broken texts are refused at the line that is wrong", "[mesh]") {
       {"a.ply", ply_head + "property float z\nelement face 1\nproperty int q\nend_header\n0 0 0\n3\n",
        ":9: element `face` lacks a property, `vertex_indices`"},
       {"a.ply",
-       ply_head + "property float z\nelement face 1\nproperty list int int vertex_index\nend_header\n0 0 0\n0\n",
-       ":11: face 0 has no corners"},
-      {"a.ply",
        ply_head + "property float z\nelement face 1\nproperty list int int vertex_index\nend_header\n0 0 0\n-1\n",
        ":11: the length of a list"},
       {"a.ply",
@@ -262,8 +385,10 @@ TEST_CASE("broken texts are refused at the line that is wrong", "[mesh]") {
        ":11: 0.5 does not number a point"},
       {"a.ply",
        ply_head +
-           "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0\n",
-       ":9: triangle strips are not read"},
+           "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n2 0 -2\n",
+       ":11: -2 does not number a point"},
+      {"a.ply", ply_head + "property float z\nelement tristrips 1\nproperty int vertex_indices\nend_header\n0 0 0\n0\n",
+       ":9: element `tristrips` lacks a property, `vertex_indices`"},
       {"a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n", ":4: nothing is not a number"},
       {"a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", ":4: nothing in the place of `vertex`"},
       {"a.stl", "solid a\nfacet\nvertex 0 0 0\n", ":3: `vertex` in the place of `outer` of a facet"},
@@ -277,7 +402,7 @@ TEST_CASE("broken binary files are refused at the byte that is wrong", "[mesh]")
   CHECK_THAT(complaint("not a mesh", "a.stl"), StartsWith("a.stl: byte 10: the file ends"));
   auto stl = binary_stl("", {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}});
   CHECK_THAT(complaint(stl.substr(0, 130), "a.stl"),
-             StartsWith("a.stl: byte 80: 1 triangles are announced, which takes 134"));
+             StartsWith("a.stl: byte 80: 1 triangle is announced, which takes 134"));
   stl.replace(80, 4, "\xff\xff\xff\xff");
   CHECK_THAT(complaint(stl, "a.stl"), StartsWith("a.stl: byte 80: 4294967295 triangles are announced"));
   const float infinite = std::numeric_limits<float>::infinity();

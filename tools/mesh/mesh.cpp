@@ -20,10 +20,7 @@ constexpr std::string_view known_formats = "an OFF, OBJ, PLY or STL mesh is expe
 Format format_of_extension(std::string_view name) {
   const auto dot = name.find_last_of("./\\");
   if (dot == std::string_view::npos || name[dot] != '.') return Format::automatic;
-  std::string extension{name.substr(dot + 1)};
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
+  const std::string extension = lower_case(name.substr(dot + 1));
   if (extension == "off") return Format::off;
   if (extension == "obj") return Format::obj;
   if (extension == "ply") return Format::ply;
@@ -43,7 +40,7 @@ bool has_obj_vertex(std::string_view bytes) {
 Format format_of_content(std::string_view bytes) {
   if (bytes.starts_with("ply")) return Format::ply;
   if (has_off_head(bytes)) return Format::off;
-  if (has_binary_stl_size(bytes) || bytes.substr(bytes.find_first_not_of(" \t\r\n")).starts_with("solid")) {
+  if (has_binary_stl_size(bytes) || lower_case(bytes.substr(bytes.find_first_not_of(" \t\r\n"), 5)) == "solid") {
     return Format::stl;
   }
   return has_obj_vertex(bytes) ? Format::obj : Format::automatic;

@@ -1,7 +1,9 @@
-// The format: https://people.sc.fsu.edu/~jburkardt/data/off/off.html and the manual of Geomview, section OFF.
+// The format: the manual of Geomview, section OFF, and https://people.sc.fsu.edu/~jburkardt/data/off/off.html.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "tools/mesh/readers.hpp"
 #include "tools/mesh/text.hpp"
@@ -11,173 +13,325 @@ namespace sesame::tools {
 namespace {
 
 struct Head {
-  std::size_t dimension = 3;  ///< coordinates per point
-  bool any_dimension = false;
+  bool has_texture = false;
+  bool has_colours = false;
+  bool has_normals = false;
+  bool is_homogeneous = false;    ///< there is a fourth coordinate, which divides the others
+  bool has_dimension = false;     ///< the number of coordinates comes first
+  bool is_ambiguous = false;      ///< `noff`: normals, or a dimension?
+  std::size_t coordinates = 3;    ///< numbers that say where a point is
+  std::size_t other_numbers = 0;  ///< numbers of a point after those: normal, colour, texture coordinates
   std::uint64_t points = 0;
   std::uint64_t faces = 0;
+
+  [[nodiscard]] std::size_t numbers() const { return coordinates + other_numbers; }
 };
 
-/// Reads `[ST][C][N][4][n]OFF`; false when the word is not of that form.
-bool parse_keyword(std::string_view word, Head& head) {
-  const auto skip = [&word](std::string_view prefix) {
-    const bool there = word.starts_with(prefix) && word.size() > prefix.size();
-    if (there) word.remove_prefix(prefix.size());
-    return there;
+/// Reads `[ST][C][N][4][n]OFF`, the prefixes in any order; a number may be glued to it. Returns that number, empty when
+/// there is none, or nothing when the word is not of this form.
+std::optional<std::string_view> parse_keyword(std::string_view word, Head& head) {
+  const std::size_t end = word.find_last_not_of("0123456789") + 1;  // npos + 1 is 0
+  if (end < 3 || lower_case(word.substr(end - 3, 3)) != "off") return std::nullopt;
+  std::string_view prefixes = word.substr(0, end - 3);
+  const auto take = [&prefixes](std::string_view prefix, bool& is_there) {
+    if (is_there || lower_case(prefixes.substr(0, prefix.size())) != prefix) return false;
+    prefixes.remove_prefix(prefix.size());
+    return is_there = true;
   };
-  skip("ST");
-  skip("C");
-  skip("N");
-  const bool four = skip("4");
-  head.any_dimension = skip("n");
-  head.dimension = four ? 4 : 3;
-  return word == "OFF";
+  while (!prefixes.empty()) {
+    bool& n = prefixes[0] == 'n' ? head.has_dimension : head.has_normals;
+    const bool is_known =
+        take("st", head.has_texture) || take("c", head.has_colours) || take("4", head.is_homogeneous) || take("n", n);
+    if (!is_known) return std::nullopt;
+  }
+  head.is_ambiguous = head.has_dimension && word[end - 1] == 'f';
+  head.coordinates = head.is_homogeneous ? 4 : 3;
+  head.other_numbers = (head.has_normals ? 3 : 0) + (head.has_colours ? 4 : 0) + (head.has_texture ? 2 : 0);
+  return word.substr(end);
 }
 
-class OffReader {
+class HeadReader {
  public:
-  OffReader(std::string_view bytes, std::string_view name) : lines_{bytes, name} {}
+  explicit HeadReader(WordReader& words) : words_{words} {}
 
-  Result<Mesh> read() {
-    if (auto done = read_head(); !done) return done.error();
-    if (auto done = read_points(); !done) return done.error();
-    if (auto done = read_faces(); !done) return done.error();
-    if (lines_.next_with_words()) {
-      mesh_.remarks.push_back(
-          fmt::format("line {} and what follows, after the last face, was left out", lines_.number()));
+  Result<Head> read() {
+    auto word = words_.next();
+    std::int64_t number = 0;
+    if (const auto glued = parse_keyword(word, head_)) {
+      if (head_.is_ambiguous) {
+        return words_.error(fmt::format(
+            "{} may be NOFF, with normals, or nOFF, with a dimension, write the one that is meant", shown(word)));
+      }
+      word = glued->empty() ? words_.next() : *glued;
+    } else if (!parse_integer(word, number)) {
+      return words_.error(fmt::format("{} in the place of the head of an OFF file, `OFF` is expected", shown(word)));
+    } else {
+      has_keyword_ = false;
     }
-    return std::move(mesh_);
+    if (word == "BINARY") return words_.error("binary OFF is not read, save the mesh as ASCII OFF or binary PLY");
+    if (head_.has_dimension) {
+      if (auto done = read_dimension(word); !done) return done.error();
+      word = words_.next();
+    }
+    if (auto done = read_count(word, "points", head_.points); !done) return done.error();
+    if (auto done = read_count(words_.next(), "faces", head_.faces); !done) return done.error();
+    if (auto done = skip_count_of_edges(); !done) return done.error();
+    if (auto done = check_counts(); !done) return done.error();
+    return head_;
   }
+
+  [[nodiscard]] bool has_keyword() const { return has_keyword_; }
 
  private:
-  /// The next word of the head, which may be spread over lines; empty at the end of the file.
-  std::string_view head_word() {
-    auto word = next_word(rest_);
-    while (word.empty() && lines_.next_with_words()) {
-      rest_ = without_comment(lines_.line());
-      word = next_word(rest_);
-    }
-    return word;
-  }
-
-  Status read_count(std::string_view word, std::string_view what, std::uint64_t& count) {
+  Status read_count(std::string_view word, std::string_view what, std::uint64_t& count) const {
     std::int64_t value = 0;
     if (!parse_integer(word, value) || value < 0) {
-      return lines_.error(
+      return words_.error(
           fmt::format("{} in the place of the number of {}, a number from 0 is expected", shown(word), what));
     }
     count = static_cast<std::uint64_t>(value);
     return Done{};
   }
 
-  Status read_head() {
-    auto word = head_word();
-    std::int64_t number = 0;
-    if (parse_keyword(word, head_)) {
-      word = head_word();
-    } else if (!parse_integer(word, number)) {
-      return lines_.error(fmt::format("{} in the place of the head of an OFF file, `OFF` is expected", shown(word)));
-    } else {
-      mesh_.remarks.emplace_back("the file does not begin with `OFF`; it was read as if it did");
-    }
-    if (word == "BINARY") return lines_.error("binary OFF is not read, save the mesh as ASCII OFF or binary PLY");
-    if (head_.any_dimension) {
-      std::uint64_t dimension = 0;
-      if (auto done = read_count(word, "coordinates", dimension); !done) return done;
-      if (dimension == 0 || dimension > 1000) return lines_.error("points of nOFF have 1 to 1000 coordinates");
-      head_.dimension = static_cast<std::size_t>(dimension) + (head_.dimension == 4 ? 1 : 0);
-      word = head_word();
-    }
-    if (auto done = read_count(word, "points", head_.points); !done) return done;
-    if (auto done = read_count(head_word(), "faces", head_.faces); !done) return done;
-    if (head_.dimension != 3) {
-      mesh_.remarks.push_back(
-          fmt::format("points have {} coordinates; up to three are kept, for drawing", head_.dimension));
-    }
-    return check_counts();
+  Status read_dimension(std::string_view word) {
+    std::uint64_t dimension = 0;
+    if (auto done = read_count(word, "coordinates", dimension); !done) return done;
+    if (dimension == 0 || dimension > 1000) return words_.error("points of nOFF have 1 to 1000 coordinates");
+    head_.coordinates = static_cast<std::size_t>(dimension) + (head_.is_homogeneous ? 1 : 0);
+    return Done{};
   }
 
-  /// How many bytes follow the present line.
-  std::size_t room() const { return lines_.text().size() - std::min(lines_.offset(), lines_.text().size()); }
+  /// Many files lack it. It follows on the same line, or is alone on the next one, where no point would be.
+  Status skip_count_of_edges() {
+    std::uint64_t edges = 0;
+    auto word = words_.next_in_line();
+    if (!word.empty()) return read_count(word, "edges", edges);
+    WordReader ahead = words_;
+    word = ahead.next();
+    const bool is_alone = ahead.next_in_line().empty();
+    if (head_.points > 0 && is_alone && read_count(word, "edges", edges)) words_ = ahead;
+    return Done{};
+  }
 
   /// Claims that no file of this size can keep are refused here; those that come close, where the file ends.
   Status check_counts() const {
-    if (head_.points <= room() && head_.faces <= room()) return Done{};
-    return lines_.error(fmt::format("{} and {} are announced, but only {} follow",
-                                    counted(head_.points, "point", "points"), counted(head_.faces, "face", "faces"),
-                                    counted(room(), "byte", "bytes")));
+    const std::size_t room = words_.remaining();
+    if (head_.points <= room && head_.faces <= room) return Done{};
+    return words_.error(fmt::format("{} and {} are announced, but only {}", counted(head_.points, "point", "points"),
+                                    counted(head_.faces, "face", "faces"),
+                                    counted(room, "byte follows", "bytes follow")));
   }
 
-  Status read_points() {
-    // A coordinate and the blank after it take two bytes.
-    mesh_.points.reserve(std::min<std::size_t>(head_.points, room() / (2 * head_.dimension) + 1));
-    for (std::uint64_t p = 0; p < head_.points; ++p) {
-      if (!lines_.next_with_words()) {
-        return lines_.error(fmt::format("the file ends after {} of {} points", p, head_.points));
-      }
-      auto rest = without_comment(lines_.line());
-      Point point{};
-      for (std::size_t i = 0; i < std::max<std::size_t>(head_.dimension, 1); ++i) {
-        const auto word = next_word(rest);
-        double value = 0;
-        if (!parse_coordinate(word, value)) {
-          return lines_.error(fmt::format("coordinate {} of point {}: {}", i, p, not_a_coordinate(word)));
-        }
-        if (i < 3) point[i] = value;
-      }
-      mesh_.points.push_back(point);
-    }
-    return Done{};
-  }
+  WordReader& words_;
+  Head head_;
+  bool has_keyword_ = true;
+};
 
-  Status read_faces() {
+/// Where lines break among the numbers of the points: anywhere, as in Geomview, or after each point, which may have
+/// other numbers after its coordinates than the head says.
+enum class Layout { free, line_per_point };
+
+class BodyReader {
+ public:
+  BodyReader(const Head& head, const WordReader& words, Layout layout) : head_{head}, words_{words}, layout_{layout} {}
+
+  Status read() {
+    if (auto done = read_points(); !done) return done;
     for (std::uint64_t f = 0; f < head_.faces; ++f) {
-      if (!lines_.next_with_words()) {
-        return lines_.error(fmt::format("the file ends after {} of {} faces", f, head_.faces));
-      }
       if (auto done = read_face(f); !done) return done;
     }
+    WordReader rest = words_;
+    if (!rest.next().empty()) line_left_out_ = rest.lines().number();
     return Done{};
   }
 
+  /// The first line after the last face that has something.
+  [[nodiscard]] std::optional<std::size_t> line_left_out() const { return line_left_out_; }
+  /// How far it was read.
+  [[nodiscard]] std::size_t line() const { return words_.lines().number(); }
+
+  /// What was read, with its remarks.
+  Mesh take() {
+    if (at_infinity_ > 0) {
+      mesh_.remarks.push_back(fmt::format("{} 0 as the homogeneous coordinate and {} drawn where the others say",
+                                          counted(at_infinity_, "point has", "points have"),
+                                          at_infinity_ == 1 ? "is" : "are"));
+    }
+    if (overlong_ > 0) {
+      mesh_.remarks.push_back(
+          fmt::format("{} more after the corners than the four numbers of a colour, the first is face {}, counted from "
+                      "0; this was left out, a face begins on a line of its own",
+                      counted(overlong_, "face has", "faces have"), first_overlong_));
+    }
+    if (line_left_out_) {
+      mesh_.remarks.push_back(
+          fmt::format("line {} and what follows, after the last face, was left out", *line_left_out_));
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  Status read_points() {
+    // A coordinate and the blank after it take two bytes.
+    mesh_.points.reserve(std::min<std::size_t>(head_.points, words_.remaining() / (2 * head_.coordinates) + 1));
+    for (std::uint64_t p = 0; p < head_.points; ++p) {
+      if (auto done = read_point(p); !done) return done;
+    }
+    return Done{};
+  }
+
+  Status read_point(std::uint64_t p) {
+    Point point{};
+    double last = 1;
+    for (std::size_t i = 0; i < head_.coordinates; ++i) {
+      const auto word = words_.next();
+      if (word.empty()) return ends_after(p);
+      if (!parse_coordinate(word, last)) {
+        return words_.error(fmt::format("coordinate {} of point {}: {}", i, p, not_a_coordinate(word)));
+      }
+      if (i < 3) point[i] = last;
+    }
+    for (std::size_t i = 0; layout_ == Layout::free && i < head_.other_numbers; ++i) {
+      const auto word = words_.next();
+      double unused = 0;
+      if (word.empty()) return ends_after(p);
+      if (!parse_real(word, unused)) {
+        return words_.error(fmt::format("{} in the place of number {} of the normal, colour or texture of point {}",
+                                        shown(word), i, p));
+      }
+    }
+    if (layout_ == Layout::line_per_point) words_.skip_line();
+    if (head_.is_homogeneous && !head_.has_dimension) point = divided(point, last);
+    mesh_.points.push_back(point);
+    return Done{};
+  }
+
+  [[nodiscard]] Error ends_after(std::uint64_t points) const {
+    return words_.error(fmt::format("the file ends after {} of {}", points, counted(head_.points, "point", "points")));
+  }
+
+  Point divided(const Point& point, double by) {
+    const Point result{point[0] / by, point[1] / by, point[2] / by};
+    if (by != 0 && std::all_of(result.begin(), result.end(), [](double x) { return std::isfinite(x); })) return result;
+    ++at_infinity_;
+    return point;
+  }
+
+  /// The corners may stand on several lines; what follows them on the last one is a colour.
   Status read_face(std::uint64_t f) {
-    auto rest = without_comment(lines_.line());
-    auto word = next_word(rest);
+    auto word = words_.next();
+    if (word.empty()) {
+      return words_.error(fmt::format("the file ends after {} of {}", f, counted(head_.faces, "face", "faces")));
+    }
     std::int64_t corners = 0;
     if (!parse_integer(word, corners) || corners < 1) {
-      return lines_.error(fmt::format("face {} begins with {}, the number of its corners is expected", f, shown(word)));
+      return words_.error(fmt::format("face {} begins with {}, the number of its corners is expected", f, shown(word)));
     }
     for (std::int64_t i = 0; i < corners; ++i) {
-      word = next_word(rest);
-      std::int64_t point = 0;
+      word = words_.next();
       if (word.empty()) {
-        return lines_.error(fmt::format("face {} announces {} corners, but the line has {}", f, corners, i));
+        return words_.error(fmt::format("face {} announces {}, but the file ends after {}", f,
+                                        counted(static_cast<std::size_t>(corners), "corner", "corners"), i));
       }
+      std::int64_t point = 0;
       if (!parse_integer(word, point) || point < 0 || static_cast<std::uint64_t>(point) >= head_.points) {
-        return lines_.error(fmt::format("corner {} of face {} is {}, points are numbered from 0 to {}", i, f,
+        return words_.error(fmt::format("corner {} of face {} is {}, points are numbered from 0 to {}", i, f,
                                         shown(word), static_cast<std::int64_t>(head_.points) - 1));
       }
       mesh_.faces.push_corner(static_cast<std::uint32_t>(point));
     }
     mesh_.faces.close_face();
+    skip_colour(f);
     return Done{};
   }
 
-  LineReader lines_;
-  std::string_view rest_;
-  Head head_;
+  void skip_colour(std::uint64_t f) {
+    constexpr std::size_t most = 4;
+    std::size_t numbers = 0;
+    while (numbers <= most && !words_.next_in_line().empty()) ++numbers;
+    if (numbers > most && overlong_++ == 0) first_overlong_ = f;
+    words_.skip_line();
+  }
+
+  const Head& head_;
+  WordReader words_;
+  Layout layout_;
   Mesh mesh_;
+  std::size_t at_infinity_ = 0;
+  std::size_t overlong_ = 0;
+  std::uint64_t first_overlong_ = 0;
+  std::optional<std::size_t> line_left_out_;
 };
+
+/// How many words each of the next lines has, when they all have as many.
+std::optional<std::size_t> common_width(WordReader words, std::uint64_t lines) {
+  std::size_t common = 0;
+  if (!words.next_in_line().empty()) return std::nullopt;
+  for (std::uint64_t i = 0; i < lines; ++i) {
+    if (words.next().empty()) return std::nullopt;
+    std::size_t width = 1;
+    while (!words.next_in_line().empty()) ++width;
+    if (i > 0 && width != common) return std::nullopt;
+    common = width;
+  }
+  return common;
+}
+
+std::vector<std::string> remarks_of(const Head& head, bool has_keyword) {
+  std::vector<std::string> remarks;
+  if (!has_keyword) remarks.emplace_back("the file does not begin with `OFF`; it was read as if it did");
+  if (head.is_homogeneous && !head.has_dimension) {
+    remarks.emplace_back("points have a fourth, homogeneous coordinate, by which they were divided");
+  } else if (head.coordinates != 3) {
+    remarks.push_back(fmt::format("points have {}; up to three are kept, for drawing",
+                                  counted(head.coordinates, "coordinate", "coordinates")));
+  }
+  return remarks;
+}
+
+/// As Geomview reads it. Where that fails or leaves something out, and all lines of points are alike but have other
+/// numbers than the head announces (colours or normals, as a rule), a point per line.
+Result<Mesh> read_body(const Head& head, const WordReader& words) {
+  BodyReader free{head, words, Layout::free};
+  const Status free_done = free.read();
+  if (free_done && !free.line_left_out()) return free.take();
+  const auto width = common_width(words, head.points);
+  if (!width || *width < head.coordinates || *width == head.numbers()) {
+    if (!free_done) return free_done.error();
+    return free.take();
+  }
+  BodyReader lines{head, words, Layout::line_per_point};
+  const Status lines_done = lines.read();
+  if (lines_done && !(free_done && lines.line_left_out())) {
+    Mesh mesh = lines.take();
+    mesh.remarks.push_back(
+        fmt::format("points have {} on their lines where the head announces {}; of each the first {} "
+                    "were taken",
+                    counted(*width, "number", "numbers"), head.numbers(), head.coordinates));
+    return mesh;
+  }
+  if (free_done) return free.take();
+  return free.line() <= lines.line() ? lines_done.error() : free_done.error();
+}
 
 }  // namespace
 
-Result<Mesh> read_off(std::string_view bytes, std::string_view name) { return OffReader{bytes, name}.read(); }
+Result<Mesh> read_off(std::string_view bytes, std::string_view name) {
+  WordReader words{LineReader{bytes, name}, WordReader::Comments::hash};
+  HeadReader reader{words};
+  const auto head = reader.read();
+  if (!head) return head.error();
+  auto mesh = read_body(*head, words);
+  if (!mesh) return mesh;
+  const auto remarks = remarks_of(*head, reader.has_keyword());
+  mesh->remarks.insert(mesh->remarks.begin(), remarks.begin(), remarks.end());
+  return mesh;
+}
 
 bool has_off_head(std::string_view bytes) {
-  LineReader lines{bytes, {}};
-  if (!lines.next_with_words()) return false;
-  auto rest = without_comment(lines.line());
+  WordReader words{LineReader{bytes, {}}, WordReader::Comments::hash};
   Head head;
-  return parse_keyword(next_word(rest), head);
+  return parse_keyword(words.next(), head).has_value();
 }
 
 }  // namespace sesame::tools

@@ -180,24 +180,30 @@ class HeaderReader {
 /// The values after the header, one after the other, as doubles, which hold every type exactly.
 class Values {
  public:
-  Values(Encoding encoding, LineReader lines, std::string_view name)
-      : encoding_{encoding}, lines_{lines}, name_{name}, at_{std::min(lines.offset(), lines.text().size())} {
+  Values(Encoding encoding, const LineReader& lines, std::string_view name)
+      : encoding_{encoding},
+        words_{lines, WordReader::Comments::none},
+        text_{lines.text()},
+        name_{name},
+        at_{std::min(lines.offset(), text_.size())} {
     // Where lines end in \r alone, a \n after `end_header` is data.
-    const bool lone_returns = lines.text().substr(0, 5).starts_with("ply\r") && !lines.text().starts_with("ply\r\n");
-    if (lone_returns && at_ >= 2 && lines.text().substr(at_ - 2, 2) == "\r\n") --at_;
+    const bool lone_returns = text_.starts_with("ply\r") && !text_.starts_with("ply\r\n");
+    if (lone_returns && at_ >= 2 && text_.substr(at_ - 2, 2) == "\r\n") --at_;
   }
 
   [[nodiscard]] bool is_ascii() const { return encoding_ == Encoding::ascii; }
-  [[nodiscard]] std::size_t remaining() const {
-    const std::size_t read = is_ascii() ? std::min(lines_.offset(), lines_.text().size()) - rest_.size() : at_;
-    return lines_.text().size() - read;
-  }
+  [[nodiscard]] std::size_t remaining() const { return is_ascii() ? words_.remaining() : text_.size() - at_; }
 
   bool read(Type type, double& value) { return is_ascii() ? read_word(value) : read_binary(type, value); }
 
   /// An error at the value that was read last, or that could not be.
   [[nodiscard]] Error error(std::string_view what) const {
-    return is_ascii() ? lines_.error(what) : error_at_byte(name_, value_at_, what);
+    return is_ascii() ? words_.error(what) : error_at_byte(name_, value_at_, what);
+  }
+  /// What follows the last value, as remarks name it; empty when nothing does.
+  [[nodiscard]] std::string rest() {
+    if (!is_ascii()) return remaining() == 0 ? "" : counted(remaining(), "byte", "bytes");
+    return words_.next().empty() ? "" : fmt::format("line {} and what follows", words_.lines().number());
   }
   [[nodiscard]] std::string problem() const {
     if (!is_ascii() || word_.empty()) return "the file ends";
@@ -206,24 +212,18 @@ class Values {
 
  private:
   bool read_word(double& value) {
-    word_ = next_word(rest_);
-    while (word_.empty()) {
-      if (!lines_.next()) return false;
-      rest_ = lines_.line();
-      word_ = next_word(rest_);
-    }
+    word_ = words_.next();
     return parse_real(word_, value);
   }
 
   bool read_binary(Type type, double& value) {
     const std::size_t size = size_of(type);
-    const auto text = lines_.text();
     value_at_ = at_;
-    if (text.size() - at_ < size) return false;
+    if (text_.size() - at_ < size) return false;
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < size; ++i) {
       const std::size_t place = encoding_ == Encoding::big_endian ? i : size - 1 - i;
-      bits = (bits << 8) | static_cast<unsigned char>(text[at_ + place]);
+      bits = (bits << 8) | static_cast<unsigned char>(text_[at_ + place]);
     }
     at_ += size;
     value = value_of(type, bits);
@@ -251,9 +251,9 @@ class Values {
   }
 
   Encoding encoding_;
-  LineReader lines_;
+  WordReader words_;
+  std::string_view text_;
   std::string_view name_;
-  std::string_view rest_;
   std::string_view word_;
   std::size_t at_;
   std::size_t value_at_ = at_;
@@ -283,6 +283,13 @@ class PlyReader {
     if (!has_points) return lines_.error("the header announces no element `vertex`");
     if (mesh_.points.size() != points_) return lines_.error("element `vertex` is announced twice");
     for (const auto& element : header->elements) remark_skipped(element);
+    if (const auto rest = values.rest(); !rest.empty()) {
+      mesh_.remarks.push_back(fmt::format("left out {} after the last element", rest));
+    }
+    if (short_strips_ > 0) {
+      mesh_.remarks.push_back(
+          fmt::format("left out {} of fewer than three points", counted(short_strips_, "strip", "strips")));
+    }
     return std::move(mesh_);
   }
 
@@ -297,8 +304,9 @@ class PlyReader {
       return lines_.error(fmt::format("element {} has no property", shown(element.name)));
     }
     if (element.count > 0 && element.count > values.remaining() / least) {
-      return values.error(fmt::format("{} rows of element {} are announced, but only {} bytes follow", element.count,
-                                      shown(element.name), values.remaining()));
+      return values.error(fmt::format("{} of element {} announced, but only {}", counted(element.count, "row", "rows"),
+                                      shown(element.name) + (element.count == 1 ? " is" : " are"),
+                                      counted(values.remaining(), "byte follows", "bytes follow")));
     }
     uses_ = element.count == 0 ? std::array<std::size_t, 3>{} : properties_of(element);
     for (const auto use : uses_) {
@@ -307,19 +315,17 @@ class PlyReader {
             fmt::format("element {} lacks a property, {} is expected", shown(element.name), needed_of(element)));
       }
     }
-    if (element.name == "tristrips" && element.count > 0) {
-      return lines_.error("triangle strips are not read, save the mesh with an element `face`");
-    }
     return Done{};
   }
 
+  static bool has_corners(const Element& element) { return element.name == "face" || element.name == "tristrips"; }
   static bool is_used(const Element& element) {
-    return element.name == "vertex" || element.name == "face" || element.name == "edge";
+    return element.name == "vertex" || element.name == "edge" || has_corners(element);
   }
 
   static std::string_view needed_of(const Element& element) {
     if (element.name == "vertex") return "`x`, `y` and `z`, numbers,";
-    if (element.name == "face") return "`vertex_indices` or `vertex_index`, a list,";
+    if (has_corners(element)) return "`vertex_indices` or `vertex_index`, a list,";
     return "`vertex1` and `vertex2`, numbers,";
   }
 
@@ -333,7 +339,7 @@ class PlyReader {
     };
     if (element.name == "vertex") return {find("x", false), find("y", false), find("z", false)};
     if (element.name == "edge") return {find("vertex1", false), find("vertex2", false), 0};
-    if (element.name != "face") return {};
+    if (!has_corners(element)) return {};
     const auto list = std::min(find("vertex_indices", true), find("vertex_index", true));
     return {list, list, list};
   }
@@ -343,7 +349,7 @@ class PlyReader {
     row_.assign(element.properties.size(), 0);
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
       const auto& property = element.properties[i];
-      const bool is_corners = element.name == "face" && i == uses_[0];
+      const bool is_corners = has_corners(element) && i == uses_[0];
       double& value = row_[i];
       if (is_corners) corners_.clear();
       bool there = values.read(property.count.value_or(property.type), value);
@@ -370,10 +376,9 @@ class PlyReader {
         if (!std::isfinite(point[i])) return values.error(fmt::format("a coordinate of point {} is not finite", row));
       }
       mesh_.points.push_back(point);
+    } else if (element.name == "tristrips") {
+      return use_strips(values);
     } else if (element.name == "face") {
-      if (corners_.empty()) {
-        return values.error(fmt::format("face {} has no corners, at least three are expected", row));
-      }
       for (const double corner : corners_) {
         std::uint32_t point = 0;
         if (auto done = to_point(corner, values, point); !done) return done;
@@ -387,6 +392,30 @@ class PlyReader {
       }
       mesh_.lines.push_back(edge);
     }
+    return Done{};
+  }
+
+  /// In a strip each point makes a triangle with the two before it, every second one turned over. -1 begins another.
+  Status use_strips(const Values& values) {
+    constexpr double restart = -1;
+    constexpr double unsigned_restart = 0xffffffff;
+    std::vector<std::uint32_t> strip;
+    const auto end_strip = [&] {
+      if (!strip.empty() && strip.size() < 3) ++short_strips_;
+      strip.clear();
+    };
+    for (const double corner : corners_) {
+      if (corner == restart || corner == unsigned_restart) {
+        end_strip();
+        continue;
+      }
+      if (auto done = to_point(corner, values, strip.emplace_back()); !done) return done;
+      if (strip.size() < 3) continue;
+      const auto* const last = &strip.back();
+      const bool is_turned = strip.size() % 2 == 0;
+      mesh_.faces.push_face(std::array{last[is_turned ? -1 : -2], last[is_turned ? -2 : -1], *last});
+    }
+    end_strip();
     return Done{};
   }
 
@@ -411,6 +440,7 @@ class PlyReader {
   std::array<std::size_t, 3> uses_{};
   std::vector<double> row_;
   std::vector<double> corners_;
+  std::size_t short_strips_ = 0;
   Mesh mesh_;
 };
 

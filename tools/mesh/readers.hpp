@@ -10,13 +10,15 @@
 namespace sesame::tools {
 
 /// Object File Format, ASCII, with any prefix of [ST][C][N][4][n]. Normals, colours and texture coordinates are
-/// skipped; of more than three coordinates the first three are kept.
+/// skipped; points are divided by a homogeneous coordinate, and of more than three coordinates the first three are
+/// kept. Lines may break anywhere, but what follows the corners of a face on their line is its colour.
 [[nodiscard]] Result<Mesh> read_off(std::string_view bytes, std::string_view name);
 
 /// Wavefront OBJ: `v`, `f` and `l`, indices from 1 or negative; everything else is skipped.
 [[nodiscard]] Result<Mesh> read_obj(std::string_view bytes, std::string_view name);
 
-/// Polygon File Format, ASCII and binary of both byte orders; elements `vertex`, `face` and `edge`, others are skipped.
+/// Polygon File Format, ASCII and binary of both byte orders; elements `vertex`, `face`, `tristrips` and `edge`, others
+/// are skipped.
 [[nodiscard]] Result<Mesh> read_ply(std::string_view bytes, std::string_view name);
 
 /// Stereolithography, ASCII and binary. The result has three points of its own for every triangle: weld it.

@@ -1,8 +1,10 @@
 // The format: 3D Systems, "StereoLithography Interface Specification" (1989), section 6.5.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <initializer_list>
 
 #include "tools/mesh/readers.hpp"
 #include "tools/mesh/text.hpp"
@@ -30,8 +32,8 @@ Result<Mesh> read_binary(std::string_view bytes, std::string_view name) {
   const std::size_t end = head_size + triangles * triangle_size;
   if (end > bytes.size()) {
     return error_at_byte(name, 80,
-                         fmt::format("{} triangles are announced, which takes {} bytes, but the file has {}", triangles,
-                                     end, bytes.size()));
+                         fmt::format("{} announced, which takes {} bytes, but the file has {}",
+                                     counted(triangles, "triangle is", "triangles are"), end, bytes.size()));
   }
   Mesh mesh;
   mesh.points.reserve(3 * triangles);
@@ -53,36 +55,32 @@ Result<Mesh> read_binary(std::string_view bytes, std::string_view name) {
     mesh.faces.close_face();
   }
   if (end < bytes.size()) {
-    mesh.remarks.push_back(fmt::format("the {} bytes after the last triangle were left out", bytes.size() - end));
+    mesh.remarks.push_back(
+        fmt::format("left out {} after the last triangle", counted(bytes.size() - end, "byte", "bytes")));
   }
   return mesh;
 }
 
-bool same_keyword(std::string_view word, std::string_view lower_case) {
-  if (word.size() != lower_case.size()) return false;
-  for (std::size_t i = 0; i < word.size(); ++i) {
-    const char c = word[i] >= 'A' && word[i] <= 'Z' ? static_cast<char>(word[i] - 'A' + 'a') : word[i];
-    if (c != lower_case[i]) return false;
-  }
-  return true;
-}
-
+/// Statements may share a line or not, and other words may follow them.
 class TextStlReader {
  public:
-  TextStlReader(std::string_view bytes, std::string_view name) : lines_{bytes, name} {}
+  TextStlReader(std::string_view bytes, std::string_view name)
+      : words_{LineReader{bytes, name}, WordReader::Comments::none} {}
 
   Result<Mesh> read() {
     bool inside = false;
-    while (next_statement()) {
-      if (!inside && same_keyword(keyword_, "solid")) {
-        inside = true;
-      } else if (inside && same_keyword(keyword_, "endsolid")) {
-        inside = false;
-      } else if (inside && same_keyword(keyword_, "facet")) {
+    while (true) {
+      const bool is_known = inside ? find({"facet", "endsolid"}) : find({"solid"});
+      if (keyword_.empty()) break;
+      if (!is_known) {
+        return words_.error(fmt::format("{} in a place where {} is expected", shown(word_),
+                                        inside ? "`facet` or `endsolid`" : "`solid`"));
+      }
+      if (keyword_ == "facet") {
         if (auto done = read_facet(); !done) return done.error();
       } else {
-        return lines_.error(fmt::format("{} in a place where {} is expected", shown(keyword_),
-                                        inside ? "`facet` or `endsolid`" : "`solid`"));
+        inside = !inside;
+        words_.skip_line();  // a name, of any words
       }
     }
     if (inside) mesh_.remarks.emplace_back("the file ends without `endsolid`; it may have been cut");
@@ -90,46 +88,63 @@ class TextStlReader {
   }
 
  private:
-  bool next_statement() {
-    do {
-      if (!lines_.next()) {
-        keyword_ = {};
-        return false;
-      }
-      rest_ = lines_.line();
-      keyword_ = next_word(rest_);
-    } while (keyword_.empty());
-    return true;
+  /// Goes to one of the keywords on the present line, or else to the first word of the next line that has one. Whether
+  /// it is one of the keywords; at the end of the file the keyword is empty.
+  bool find(std::initializer_list<std::string_view> keywords) {
+    const auto is_one = [&] { return std::find(keywords.begin(), keywords.end(), keyword_) != keywords.end(); };
+    for (take(words_.next_in_line()); !keyword_.empty(); take(words_.next_in_line())) {
+      if (is_one()) return true;
+    }
+    take(words_.next());
+    return is_one();
   }
 
-  Status expect_statement(std::string_view keyword) {
-    next_statement();
-    if (same_keyword(keyword_, keyword)) return Done{};
-    return lines_.error(fmt::format("{} in the place of `{}` of a facet", shown(keyword_), keyword));
+  /// `end solid` and the like are one keyword.
+  void take(std::string_view word) {
+    word_ = word;
+    keyword_ = lower_case(word);
+    if (keyword_ == "end") keyword_ += lower_case(words_.next_in_line());
+  }
+
+  Status expect(std::string_view keyword) {
+    if (find({keyword})) return Done{};
+    return words_.error(fmt::format("{} in the place of `{}` of a facet", shown(word_), keyword));
   }
 
   Status read_facet() {
-    if (auto done = expect_statement("outer"); !done) return done;
+    if (auto done = expect("outer"); !done) return done;
     for (int corner = 0; corner < 3; ++corner) {
-      if (auto done = expect_statement("vertex"); !done) return done;
+      if (auto done = expect("vertex"); !done) return done;
       Point point{};
       for (double& x : point) {
-        const auto word = next_word(rest_);
-        if (!parse_coordinate(word, x)) return lines_.error(not_a_coordinate(word));
+        const auto word = words_.next_in_line();
+        if (!parse_coordinate(word, x)) return words_.error(not_a_coordinate(word));
       }
       mesh_.faces.push_corner(static_cast<std::uint32_t>(mesh_.points.size()));
       mesh_.points.push_back(point);
     }
     mesh_.faces.close_face();
-    if (auto done = expect_statement("endloop"); !done) return done;
-    return expect_statement("endfacet");
+    if (auto done = expect("endloop"); !done) return done;
+    return expect("endfacet");
   }
 
-  LineReader lines_;
-  std::string_view keyword_;
-  std::string_view rest_;
+  WordReader words_;
+  std::string_view word_;
+  std::string keyword_;
   Mesh mesh_;
 };
+
+/// Binary files may begin with `solid` too. Their number of triangles, in bytes 80 to 83, and their zeros are control
+/// characters, which no text has.
+bool is_text(std::string_view bytes) {
+  constexpr std::size_t sample = 1024;
+  const auto begin = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+  const auto head = bytes.substr(0, sample);
+  return lower_case(bytes.substr(begin, 5)) == "solid" && std::none_of(head.begin(), head.end(), [](char c) {
+           const auto code = static_cast<unsigned char>(c);
+           return code < ' ' && (code < '\t' || code > '\r');
+         });
+}
 
 }  // namespace
 
@@ -138,11 +153,8 @@ bool has_binary_stl_size(std::string_view bytes) {
 }
 
 Result<Mesh> read_stl(std::string_view bytes, std::string_view name) {
-  // Binary files may begin with "solid" too, so the size decides first.
-  if (has_binary_stl_size(bytes)) return read_binary(bytes, name);
-  auto rest = bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
-  const bool is_text = same_keyword(rest.substr(0, 5), "solid");
-  return is_text ? TextStlReader{bytes, name}.read() : read_binary(bytes, name);
+  if (has_binary_stl_size(bytes) || !is_text(bytes)) return read_binary(bytes, name);
+  return TextStlReader{bytes, name}.read();
 }
 
 }  // namespace sesame::tools

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -43,8 +44,33 @@ Error LineReader::error_at(std::size_t line, std::string_view what) const {
   return {Errc::bad_input, fmt::format("{}:{}: {}", name_, line, what)};
 }
 
+std::string_view WordReader::next() {
+  auto word = next_word(rest_);
+  while (word.empty() && lines_.next()) {
+    rest_ = comments_ == Comments::hash ? without_comment(lines_.line()) : lines_.line();
+    word = next_word(rest_);
+  }
+  return word;
+}
+
+std::string_view WordReader::next_in_line() { return next_word(rest_); }
+
+std::size_t WordReader::remaining() const {
+  const auto text = lines_.text();
+  if (!rest_.empty()) return static_cast<std::size_t>(text.data() + text.size() - rest_.data());
+  return text.size() - std::min(lines_.offset(), text.size());
+}
+
 Error error_at_byte(std::string_view name, std::size_t byte, std::string_view what) {
   return {Errc::bad_input, fmt::format("{}: byte {}: {}", name, byte, what)};
+}
+
+std::string lower_case(std::string_view text) {
+  std::string result{text};
+  for (char& c : result) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return result;
 }
 
 std::string_view next_word(std::string_view& rest) {

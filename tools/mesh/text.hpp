@@ -39,8 +39,39 @@ class LineReader {
   std::size_t number_ = 0;
 };
 
+/// A cursor over the words of a text in which lines may break anywhere.
+class WordReader {
+ public:
+  enum class Comments { none, hash };  ///< whether `#` begins a comment up to the end of the line
+
+  /// Starts with what follows the present line.
+  WordReader(LineReader lines, Comments comments) : lines_{lines}, comments_{comments} {}
+
+  /// The next word; empty at the end of the text.
+  std::string_view next();
+  /// The next word of the present line; empty at its end.
+  std::string_view next_in_line();
+  /// Skips what is left of the present line.
+  void skip_line() { rest_ = {}; }
+
+  /// How many bytes of the text are left.
+  [[nodiscard]] std::size_t remaining() const;
+  /// The line that the last word stands on.
+  [[nodiscard]] const LineReader& lines() const { return lines_; }
+  /// `NAME:LINE: what`, for that line.
+  [[nodiscard]] Error error(std::string_view what) const { return lines_.error(what); }
+
+ private:
+  LineReader lines_;
+  Comments comments_;
+  std::string_view rest_;
+};
+
 /// `NAME: byte N: what`, for binary files.
 [[nodiscard]] Error error_at_byte(std::string_view name, std::size_t byte, std::string_view what);
+
+/// The text with the letters A to Z in lower case.
+[[nodiscard]] std::string lower_case(std::string_view text);
 
 /// Cuts the first word off `rest`; empty when none is left.
 [[nodiscard]] std::string_view next_word(std::string_view& rest);
