@@ -5,6 +5,7 @@
 #include "sparse/ring.hpp"
 #include "tools/commands.hpp"
 #include "tools/mesh/script.hpp"
+#include "tools/mesh/text.hpp"
 #include "tools/mesh_input.hpp"
 #include "tools/options.hpp"
 #include "tools/output_file.hpp"
@@ -56,8 +57,10 @@ int run_import(const Arguments& arguments) {
     for (const std::string& remark : summary->remarks) {
       std::cerr << arguments.mesh.file << ": " << remark << '\n';
     }
-    std::cerr << arguments.mesh.file << ": " << summary->vertices << " vertices, " << summary->edges << " edges, "
-              << summary->triangles << " triangles; " << summary->steps << " steps\n";
+    std::cerr << arguments.mesh.file << ": " << counted(summary->vertices, "vertex", "vertices") << ", "
+              << counted(summary->edges, "edge", "edges") << ", "
+              << counted(summary->triangles, "triangle", "triangles") << "; "
+              << counted(summary->steps, "step", "steps") << '\n';
   }
   return 0;
 }

@@ -35,6 +35,9 @@ int run_mesh(const Arguments& arguments) {
   if (!mesh) return refuse(mesh.error());
   const auto found = mesh_homology(*mesh, {arguments.mesh.file, *ring, arguments.generators_limit != std::size_t{0}});
   if (!found) return refuse(found.error());
+  if (const std::string left_out = found->validity.left_out_faces(); !left_out.empty()) {
+    std::cerr << arguments.mesh.file << ": " << left_out << '\n';
+  }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   const auto write = arguments.json ? write_json : write_text;
   write(std::cout, *found, {arguments.mesh.file, arguments.generators_limit, took.count()});

@@ -35,6 +35,12 @@ Json chain(const engine::CellChain& chain, const ops::Structure& structure) {
   return out;
 }
 
+/// A number, or its digits in a string where doubles do not reach.
+Json number(const Measure& measure) {
+  const double value = measure.to_double();
+  return measure.value == 0 || std::isnormal(value) ? Json(value) : Json(to_text(measure));
+}
+
 Json validity_object(const Validity& validity, const std::vector<std::string>& more_remarks) {
   Json components = Json::array();
   for (const Component& component : validity.components) {
@@ -68,6 +74,8 @@ Json validity_object(const Validity& validity, const std::vector<std::string>& m
           {"non_manifold_vertices", validity.non_manifold_vertices},
           {"degenerate_faces", validity.cleaning.degenerate_faces},
           {"duplicate_faces", validity.cleaning.duplicate_faces},
+          {"segments", validity.cleaning.segments},
+          {"folded_faces", validity.cleaning.folded_faces},
           {"unused_points", validity.cleaning.unused_points},
           {"components", std::move(components)},
           {"remarks", std::move(remarks)}};
@@ -77,14 +85,14 @@ Json generator_object(const MeshGenerator& generator, const ops::Structure& stru
   Json out{{"dim", generator.degree}, {"order", number(generator.order)}};
   if (generator.degree < 2) out["vertices"] = generator.vertices;
   if (generator.degree == 1) {
-    out["length"] = generator.length;
+    out["length"] = number(generator.length);
     out["closed"] = !generator.vertices.empty();
     out["short"] = generator.is_short;
   }
   if (generator.degree == 2) {
     out["triangles"] = generator.triangles;
-    out["area"] = generator.area;
-    out["volume"] = generator.volume ? Json(*generator.volume) : Json(nullptr);
+    out["area"] = number(generator.area);
+    out["volume"] = generator.volume ? number(*generator.volume) : Json(nullptr);
   }
   out["centre"] = generator.centre;
   out["box"] = generator.box;
@@ -203,16 +211,16 @@ void print_generator(std::ostream& out, const MeshGenerator& generator, std::siz
     return;
   }
   if (generator.degree == 2) {
-    out << fmt::format("  {:>4}  {}, area {:.6g}", number, counted(generator.triangles, "triangle", "triangles"),
-                       generator.area);
+    out << fmt::format("  {:>4}  {}, area {}", number, counted(generator.triangles, "triangle", "triangles"),
+                       to_text(generator.area));
     if (generator.volume) {
-      out << fmt::format(", volume {:.6g}{}", *generator.volume,
-                         *generator.volume < 0 ? " (the faces point inwards)" : "");
+      out << fmt::format(", volume {}{}", to_text(*generator.volume),
+                         generator.volume->value < 0 ? " (the faces point inwards)" : "");
     }
     out << "; " << place_text(generator) << '\n';
     return;
   }
-  out << fmt::format("  {:>4}  length {:.6g}, {}{}; {}\n", number, generator.length,
+  out << fmt::format("  {:>4}  length {}, {}{}; {}\n", number, to_text(generator.length),
                      counted(generator.chain.terms.size(), "edge", "edges"),
                      generator.order.is_zero() ? "" : ", of order " + generator.order.to_string(),
                      place_text(generator));

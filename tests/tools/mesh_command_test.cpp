@@ -8,6 +8,7 @@
 #include "replay/script.hpp"
 #include "tests/support/captured.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/temporary_file.hpp"
 #include "tests/tools/mesh_support.hpp"
 #include "tools/commands.hpp"
 #include "tools/mesh/script.hpp"
@@ -96,6 +97,40 @@ TEST_CASE("sesame mesh tells people what they need to know") {
   CHECK_THAT(result.out, Contains("1 cavity"));
   CHECK_THAT(result.out, Contains("not unique"));
   CHECK_THAT(result.out, Contains("not a proof"));
+}
+
+TEST_CASE("numbers that no double holds are strings in the JSON, and never inf or nan anywhere") {
+  const std::string size = GENERATE("1e155", "1e200", "1.7e308", "1e-200", "5e-324");
+  std::string text = "OFF 4 4 0\n0 0 0\nX 0 0\n0 X 0\n0 0 -X\n3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n";
+  for (auto at = text.find('X'); at != std::string::npos; at = text.find('X')) text.replace(at, 1, size);
+  const tests::TemporaryFile file{text};
+  const Run people = run({file.path()});
+  const Run programs = run({file.path(), "--json"});
+  for (const Run& each : {people, programs}) {
+    CHECK(each.status == 0);
+    CHECK_THAT(each.out, !Contains("inf") && !Contains("nan"));
+  }
+  const json surface = json::parse(programs.out).at("generators").back();
+  REQUIRE(surface.at("dim") == 2);
+  CHECK(surface.at("area").is_string());
+  CHECK(surface.at("volume").is_string());
+  for (const json& x : surface.at("centre")) CHECK(x.is_number());
+}
+
+TEST_CASE("faces that are left out are counted on standard error and in the JSON") {
+  for (const bool as_json : {false, true}) {
+    const Run result = as_json ? run({mesh_path("mended.off"), "--json"}) : run({mesh_path("mended.off")});
+    CHECK(result.status == 0);
+    CHECK(result.errors == mesh_path("mended.off") + ": left out 2 of 6 faces (1 degenerate, 1 duplicate)\n");
+    if (!as_json) continue;
+    const json validity = json::parse(result.out).at("validity");
+    CHECK(validity.at("faces_in_file") == 6);
+    CHECK(validity.at("faces") == 3);
+    CHECK(validity.at("degenerate_faces") == 1);
+    CHECK(validity.at("duplicate_faces") == 1);
+    CHECK(validity.at("segments") == 1);
+    CHECK(validity.at("folded_faces") == 0);
+  }
 }
 
 TEST_CASE("the option generators-limit cuts the lists and says so") {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -57,7 +58,7 @@ void check_loop(const Mesh& mesh, const MeshGenerator& generator) {
     const Point& q = mesh.points[b];
     length += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
   }
-  CHECK(generator.length == Approx(length));
+  CHECK(generator.length.to_double() == Approx(length));
 }
 
 /// The engine agrees that the generators of a degree generate: their classes are a basis, with the orders that they
@@ -124,13 +125,13 @@ TEST_CASE("the short loops of a thin torus are a meridian with the fewest edges 
   const auto loops = of_degree(found, 1);
   REQUIRE(loops.size() == 2);
   CHECK(loops[0]->vertices.size() == 6);
-  CHECK(loops[0]->length == Approx(6 * 0.5));
+  CHECK(loops[0]->length.to_double() == Approx(6 * 0.5));
   const auto meridian = windings(loops[0]->vertices, 40, 6);
   const auto longitude = windings(loops[1]->vertices, 40, 6);
   CHECK(meridian[0] == 0);
   CHECK(std::abs(meridian[0] * longitude[1] - meridian[1] * longitude[0]) == 1);
   // The inner circle, j = 3, has radius 3.5.
-  CHECK(loops[1]->length == Approx(40 * 2 * 3.5 * std::sin(std::numbers::pi / 40)));
+  CHECK(loops[1]->length.to_double() == Approx(40 * 2 * 3.5 * std::sin(std::numbers::pi / 40)));
   CHECK(loops[1]->centre[0] == Approx(0).margin(1e-9));
 }
 
@@ -211,7 +212,7 @@ TEST_CASE("an annulus has its inner circle") {
   check_all(mesh, found);
   const auto loops = of_degree(found, 1);
   REQUIRE(loops.size() == 1);
-  CHECK(loops[0]->length == Approx(24 * std::sin(std::numbers::pi / 12)));
+  CHECK(loops[0]->length.to_double() == Approx(24 * std::sin(std::numbers::pi / 12)));
   CHECK(loops[0]->box[1][0] == Approx(1));
 }
 
@@ -222,10 +223,10 @@ TEST_CASE("closed surfaces are summed up, one per component") {
   check_basis(found, 2);
   const auto surfaces = of_degree(found, 2);
   CHECK(surfaces[0]->triangles == 4);
-  CHECK(surfaces[0]->volume.value() == Approx(8.0 / 3));
-  CHECK(surfaces[1]->volume.value() == Approx(8.0 / 3));
+  CHECK(surfaces[0]->volume.value().to_double() == Approx(8.0 / 3));
+  CHECK(surfaces[1]->volume.value().to_double() == Approx(8.0 / 3));
   CHECK(surfaces[1]->centre[0] == Approx(1e6));
-  CHECK(surfaces[1]->area == Approx(8 * std::sqrt(3)));
+  CHECK(surfaces[1]->area.to_double() == Approx(8 * std::sqrt(3)));
 }
 
 TEST_CASE("a surface whose faces point inwards encloses a negative volume") {
@@ -236,7 +237,73 @@ TEST_CASE("a surface whose faces point inwards encloses a negative volume") {
     const auto face = mesh.faces[f];
     inside_out.faces.push_face(std::array{face[0], face[2], face[1]});
   }
-  CHECK(of_degree(homology_of(inside_out), 2).at(0)->volume.value() == Approx(-8.0 / 3));
+  CHECK(of_degree(homology_of(inside_out), 2).at(0)->volume.value().to_double() == Approx(-8.0 / 3));
+}
+
+TEST_CASE("lengths, areas, volumes and centres hold for coordinates of every size that a double can have") {
+  const int exponent = GENERATE(-1000, -600, 510, 520, 1020);
+  const auto grown = [exponent](Mesh mesh) {
+    for (Point& point : mesh.points) point = scaled(point, exponent);
+    return mesh;
+  };
+  const auto check_same = [](const Measure& measure, double as_small, int shift) {
+    CHECK(measure.value == Approx(std::ldexp(as_small, shift - measure.exponent)));
+  };
+  const MeshHomology small = homology_of(grid_torus(24, 6, 1));
+  const MeshHomology large = homology_of(grown(grid_torus(24, 6, 1)));
+  REQUIRE(small.generators.size() == large.generators.size());
+  for (std::size_t i = 0; i < small.generators.size(); ++i) {
+    const MeshGenerator& expected = small.generators[i];
+    const MeshGenerator& found = large.generators[i];
+    CHECK(found.vertices == expected.vertices);
+    check_same(found.length, expected.length.to_double(), exponent);
+    check_same(found.area, expected.area.to_double(), 2 * exponent);
+    if (expected.volume) check_same(found.volume.value(), expected.volume->to_double(), 3 * exponent);
+    const Point centre = scaled(found.centre, -exponent);
+    for (std::size_t k = 0; k < 3; ++k) CHECK(centre[k] == Approx(expected.centre[k]).margin(1e-12));
+  }
+}
+
+TEST_CASE("the largest doubles have a centre between them") {
+  constexpr double most = std::numeric_limits<double>::max();
+  const MeshHomology found = homology_of(mesh_of({{-most, 0, 0}, {most, 0, 0}, {most, most, 0}, {-most, most, most}},
+                                                 {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}));
+  for (const MeshGenerator& generator : found.generators) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      CHECK(generator.centre[k] >= generator.box[0][k]);
+      CHECK(generator.centre[k] <= generator.box[1][k]);
+    }
+  }
+  CHECK(to_text(of_degree(found, 2).at(0)->area).ends_with("e+617"));
+}
+
+TEST_CASE("numbers beyond the doubles are written out like any other") {
+  CHECK(to_text(Measure{0.75, 1}) == "1.5");
+  CHECK(to_text(Measure{0, 5000}) == "0");
+  CHECK(to_text(Measure{1, 2000}) == "1.14813e+602");
+  CHECK(to_text(Measure{-1, 2000}) == "-1.14813e+602");
+  CHECK(to_text(Measure{1, -2000}) == "8.70981e-603");
+  CHECK(to_text(Measure{1e300, 0}) == "1e+300");
+  CHECK(to_text(Measure{9.9999999e200, 664}) == "7.65451e+400");
+  CHECK(to_text(Measure{1e200, 700}) == "5.26014e+410");
+}
+
+TEST_CASE("a concave polygon has its own area and centre, not those of the triangles that it is cut into") {
+  // A prism over an arrowhead: the fan from its first corner turns a triangle over.
+  Mesh mesh;
+  for (const double z : {0.0, 1.0}) {
+    mesh.points.insert(mesh.points.end(), {{4, 0, z}, {0, 3, z}, {1, 0, z}, {0, -3, z}});
+  }
+  mesh.faces.push_face(std::array{3U, 2U, 1U, 0U});
+  mesh.faces.push_face(std::array{4U, 5U, 6U, 7U});
+  for (std::uint32_t k = 0; k < 4; ++k) mesh.faces.push_face(std::array{k, (k + 1) % 4, 4 + (k + 1) % 4, 4 + k});
+  const MeshHomology found = homology_of(mesh);
+  const auto& surface = *of_degree(found, 2).at(0);
+  const double walls = 2 * 5 + 2 * std::sqrt(10);
+  CHECK(surface.area.to_double() == Approx(2 * 9 + walls));
+  CHECK(surface.volume.value().to_double() == Approx(9));
+  CHECK(surface.centre[0] ==
+        Approx((2 * 9 * (4.0 + 0 + 1) / 3 + 2 * 5 * 2.0 + 2 * std::sqrt(10) * 0.5) / (18 + walls)));
 }
 
 TEST_CASE("a point cloud has a component per point and nothing else") {

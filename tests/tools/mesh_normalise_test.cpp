@@ -34,10 +34,10 @@ TEST_CASE("every defect is mended as the policy says, and remarked", "[mesh]") {
   CHECK(cleaning.segments == 1);
   CHECK(cleaning.unused_points == 1);
   REQUIRE(mesh.remarks.size() == 5);
-  CHECK_THAT(mesh.remarks[0], Contains("as lines") && Contains("face 5"));
+  CHECK_THAT(mesh.remarks[0], Contains("took as lines 1 face") && Contains("face 5"));
   CHECK_THAT(mesh.remarks[1], Contains("shortened 1") && Contains("face 4"));
-  CHECK_THAT(mesh.remarks[2], Contains("left out 1 degenerate") && Contains("face 3"));
-  CHECK_THAT(mesh.remarks[3], Contains("left out 1 duplicate") && Contains("face 2"));
+  CHECK_THAT(mesh.remarks[2], Contains("left out 1 degenerate face ") && Contains("face 3"));
+  CHECK_THAT(mesh.remarks[3], Contains("left out 1 duplicate face ") && Contains("face 2"));
   CHECK_THAT(mesh.remarks[4], Contains("left out 1 point") && Contains("point 5"));
 }
 
@@ -57,13 +57,16 @@ TEST_CASE("duplicates are faces with the same cycle of corners, not merely the s
   CHECK(faces_of(mesh) == FaceList{{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 1, 2}});
 }
 
-TEST_CASE("faces that repeat a point are left out unless the repeats are in a row", "[mesh]") {
-  auto mesh = mesh_of(4, {{0, 1, 0, 2}, {0, 0, 1, 1, 2, 0}, {3, 3}, {1, 2, 2}, {3}});
+TEST_CASE("repeats in a row are one corner, and faces that have fewer than three then are left out", "[mesh]") {
+  auto mesh = mesh_of(4, {{0, 1, 0, 2}, {0, 0, 1, 1, 2, 0}, {3, 3}, {1, 2, 2}, {3}, {}, {2, 3, 2}});
   const auto cleaning = normalise(mesh);
-  CHECK(cleaning.degenerate_faces == 4);
+  CHECK(cleaning.degenerate_faces == 5);
   CHECK(cleaning.shortened_faces == 1);
-  CHECK(faces_of(mesh) == FaceList{{0, 1, 2}});
+  CHECK(cleaning.folded_faces == 1);
+  CHECK(faces_of(mesh) == FaceList{{0, 1, 0, 2}, {0, 1, 2}});
   CHECK(mesh.points.size() == 3);
+  CHECK_THAT(mesh.remarks.at(1), Contains("left out 5 degenerate faces") && Contains("face 2"));
+  CHECK_THAT(mesh.remarks.at(2), Contains("kept 1 folded face") && Contains("face 0"));
 }
 
 TEST_CASE("lines that add nothing are left out", "[mesh]") {

@@ -67,19 +67,33 @@ Result<std::unique_ptr<engine::Engine>> build(const Mesh& triangulated, const Me
   }
 }
 
+/// The points, scaled to within 1 of the origin, so that no distance between them is too large for a double.
+std::vector<Point> within_one(std::vector<Point> points) {
+  const int exponent = binary_exponent(points);
+  for (Point& point : points) point = scaled(point, -exponent);
+  return points;
+}
+
+/// A mesh cut into triangles, and which face of the uncut mesh each of them is a part of.
+struct Triangulated {
+  Mesh mesh;
+  std::vector<std::uint32_t> face_of_triangle;
+};
+
 class Generators {
  public:
-  Generators(const Normalised& polygons, const Mesh& triangles, const MeshHomologyOptions& options,
+  Generators(const Normalised& polygons, const Triangulated& triangulated, const MeshHomologyOptions& options,
              MeshHomology& result)
       : polygons_{polygons},
-        triangles_{triangles},
+        triangles_{triangulated.mesh},
+        face_of_triangle_{triangulated.face_of_triangle},
         ring_{options.ring},
         name_{name_of_source(options.source)},
         result_{result},
         engine_{*result.engine},
         edges_{incidence_of(polygons.mesh).edges},
-        graph_{polygons.mesh.points, edges_} {
-    for (std::uint32_t v = 0; v < triangles.points.size(); ++v) vertex_of_cell_[cell("v{}", v)] = v;
+        graph_{within_one(polygons.mesh.points), edges_} {
+    for (std::uint32_t v = 0; v < triangles_.points.size(); ++v) vertex_of_cell_[cell("v{}", v)] = v;
     for (const auto& [low, high] : edges_) cell_of_edge_.push_back(cell("e{}-{}", low, high));
   }
 
@@ -224,19 +238,22 @@ class Generators {
 
   void measure_cycle(MeshGenerator& generator) const {
     start_box(generator.box);
+    for (const auto& term : generator.chain.terms) {
+      for (const auto end : ends(term.cell)) extend(generator.box, triangles_.points[end]);
+    }
+    const int exponent = binary_exponent(generator.box);
+    double length = 0;
     Point moment{};
     for (const auto& [coefficient, edge] : generator.chain.terms) {
       const auto [a, b] = ends(edge);
-      const Point& p = triangles_.points[a];
-      const Point& q = triangles_.points[b];
-      const double length = std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
-      const double weight = times(coefficient) * length;
-      generator.length += weight;
+      const Point p = scaled(triangles_.points[a], -exponent);
+      const Point q = scaled(triangles_.points[b], -exponent);
+      const double weight = times(coefficient) * std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+      length += weight;
       for (std::size_t i = 0; i < 3; ++i) moment[i] += weight * std::midpoint(p[i], q[i]);
-      extend(generator.box, p);
-      extend(generator.box, q);
     }
-    place_centre(generator, moment, generator.length);
+    generator.length = {length, exponent};
+    place_centre(generator, moment, length, exponent);
   }
 
   /// How often a cell is in a chain; over Z/p, a coefficient and its negative count alike.
@@ -253,42 +270,75 @@ class Generators {
     generator.chain = found.cycle;
     generator.triangles = found.cycle.terms.size();
     start_box(generator.box);
-    Point moment{};
-    double volume = 0;
     const Integer sign = orientation(found.cycle);
     for (auto& [coefficient, triangle] : generator.chain.terms) {
       if (sign != 1) coefficient = coefficient * sign;
-      const auto corners = corners_of(triangle);
-      for (const auto corner : corners) extend(generator.box, triangles_.points[corner]);
+      for (const auto corner : corners_of(triangle)) extend(generator.box, triangles_.points[corner]);
     }
-    // About the lowest corner of the box: far from the origin, volumes about the origin cancel badly.
-    for (const auto& [coefficient, triangle] : generator.chain.terms) {
-      const auto [a, b, c] = sides_from(generator.box[0], corners_of(triangle));
-      const Point normal = cross(minus(b, a), minus(c, a));
-      const double area = times(coefficient) * std::hypot(normal[0], normal[1], normal[2]) / 2;
-      const Point bc = cross(b, c);
-      const double determinant = a[0] * bc[0] + a[1] * bc[1] + a[2] * bc[2];
-      volume += times(coefficient) * coefficient.sign() * determinant / 6;
-      generator.area += area;
-      for (std::size_t i = 0; i < 3; ++i) {
-        moment[i] += area * (generator.box[0][i] + (a[i] + b[i] + c[i]) / 3);
+    measure_surface(generator);
+    if (std::holds_alternative<Integers>(ring_)) generator.volume = volume(generator);
+    result_.generators.push_back(std::move(generator));
+  }
+
+  /// Triangles of a concave polygon overlap, some of them turned over: each counts by its part of the area vector of
+  /// the whole polygon.
+  void measure_surface(MeshGenerator& generator) {
+    const int exponent = binary_exponent(generator.box);
+    std::unordered_map<std::uint32_t, Point> normal_of_face;
+    for (const auto& term : generator.chain.terms) {
+      const auto t = triangle_of_cell(term.cell);
+      Point& sum = normal_of_face[face_of_triangle_[t]];
+      const Point normal = normal_of(t, generator.box[0], exponent);
+      for (std::size_t i = 0; i < 3; ++i) sum[i] += normal[i];
+    }
+    double area = 0;
+    Point moment{};
+    for (const auto& term : generator.chain.terms) {
+      const auto t = triangle_of_cell(term.cell);
+      const Point normal = normal_of(t, generator.box[0], exponent);
+      const double weight = times(term.coefficient) * part(normal, normal_of_face.at(face_of_triangle_[t])) / 2;
+      area += weight;
+      for (const Point& corner : corners_from(generator.box[0], triangles_.faces[t], exponent)) {
+        for (std::size_t i = 0; i < 3; ++i) moment[i] += weight * corner[i] / 3;
       }
     }
-    if (std::holds_alternative<Integers>(ring_)) generator.volume = volume;
-    place_centre(generator, moment, generator.area);
-    result_.generators.push_back(std::move(generator));
+    const Point origin = scaled(generator.box[0], -exponent);
+    for (std::size_t i = 0; i < 3; ++i) moment[i] += area * origin[i];
+    generator.area = {area, 2 * exponent};
+    place_centre(generator, moment, area, exponent);
+  }
+
+  /// About the lowest corner of the box: far from the origin, volumes about the origin cancel badly.
+  [[nodiscard]] Measure volume(const MeshGenerator& generator) const {
+    const int exponent = binary_exponent(generator.box);
+    double volume = 0;
+    for (const auto& [coefficient, triangle] : generator.chain.terms) {
+      const auto [a, b, c] = corners_from(generator.box[0], corners_of(triangle), exponent);
+      volume += times(coefficient) * coefficient.sign() * dot(a, cross(b, c)) / 6;
+    }
+    return {volume, 3 * exponent};
+  }
+
+  /// Twice the area vector of a triangle, scaled by 2^-exponent.
+  [[nodiscard]] Point normal_of(std::uint32_t triangle, const Point& origin, int exponent) const {
+    const auto [a, b, c] = corners_from(origin, triangles_.faces[triangle], exponent);
+    return cross(minus(b, a), minus(c, a));
+  }
+
+  /// The length of a vector along another; its own length when the other is nothing, but for rounding.
+  static double part(const Point& normal, const Point& whole) {
+    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    const double length_of_whole = std::hypot(whole[0], whole[1], whole[2]);
+    return length_of_whole > 1e-9 * length ? dot(normal, whole) / length_of_whole : length;
   }
 
   /// 1 when the chain runs through its lowest triangle as the file does, else -1; 1 over fields.
   [[nodiscard]] Integer orientation(const CellChain& chain) {
     if (!std::holds_alternative<Integers>(ring_)) return 1;
-    if (triangle_of_cell_.empty()) {
-      for (std::uint32_t t = 0; t < triangles_.faces.size(); ++t) triangle_of_cell_.emplace(cell("f{}", t), t);
-    }
     const CellChain::Term* lowest = nullptr;
     std::uint32_t triangle = 0;
     for (const auto& term : chain.terms) {
-      const std::uint32_t t = triangle_of_cell_.at(term.cell);
+      const std::uint32_t t = triangle_of_cell(term.cell);
       if (lowest == nullptr || t < triangle) {
         lowest = &term;
         triangle = t;
@@ -309,10 +359,20 @@ class Generators {
     const auto [a, b] = ends(faces[2]);
     return {a, b, ends(faces[0])[1]};
   }
-  [[nodiscard]] std::array<Point, 3> sides_from(const Point& origin,
-                                                const std::array<std::uint32_t, 3>& corners) const {
-    return {minus(triangles_.points[corners[0]], origin), minus(triangles_.points[corners[1]], origin),
-            minus(triangles_.points[corners[2]], origin)};
+  [[nodiscard]] std::uint32_t triangle_of_cell(CellId cell_of_triangle) {
+    if (triangle_of_cell_.empty()) {
+      for (std::uint32_t t = 0; t < triangles_.faces.size(); ++t) triangle_of_cell_.emplace(cell("f{}", t), t);
+    }
+    return triangle_of_cell_.at(cell_of_triangle);
+  }
+  /// The corners as seen from a point, all scaled by 2^-exponent.
+  [[nodiscard]] std::array<Point, 3> corners_from(const Point& origin, std::span<const std::uint32_t> corners,
+                                                  int exponent) const {
+    std::array<Point, 3> result{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      result[i] = minus(scaled(triangles_.points[corners[i]], -exponent), scaled(origin, -exponent));
+    }
+    return result;
   }
   [[nodiscard]] std::uint32_t in_file(std::uint32_t point) const {
     const auto& known = polygons_.point_in_file;
@@ -321,6 +381,7 @@ class Generators {
   }
 
   static Point minus(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
+  static double dot(const Point& p, const Point& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
   static Point cross(const Point& p, const Point& q) {
     return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
   }
@@ -334,15 +395,18 @@ class Generators {
       box[1][i] = std::max(box[1][i], point[i]);
     }
   }
-  /// The mean; where all weights are zero, the middle of the box.
-  static void place_centre(MeshGenerator& generator, const Point& moment, double weight) {
+  /// The mean, which was computed scaled by 2^-exponent; where all weights are zero, the middle of the box.
+  static void place_centre(MeshGenerator& generator, const Point& moment, double weight, int exponent) {
+    const auto& [low, high] = generator.box;
     for (std::size_t i = 0; i < 3; ++i) {
-      generator.centre[i] = weight > 0 ? moment[i] / weight : std::midpoint(generator.box[0][i], generator.box[1][i]);
+      const double mean = std::ldexp(moment[i] / weight, exponent);
+      generator.centre[i] = weight > 0 ? std::clamp(mean, low[i], high[i]) : std::midpoint(low[i], high[i]);
     }
   }
 
   const Normalised& polygons_;
   const Mesh& triangles_;
+  const std::vector<std::uint32_t>& face_of_triangle_;
   const sparse::AnyRing& ring_;
   std::string name_;
   MeshHomology& result_;
@@ -360,11 +424,11 @@ Result<MeshHomology> mesh_homology(const Mesh& mesh, const MeshHomologyOptions& 
   MeshHomology result;
   result.validity = validate(mesh);
   const Normalised polygons = normalised(mesh);
-  Mesh triangles = polygons.mesh;
-  triangles.remarks.clear();
-  triangulate(triangles, Polygons::fan);
-  result.remarks = triangles.remarks;
-  auto engine = build(triangles, options);
+  Triangulated triangles{polygons.mesh, {}};
+  triangles.mesh.remarks.clear();
+  triangles.face_of_triangle = triangulate(triangles.mesh, Polygons::fan);
+  result.remarks = triangles.mesh.remarks;
+  auto engine = build(triangles.mesh, options);
   if (!engine) return engine.error();
   result.engine = std::move(*engine);
   result.homology = result.engine->homology();

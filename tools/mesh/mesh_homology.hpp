@@ -10,6 +10,7 @@
 
 #include "engine/engine.hpp"
 #include "sparse/result.hpp"
+#include "tools/mesh/measure.hpp"
 #include "tools/mesh/mesh.hpp"
 #include "tools/mesh/validity.hpp"
 
@@ -26,13 +27,13 @@ struct MeshGenerator {
   /// not one simple loop. Vertices are counted from 0 in the file (STL: in the order in which points first occur there,
   /// equal points once); a point that was made in the middle of a polygon has a number behind those.
   std::vector<std::uint32_t> vertices;
-  double length = 0;             ///< degree 1: of its edges, with their coefficients
-  bool is_short = false;         ///< degree 1: found by `short_loops`, not the engine's own
-  std::size_t triangles = 0;     ///< degree 2
-  double area = 0;               ///< degree 2
-  std::optional<double> volume;  ///< degree 2, over Z: enclosed; negative when its faces point inwards
-  std::array<Point, 2> box{};    ///< lowest and highest coordinates (degree 0: of the component)
-  Point centre{};                ///< degree 0: of the box; 1: mean along the edges; 2: mean over the area
+  Measure length;                 ///< degree 1: of its edges, with their coefficients
+  bool is_short = false;          ///< degree 1: found by `short_loops`, not the engine's own
+  std::size_t triangles = 0;      ///< degree 2
+  Measure area;                   ///< degree 2: of its polygons, each as if it were flat
+  std::optional<Measure> volume;  ///< degree 2, over Z: enclosed; negative when its faces point inwards
+  std::array<Point, 2> box{};     ///< lowest and highest coordinates (degree 0: of the component)
+  Point centre{};                 ///< degree 0: of the box; 1: mean along the edges; 2: mean over the area
 };
 
 struct MeshHomologyOptions {

@@ -25,10 +25,11 @@ struct Tally {
   }
 };
 
+/// `kind` stands before the noun, as in "left out 2 duplicate faces"; it may be empty.
 void remark(Mesh& mesh, const Tally& tally, std::string_view verb, std::string_view kind, std::string_view reason) {
   if (tally.count == 0) return;
-  mesh.remarks.push_back(
-      fmt::format("{} {} {} ({}), the first is face {}, counted from 0", verb, tally.count, kind, reason, tally.first));
+  mesh.remarks.push_back(fmt::format("{} {} {}{} ({}), the first is face {}, counted from 0", verb, tally.count, kind,
+                                     tally.count == 1 ? "face" : "faces", reason, tally.first));
 }
 
 /// The corners without those that repeat the one before them, around the cycle.
@@ -40,10 +41,18 @@ void without_repeats_in_a_row(std::span<const std::uint32_t> face, Corners& corn
   while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
 }
 
-bool has_repeated(const Corners& corners, Corners& sorted) {
-  sorted = corners;
-  std::sort(sorted.begin(), sorted.end());
-  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+/// Whether nothing is left of the walk along the boundary once every step that the next one takes back is dropped.
+bool folds_up(const Corners& corners, Corners& path) {
+  path.assign(1, corners.front());
+  for (std::size_t i = 1; i <= corners.size(); ++i) {
+    const auto corner = corners[i % corners.size()];
+    if (path.size() > 1 && path[path.size() - 2] == corner) {
+      path.pop_back();
+    } else {
+      path.push_back(corner);
+    }
+  }
+  return path.size() == 1;
 }
 
 void mend_faces(Mesh& mesh, Cleaning& cleaning, std::vector<std::uint32_t>& origin) {
@@ -51,6 +60,7 @@ void mend_faces(Mesh& mesh, Cleaning& cleaning, std::vector<std::uint32_t>& orig
   Tally shortened;
   Tally degenerate;
   Tally segments;
+  Tally folded;
   Corners corners;
   Corners scratch;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -59,10 +69,11 @@ void mend_faces(Mesh& mesh, Cleaning& cleaning, std::vector<std::uint32_t>& orig
     if (face.size() == 2 && corners.size() == 2) {
       segments.add(f);
       mesh.lines.push_back({corners[0], corners[1]});
-    } else if (corners.size() < 3 || has_repeated(corners, scratch)) {
+    } else if (corners.size() < 3) {
       degenerate.add(f);
     } else {
       if (corners.size() < face.size()) shortened.add(f);
+      if (folds_up(corners, scratch)) folded.add(f);
       kept.push_face(corners);
       origin.push_back(static_cast<std::uint32_t>(f));
     }
@@ -71,15 +82,46 @@ void mend_faces(Mesh& mesh, Cleaning& cleaning, std::vector<std::uint32_t>& orig
   cleaning.shortened_faces = shortened.count;
   cleaning.degenerate_faces = degenerate.count;
   cleaning.segments = segments.count;
-  remark(mesh, segments, "took", "faces with two corners as lines", "no surface there");
-  remark(mesh, shortened, "shortened", "faces", "a corner is repeated in a row; it was kept once");
-  remark(mesh, degenerate, "left out", "degenerate faces", "a point is repeated, or there are fewer than three");
+  cleaning.folded_faces = folded.count;
+  remark(mesh, segments, "took as lines", "", "two corners bound no surface");
+  remark(mesh, shortened, "shortened", "", "a corner is repeated in a row; it was kept once");
+  remark(mesh, degenerate, "left out", "degenerate ", "fewer than three corners, but for repeats in a row");
+  remark(mesh, folded, "kept", "folded ", "the boundary runs back over itself, so the face is a sphere of its own");
 }
 
-/// Turns and, if need be, reverses a cycle so that its lowest corner comes first and the lower neighbour next.
-void to_canonical_cycle(std::span<std::uint32_t> cycle) {
-  std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
-  if (cycle.back() < cycle[1]) std::reverse(cycle.begin() + 1, cycle.end());
+/// Where the least of the rotations of a cyclic word begins. Of two candidates one is ruled out, with all places that
+/// were compared, at each difference: O(length).
+std::size_t least_rotation(std::span<const std::uint32_t> word) {
+  const std::size_t length = word.size();
+  std::size_t a = 0;
+  std::size_t b = 1;
+  std::size_t same = 0;
+  while (a < length && b < length && same < length) {
+    const auto at_a = word[(a + same) % length];
+    const auto at_b = word[(b + same) % length];
+    if (at_a == at_b) {
+      ++same;
+      continue;
+    }
+    (at_a > at_b ? a : b) += same + 1;
+    if (a == b) ++b;
+    same = 0;
+  }
+  return std::min(a, b);
+}
+
+void to_least_rotation(std::span<std::uint32_t> word) {
+  std::rotate(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(least_rotation(word)), word.end());
+}
+
+/// The least of all words that a cycle can be written as, from any corner and in either direction.
+void to_canonical_cycle(std::span<std::uint32_t> cycle, Corners& scratch) {
+  scratch.assign(cycle.rbegin(), cycle.rend());
+  to_least_rotation(scratch);
+  to_least_rotation(cycle);
+  if (std::lexicographical_compare(scratch.begin(), scratch.end(), cycle.begin(), cycle.end())) {
+    std::copy(scratch.begin(), scratch.end(), cycle.begin());
+  }
 }
 
 void drop_duplicates(Mesh& mesh, Cleaning& cleaning, const std::vector<std::uint32_t>& origin) {
@@ -89,7 +131,8 @@ void drop_duplicates(Mesh& mesh, Cleaning& cleaning, const std::vector<std::uint
   const auto cycle = [&](std::size_t f) {
     return std::span{cycles}.subspan(mesh.faces.start(f), mesh.faces.start(f + 1) - mesh.faces.start(f));
   };
-  for (std::size_t f = 0; f < count; ++f) to_canonical_cycle(cycle(f));
+  Corners scratch;
+  for (std::size_t f = 0; f < count; ++f) to_canonical_cycle(cycle(f), scratch);
 
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0U);
@@ -115,7 +158,7 @@ void drop_duplicates(Mesh& mesh, Cleaning& cleaning, const std::vector<std::uint
   if (duplicates.count == 0) return;
   mesh.faces = std::move(kept);
   cleaning.duplicate_faces = duplicates.count;
-  remark(mesh, duplicates, "left out", "duplicate faces", "an earlier face has the same corners");
+  remark(mesh, duplicates, "left out", "duplicate ", "an earlier face has the same corners in the same order");
 }
 
 Edge ordered(Edge edge) { return edge[0] < edge[1] ? edge : Edge{edge[1], edge[0]}; }

@@ -184,8 +184,9 @@ class ScriptWriter {
     print("{{\"sesame\":1,\"ring\":\"{}\",\"title\":\"{}\"}}\n", printable(options_.ring),
           name_of_source(options_.source));
     print("# {}{}{}\n", what, options_.source.empty() ? "" : " from ", printable(options_.source));
-    print("# {} vertices, {} edges, {} triangles; they are counted from 0\n", mesh.points.size(),
-          items_.incidence().edges.size(), mesh.faces.size());
+    print("# {}, {}, {}; they are counted from 0\n", counted(mesh.points.size(), "vertex", "vertices"),
+          counted(items_.incidence().edges.size(), "edge", "edges"),
+          counted(mesh.faces.size(), "triangle", "triangles"));
     for (const auto& remark : mesh.remarks) print("# {}\n", printable(remark));
   }
 

@@ -240,6 +240,13 @@ bool Validity::is_orientable() const {
                      [](const Component& component) { return component.is_orientable; });
 }
 
+std::string Validity::left_out_faces() const {
+  const std::size_t left_out = cleaning.degenerate_faces + cleaning.duplicate_faces;
+  if (left_out == 0) return {};
+  return fmt::format("left out {} of {} ({} degenerate, {} duplicate)", left_out,
+                     counted(faces_in_file, "face", "faces"), cleaning.degenerate_faces, cleaning.duplicate_faces);
+}
+
 Validity validate(const Mesh& mesh) { return Examination{mesh}.run(); }
 
 std::string to_text(const Validity& validity) {

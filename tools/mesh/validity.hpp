@@ -59,6 +59,8 @@ struct Validity {
   [[nodiscard]] bool is_orientable() const;  ///< every component is
   /// The faces as the file orders them agree across every edge of two faces.
   [[nodiscard]] bool is_consistently_oriented() const { return reversed_edges == 0; }
+  /// How many of the faces of the file are left out, and why; empty when none is.
+  [[nodiscard]] std::string left_out_faces() const;
 };
 
 /// Takes any mesh that a reader returned. Cost O(n log n) for n corners.
