@@ -20,6 +20,10 @@ std::vector<Sample> samples() {
   for (const char* file : {"torus.off", "cube.obj", "mended.off", "tetrahedron.ply", "tetrahedron.stl"}) {
     result.push_back({file, contents(file)});
   }
+  for (const char* file : {"square_with_hole.off", "two_points_a_line.off", "colours_unannounced.off",
+                           "homogeneous.off", "strips.ply", "strips_big_endian.ply", "binary_solid_longer.stl"}) {
+    result.push_back({file, contents_at(std::string{SESAME_GOLDEN_MESHES} + "/" + file)});
+  }
   result.push_back({"little.ply", binary_ply(false)});
   result.push_back({"big.ply", binary_ply(true)});
   result.push_back({"binary.stl", binary_stl("solid", {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}})});

@@ -19,10 +19,12 @@ inline std::string mesh_path(std::string_view file) {
   return std::string{SESAME_TEST_MESHES} + "/" + std::string{file};
 }
 
-inline std::string contents(std::string_view file) {
-  std::ifstream in{mesh_path(file), std::ios::binary};
+inline std::string contents_at(const std::string& path) {
+  std::ifstream in{path, std::ios::binary};
   return {std::istreambuf_iterator<char>{in}, {}};
 }
+
+inline std::string contents(std::string_view file) { return contents_at(mesh_path(file)); }
 
 inline Mesh parsed(std::string_view text, std::string_view name, const ReadOptions& options = {}) {
   auto mesh = parse_mesh(text, name, options);
