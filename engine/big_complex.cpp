@@ -8,8 +8,10 @@
 namespace sesame::engine {
 
 template <Ring R>
-BigComplex<R>::BigComplex(R ring, const Structure& structure)
-    : ring_{ring}, structure_{structure}, boundary_(ring, 0, 0) {}
+BigComplex<R>::BigComplex(R ring, const Window& window)
+    : ring_{ring}, window_{window}, structure_{window.structure()}, boundary_(ring, 0, 0) {
+  append_first_cells();
+}
 
 template <Ring R>
 ops::BodyId BigComplex<R>::body_of(Index generator) const {
@@ -26,29 +28,39 @@ ops::BodyId BigComplex<R>::body_of(Index generator) const {
 // ------------------------------------------------------------------------------------------------------------- growth
 
 template <Ring R>
+void BigComplex<R>::append_first_cells() {
+  for (const CellId cell : window_.cells()) {
+    column_.clear();
+    lazy_column_.clear();
+    window_.for_each_first_face(cell, [this](CellId face, int sign) {
+      column_.push_back({window_.place(face), ring_.from(sign)});
+    });
+    append(cell, structure_.dimension(cell));
+  }
+}
+
+template <Ring R>
 std::optional<Index> BigComplex<R>::append_cell(CellId cell) {
-  sparse::expects(cell == of_cell_.size(), "cells are appended in the order of their creation");
-  if (structure_.is_lazy(cell) || (structure_.parent(cell) == ops::none && structure_.link_of(cell) == ops::none)) {
+  sparse::expects(cell == cells(), "cells are appended in the order of their creation");
+  if (window_.is_lazy(cell) || (structure_.parent(cell) == ops::none && structure_.link_of(cell) == ops::none)) {
     of_cell_.push_back(ops::none);
     return std::nullopt;
   }
   column_.clear();
   lazy_column_.clear();
-  const auto faces = structure_.faces_as_created(cell);
-  for (std::uint32_t k = 0; k < faces.size(); ++k) {
-    if (structure_.parent(faces[k]) != ops::none) {
-      const auto sign = ring_.from(structure_.face_sign(cell, k));
-      add_g(faces[k], sign, column_);
-      add_lazy_part(faces[k], sign, lazy_column_);
+  window_.for_each_first_face(cell, [this](CellId face, int sign) {
+    if (structure_.parent(face) != ops::none) {
+      add_g(face, ring_.from(sign), column_);
+      add_lazy_part(face, ring_.from(sign), lazy_column_);
     }
-  }
+  });
   of_cell_.push_back(size());
   return append(cell, structure_.dimension(cell));
 }
 
 template <Ring R>
 Index BigComplex<R>::append_removal(LinkId link) {
-  sparse::expects(link == of_link_.size(), "removals are appended in the order in which they happened");
+  sparse::expects(link == links(), "removals are appended in the order in which they happened");
   column_.clear();
   lazy_column_.clear();
   const CellId removed = structure_.removed(link);
@@ -73,7 +85,7 @@ Index BigComplex<R>::append_pair(ops::FamilyId family, int degree, std::span<con
 
 template <Ring R>
 Index BigComplex<R>::append_copy(CellId copy) {
-  sparse::expects(copy == of_cell_.size(), "cells are appended in the order of their creation");
+  sparse::expects(copy == cells(), "cells are appended in the order of their creation");
   const CellId first = structure_.copy(copy)->moment.created;  // of the copies of this step
   column_.clear();
   lazy_column_.clear();
@@ -82,14 +94,14 @@ Index BigComplex<R>::append_copy(CellId copy) {
     for (std::size_t k = 0; k < faces.size(); ++k) {
       if (faces[k] >= first && faces[k] < structure_.created() && structure_.copy(faces[k]) != nullptr) {
         const int sign = negative ? -operators[k].sign : operators[k].sign;
-        column_.push_back({of_cell_[faces[k]], ring_.from(sign)});
+        column_.push_back({generator_of(faces[k]), ring_.from(sign)});
       }
     }
   };
   add(structure_.faces_as_created(copy), false);
   add(structure_.faces(structure_.copy(copy)->source), true);
-  for (const Structure::Copy* of = structure_.copy(copy); of != nullptr; of = structure_.copy(of->source)) {
-    if (!structure_.is_lazy(of->source)) {
+  for (const Structure::Copy* of = window_.copy(copy); of != nullptr; of = window_.copy(of->source)) {
+    if (!window_.is_lazy(of->source)) {
       follow(of->source);
     }
   }
@@ -103,7 +115,7 @@ std::vector<Index> BigComplex<R>::split(Index first, std::span<const Structure::
   std::map<CellId, Terms<R>> gains;  // per cell: what its boundary gains
   for (const Structure::MadeMove& move : moves) {
     const int sign = structure_.type(move.cell).faces[move.slot].sign;
-    gains[move.cell].push_back({of_cell_[move.after], ring_.from(sign)});
+    gains[move.cell].push_back({generator_of(move.after), ring_.from(sign)});
   }
   std::map<Index, Terms<R>> changes;  // per generator
   std::unordered_map<CellId, Terms<R>> of_lazy;
@@ -123,15 +135,13 @@ std::vector<Index> BigComplex<R>::split(Index first, std::span<const Structure::
         }
       }
     };
-    structure_.for_each_member(cell, [&](CellId node) {
-      if (structure_.is_lazy(node)) {
+    window_.for_each_member(cell, [&](CellId node) {
+      if (window_.is_lazy(node)) {
         of_lazy.emplace(node, gain);
       } else {
-        add(of_cell_[node], 1);
+        add(generator_of(node), 1);
       }
-      for (const CellId copy : structure_.copies_of(node)) {
-        add(of_cell_[copy], -1);
-      }
+      window_.for_each_copy_of(node, [&](CellId copy) { add(generator_of(copy), -1); });
     });
   }
   if (!of_lazy.empty()) {
@@ -141,8 +151,8 @@ std::vector<Index> BigComplex<R>::split(Index first, std::span<const Structure::
   std::set<std::pair<CellId, CellId>> candidates;
   for (const Structure::MadeMove& move : moves) {
     made.emplace(move.cell, move.slot, move.after);
-    if (!structure_.is_lazy(move.before)) {
-      candidates.emplace(move.before, move.after);
+    if (const CellId before = window_.known(move.before); !window_.is_lazy(before)) {
+      candidates.emplace(before, move.after);
     }
   }
   for (const auto& [node, copy] : candidates) {
@@ -174,7 +184,7 @@ bool BigComplex<R>::moves_wholly(CellId node, CellId copy, const MoveSet& moves)
   // 100 to 6,000 times at one place, this is where the two cost least together.
   constexpr std::size_t most_generators = 24;
   const std::size_t most_places = most_others + 4 * moves.size();
-  const auto places = structure_.places_of(node, most_places);
+  const auto places = window_.places_of(node, most_places);
   if (places.size() > most_places || generators_of(node).size() > most_generators) {
     return false;
   }
@@ -185,14 +195,14 @@ bool BigComplex<R>::moves_wholly(CellId node, CellId copy, const MoveSet& moves)
       return true;
     }
     // An incidence that moved away before does not count.
-    return structure_.is_current(owner) && structure_.faces(owner)[slot] != node;
+    return structure_.is_current(owner) && window_.known(structure_.faces(owner)[slot]) != node;
   });
 }
 
 template <Ring R>
 std::vector<Index> BigComplex<R>::generators_of(CellId node) const {
   const auto at = generators_of_.find(node);
-  return at != generators_of_.end() ? at->second : std::vector<Index>{of_cell_[node]};
+  return at != generators_of_.end() ? at->second : std::vector<Index>{generator_of(node)};
 }
 
 /// The columns that may have an entry at the generator of a cell or copy, and perhaps others: those of the cells that
@@ -201,16 +211,16 @@ template <Ring R>
 std::vector<Index> BigComplex<R>::columns_with(Index generator) const {
   const CellId node = origin_[generator];
   std::vector<Index> columns;
-  for (const auto& [owner, slot] : structure_.places_of(node)) {
-    columns.push_back(of_cell_[owner]);
+  for (const auto& [owner, slot] : window_.places_of(node)) {
+    columns.push_back(generator_of(owner));
   }
   const auto add_link = [&](LinkId link) {
-    if (link < of_link_.size()) {
-      columns.push_back(of_link_[link]);
+    if (link < links()) {
+      columns.push_back(generator_of_link(link));
     }
   };
   add_link(structure_.link_of(node));
-  structure_.for_each_child_link(node, add_link);
+  window_.for_each_child_link(node, add_link);
   if (const auto followed = columns_followed_.find(generator); followed != columns_followed_.end()) {
     columns.insert(columns.end(), followed->second.begin(), followed->second.end());
   }
@@ -220,7 +230,7 @@ std::vector<Index> BigComplex<R>::columns_with(Index generator) const {
 /// The generators of a node become those of a copy: G + e for G. Changes of the boundary in the new basis.
 template <Ring R>
 void BigComplex<R>::shift(CellId node, CellId copy, Index first, std::map<Index, Terms<R>>& changes) {
-  const Index e = of_cell_[copy];
+  const Index e = generator_of(copy);
   const Terms<R> unit{{e, ring_.one()}};
   const Terms<R> boundary_of_e = boundary_.column(e);
   std::vector<Index> generators = generators_of(node);
@@ -310,7 +320,7 @@ void BigComplex<R>::truncate(const Mark& mark) {
         shifts->second.pop_back();
       }
     }
-    if (last.generators == std::vector<Index>{of_cell_[last.node]}) {  // an entry must not outlive its node
+    if (last.generators == std::vector<Index>{generator_of(last.node)}) {  // an entry must not outlive its node
       generators_of_.erase(last.node);
     } else {
       generators_of_[last.node] = std::move(last.generators);
@@ -339,8 +349,8 @@ void BigComplex<R>::truncate(const Mark& mark) {
   boundary_.truncate(mark.generators, mark.generators);
   origin_.resize(mark.generators);
   degree_.resize(mark.generators);
-  of_cell_.resize(mark.cells);
-  of_link_.resize(mark.links);
+  of_cell_.resize(mark.cells - window_.begin().created);
+  of_link_.resize(mark.links - window_.begin().links);
 }
 
 // --------------------------------------------------------------------------------------------------------------- maps
@@ -355,37 +365,33 @@ Terms<R> BigComplex<R>::g(CellId cell) const {
 
 template <Ring R>
 void BigComplex<R>::add_g(CellId cell, const typename R::Element& factor, Terms<R>& out) const {
-  if (!structure_.moves().empty() || structure_.copies() > 0 || structure_.is_lazy(cell)) {
+  if (window_.has_splits() || window_.is_lazy(cell)) {
     add_g_at(cell, structure_.now(), factor, out);
     return;
   }
-  out.push_back({of_cell_[cell], factor});  // without copies there are no changes of basis
-  const auto faces = structure_.faces_as_created(cell);
-  for (std::uint32_t k = 0; k < faces.size(); ++k) {
-    if (!structure_.is_current(faces[k])) {
-      add_path(faces[k], structure_.links(), structure_.face_sign(cell, k) > 0 ? factor : ring_.negate(factor), out);
+  out.push_back({generator_of(cell), factor});  // without copies there are no changes of basis
+  window_.for_each_first_face(cell, [&](CellId face, int sign) {
+    if (!structure_.is_current(face)) {
+      add_path(face, structure_.links(), sign > 0 ? factor : ring_.negate(factor), out);
     }
-  }
+  });
 }
 
 /// g as the history was at a moment, for a cell that was current then.
 template <Ring R>
 void BigComplex<R>::add_g_at(CellId cell, const ops::Moment& moment, const typename R::Element& factor,
                              Terms<R>& out) const {
-  if (const Structure::Copy* copy = structure_.copy(cell)) {
-    add_as_created(of_cell_[cell], factor, out);
-    add_g_at(copy->source, copy->moment, factor, out);
-  } else if (structure_.is_lazy(cell)) {
+  if (window_.is_lazy(cell)) {
     lazy_maps_->add_F(cell, factor, out);
   } else {
-    add_as_created(of_cell_[cell], factor, out);
+    add_as_created(generator_of(cell), factor, out);
+    if (const Structure::Copy* copy = window_.copy(cell)) {
+      add_g_at(copy->source, copy->moment, factor, out);
+    }
   }
-  const auto arity = static_cast<std::uint32_t>(structure_.type(cell).faces.size());
-  for (std::uint32_t k = 0; k < arity; ++k) {
-    const auto signed_factor = structure_.face_sign(cell, k) > 0 ? factor : ring_.negate(factor);
-    structure_.for_each_face_of_history(cell, k, moment,
-                                        [&](CellId node, LinkId links) { add_path(node, links, signed_factor, out); });
-  }
+  window_.for_each_face_of_history(cell, moment, [&](CellId node, int sign, LinkId links) {
+    add_path(node, links, sign > 0 ? factor : ring_.negate(factor), out);
+  });
 }
 
 template <Ring R>
@@ -401,13 +407,13 @@ void BigComplex<R>::add_as_created(Index generator, const typename R::Element& f
 
 template <Ring R>
 void BigComplex<R>::add_lazy_part(CellId cell, const typename R::Element& factor, Terms<R>& out) const {
-  if (structure_.families() == 0) {
+  if (window_.families() == 0) {
     return;
   }
-  while (const Structure::Copy* copy = structure_.copy(cell)) {
+  while (const Structure::Copy* copy = window_.copy(cell)) {
     cell = copy->source;
   }
-  if (structure_.is_lazy(cell)) {
+  if (window_.is_lazy(cell)) {
     out.push_back({cell, factor});
   }
 }
@@ -421,7 +427,7 @@ void BigComplex<R>::add_path(CellId x, LinkId links, const typename R::Element& 
       return;
     }
     ++links_followed_;
-    out.push_back({of_link_[link], sign > 0 ? factor : ring_.negate(factor)});
+    out.push_back({generator_of_link(link), sign > 0 ? factor : ring_.negate(factor)});
     sign *= structure_.sign_of(link);
     x = structure_.parent(x);
   }
@@ -462,7 +468,7 @@ void BigComplex<R>::add_f(Index generator, const typename R::Element& factor, Te
   }
   const auto add_difference = [&](CellId node) {
     add_cell(node, factor, out);
-    if (const Structure::Copy* copy = structure_.copy(node)) {
+    if (const Structure::Copy* copy = window_.copy(node)) {
       add_cell(copy->source, ring_.negate(factor), out);
     }
   };
@@ -489,7 +495,7 @@ Terms<R> BigComplex<R>::h(Index generator) const {
   Terms<R> path;
   const auto add = [&](CellId node) {
     add_path(node, structure_.links(), ring_.negate(ring_.one()), path);
-    if (const Structure::Copy* copy = structure_.copy(node)) {
+    if (const Structure::Copy* copy = window_.copy(node)) {
       add_path(copy->source, structure_.links(), ring_.one(), path);
     }
   };

@@ -10,14 +10,12 @@
 #include <unordered_map>
 #include <vector>
 
+#include "engine/window.hpp"
 #include "ops/structure.hpp"
 #include "sparse/matrix.hpp"
 
 namespace sesame::engine {
 
-using ops::CellId;
-using ops::LinkId;
-using ops::Structure;
 using sparse::Index;
 using sparse::Ring;
 using sparse::Terms;
@@ -55,11 +53,16 @@ class LazyMaps;
 /// factors, and g of a lazy cell is its image under the tensor product of the factors' maps; so for them this is the
 /// reduced big complex, and f and g are one half of a homological equivalence: see LazyMaps.
 ///
+/// All this is about the part of the history that a Window shows: cells that were there at its beginning count as
+/// created then, and the forest begins with each of them on its own.
+///
 /// Source: S. Peltier's habilitation (2023), section 3.3.3; see engine/LIVE_FORM.md.
 template <Ring R>
 class BigComplex {
  public:
-  explicit BigComplex(R ring, const Structure& structure);
+  /// The big complex of a part of the history: it begins with a generator for each cell of the window's beginning.
+  /// `window` must outlive it.
+  BigComplex(R ring, const Window& window);
 
   [[nodiscard]] const R& ring() const { return ring_; }
   [[nodiscard]] Index size() const { return static_cast<Index>(origin_.size()); }
@@ -93,7 +96,7 @@ class BigComplex {
 
   /// Begins to remember the columns that get an entry at the generator of a cell: it may come up where none of those
   /// who have the cell as a face or were removed next to it are appended.
-  void follow(CellId cell) { columns_followed_.try_emplace(of_cell_[cell]); }
+  void follow(CellId cell) { columns_followed_.try_emplace(generator_of(cell)); }
 
   struct Mark {
     Index generators = 0;
@@ -102,10 +105,7 @@ class BigComplex {
     std::size_t changed = 0;
     std::size_t shifted = 0;
   };
-  [[nodiscard]] Mark mark() const {
-    return {size(), static_cast<CellId>(of_cell_.size()), static_cast<LinkId>(of_link_.size()), changed_.size(),
-            shifted_.size()};
-  }
+  [[nodiscard]] Mark mark() const { return {size(), cells(), links(), changed_.size(), shifted_.size()}; }
   void truncate(const Mark& mark);
 
   /// g of a current cell, in normal form; times a factor, added to `out` (not in normal form).
@@ -131,6 +131,15 @@ class BigComplex {
   static constexpr std::uint32_t pair = 0x4000'0000U;     ///< mark of a pair, with its family
 
   Index append(std::uint32_t origin, int degree);
+  void append_first_cells();
+  /// The generator made for a node, or none.
+  [[nodiscard]] Index generator_of(CellId node) const {
+    return window_.is_first(node) ? window_.place(node) : of_cell_[node - window_.begin().created];
+  }
+  [[nodiscard]] Index generator_of_link(LinkId link) const { return of_link_[link - window_.begin().links]; }
+  /// The number of cells, of removals that have been taken in.
+  [[nodiscard]] CellId cells() const { return window_.begin().created + static_cast<CellId>(of_cell_.size()); }
+  [[nodiscard]] LinkId links() const { return window_.begin().links + static_cast<LinkId>(of_link_.size()); }
   void add_g_at(CellId cell, const ops::Moment& moment, const typename R::Element& factor, Terms<R>& out) const;
   void add_cell(CellId node, const typename R::Element& factor, Terms<R>& out) const;
   [[nodiscard]] std::vector<Index> generators_of(CellId node) const;
@@ -140,12 +149,13 @@ class BigComplex {
   void shift(CellId node, CellId copy, Index first, std::map<Index, Terms<R>>& changes);
 
   R ring_;
+  const Window& window_;
   const Structure& structure_;
   LazyMaps<R>* lazy_maps_ = nullptr;
   sparse::Matrix<R> boundary_;
   std::vector<std::uint32_t> origin_;  ///< per generator: a cell, or removal | link, or pair | family
   std::vector<std::uint8_t> degree_;
-  std::vector<Index> of_cell_, of_link_;
+  std::vector<Index> of_cell_, of_link_;  ///< of those made in the window
   std::vector<std::uint32_t> counts_;
   std::vector<Index> changed_;                     ///< generators whose boundaries gained terms, for undo
   std::unordered_map<Index, Terms<R>> lazy_part_;  ///< of the boundary of a generator: lazy cells as created

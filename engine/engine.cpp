@@ -74,8 +74,8 @@ std::uint64_t total(std::span<const std::uint64_t> counts) {
 
 }  // namespace
 
-Engine::Engine(sparse::AnyRing ring, ops::Limits limits)
-    : ring_{ring}, planner_{structure_, limits}, tracker_{make_tracker(ring, structure_)} {
+Engine::Engine(sparse::AnyRing ring, ops::Limits limits, const RebasePolicy& rebases)
+    : ring_{ring}, planner_{structure_, limits}, equivalences_{make_tracker(ring, structure_), rebases} {
   spdlog::default_logger_raw();  // made now if need be, so that memory running out in a step is the step's own affair
 }
 
@@ -155,7 +155,7 @@ Result<StepReport> Engine::construct(const ops::Operation& operation) {
   const std::uint64_t before = total(cells());
   push_history();
   structure_.apply(plan_);
-  tracker_->extend();
+  report.rebased = equivalences_.extend(cells());
   report.after = ops::now(structure_);
   const std::uint64_t after = total(cells());
   if (!plan_.merges.empty()) {
@@ -174,8 +174,8 @@ Status Engine::check_room(const ops::Operation& operation) const {
   if (product == nullptr) {
     return Done{};
   }
-  const std::uint64_t left = tracker_->small_of(plan_.family->bodies[0]);
-  const std::uint64_t right = tracker_->small_of(plan_.family->bodies[1]);
+  const std::uint64_t left = equivalences_.now().small_of(plan_.family->bodies[0]);
+  const std::uint64_t right = equivalences_.now().small_of(plan_.family->bodies[1]);
   const auto limit = static_cast<std::uint64_t>(planner_.limits().cells_per_step);
   if (right != 0 && left > limit / right) {
     return Error{Errc::refused, "the small complexes of \"" + product->left + "\" and \"" + product->right +
@@ -206,7 +206,7 @@ Result<Barcode> Engine::barcode() const {
     }
   }
   Barcode barcode;
-  for (const Lifetime& life : tracker_->lifetimes()) {
+  for (const Lifetime& life : equivalences_.now().lifetimes()) {
     if (life.born == life.died) {
       continue;  // born and dead within one step: no class of any space; two steps never have one time
     }
@@ -243,7 +243,7 @@ Result<StepReport> Engine::take_back(const ops::Undo& operation) {
     structure_.truncate(history_.back());
     history_.pop_back();
     steps_.pop_back();
-    tracker_->undo_to_mark();
+    equivalences_.undo_to_mark();
   }
   report.after = ops::now(structure_);
   return report;
@@ -260,7 +260,7 @@ StepReport Engine::begin_report(const ops::Operation& operation) const {
 void Engine::push_history() {
   history_.push_back(structure_.mark());
   steps_.push_back(log_.size() + 1);
-  tracker_->push_mark();
+  equivalences_.push_mark();
 }
 
 void Engine::notify(const StepReport& report) const {
@@ -321,7 +321,7 @@ ops::Moment Engine::before_step(std::uint64_t n) const {
 }
 
 std::optional<std::string> Engine::first_defect() {
-  return tracker_->first_defect(history_.empty() ? ops::now(structure_) : before_step(history_.size()));
+  return equivalences_.now().first_defect(history_.empty() ? ops::now(structure_) : before_step(history_.size()));
 }
 
 }  // namespace sesame::engine

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/barcode.hpp"
+#include "engine/equivalences.hpp"
 #include "engine/homology_tracker.hpp"
 #include "ops/operation.hpp"
 #include "ops/planner.hpp"
@@ -37,6 +38,7 @@ struct StepReport {
   std::string_view op;                    ///< the keyword of its operation
   ops::Moment before, after;              ///< cells created and removed until then
   std::uint64_t steps_undone = 0;         ///< by an undo
+  bool rebased = false;                   ///< the equivalence was begun afresh: see Engine::rebases
   std::optional<SequenceSizes> sequence;  ///< of a step that added or removed cells
   std::optional<ClassAnswer> answer;      ///< to a `class`
 };
@@ -46,15 +48,17 @@ using Observer = std::function<void(const ops::Operation&, const StepReport&)>;
 
 /// A workspace: several bodies of cells, their log, and their homology over one ring.
 ///
-/// State is the fold of the log: two engines given the same operations over the same ring answer every query alike, to
-/// the byte. An operation happens wholly or, on an error, not at all. When an exception cuts it off, such as memory
-/// that runs out, the log has every step before it; the engine takes no further one, and its answers are void. So are
-/// they when a query is cut off.
+/// State is the fold of the log: two engines given the same operations over the same ring, and asked the same between
+/// them, answer every query alike, to the byte. (What was asked matters only to when a step after a split becomes too
+/// dear, so that the equivalence is begun afresh, and then only to representatives: see Equivalences.) An operation
+/// happens wholly or, on an error, not at all. When an exception cuts it off, such as memory that runs out, the log has
+/// every step before it; the engine takes no further one, and its answers are void. So are they when a query is cut
+/// off.
 ///
 /// Not thread-safe: queries bring memoised results up to date.
 class Engine {
  public:
-  explicit Engine(sparse::AnyRing ring = sparse::Integers{}, ops::Limits limits = {});
+  explicit Engine(sparse::AnyRing ring = sparse::Integers{}, ops::Limits limits = {}, const RebasePolicy& rebases = {});
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
   ~Engine();
@@ -85,24 +89,29 @@ class Engine {
   [[nodiscard]] std::span<const std::uint64_t> cells() const { return structure_.counts(); }
   [[nodiscard]] std::int64_t euler_characteristic() const;
   /// Betti numbers, torsion, sizes of the small and the big complex; an entry per dimension that has cells.
-  [[nodiscard]] Homology homology() { return tracker_->homology(cells().size()); }
+  [[nodiscard]] Homology homology() { return equivalences_.now().homology(cells().size()); }
+
+  /// How often the equivalence was begun afresh from the object as it was, undone times not counted: see Equivalences.
+  /// Then, and when such a step is undone, the representatives of classes may change, and the basis in which classes
+  /// are written.
+  [[nodiscard]] std::uint64_t rebases() const { return equivalences_.rebases(); }
 
   /// What has been done so far, in terms and entries. The difference over a step is that step's cost.
-  [[nodiscard]] Work work() const { return tracker_->work(); }
+  [[nodiscard]] Work work() const { return equivalences_.work(); }
 
   // ---- chains
   /// A chain from names; terms of one cell are added up. Errors: unknown_name; bad_input when the cells differ in
   /// dimension.
   [[nodiscard]] Result<CellChain> chain(const std::vector<std::pair<Integer, std::string>>& terms) const;
   /// The generators of H_p: torsion by increasing order, then the free ones. Cost: their expansion.
-  [[nodiscard]] std::vector<Generator> generators(int degree) { return tracker_->generators(degree); }
-  [[nodiscard]] ClassAnswer classify(const CellChain& chain) { return tracker_->classify(chain); }
+  [[nodiscard]] std::vector<Generator> generators(int degree) { return equivalences_.now().generators(degree); }
+  [[nodiscard]] ClassAnswer classify(const CellChain& chain) { return equivalences_.now().classify(chain); }
   /// F, G, K and the boundaries, applied to chains: see HomologyTracker.
-  [[nodiscard]] HomologyTracker& maps() { return *tracker_; }
+  [[nodiscard]] HomologyTracker& maps() { return equivalences_.now(); }
   /// The equivalence C <= B => S itself, for its matrices; null when the engine computes over another ring.
   template <sparse::Ring R>
   [[nodiscard]] LiveEquivalence<R>* live() {
-    return dynamic_cast<LiveEquivalence<R>*>(tracker_.get());
+    return dynamic_cast<LiveEquivalence<R>*>(&equivalences_.now());
   }
 
   // ---- persistence
@@ -143,7 +152,7 @@ class Engine {
   ops::Structure structure_;
   ops::Planner planner_;
   ops::Plan plan_;
-  std::unique_ptr<HomologyTracker> tracker_;
+  Equivalences equivalences_;
   std::vector<ops::Operation> log_;
   std::vector<ops::StructureMark> history_;  ///< before each step that can be undone
   std::vector<std::uint64_t> steps_;         ///< the numbers of those steps

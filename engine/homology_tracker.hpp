@@ -78,6 +78,22 @@ struct Work {
   std::uint64_t rewritten_terms = 0;   ///< read while boundaries and chains were rewritten, memos included
   std::uint64_t rule_terms = 0;        ///< on the right-hand sides of rules that were made: the fill-in
   std::uint64_t path_links = 0;        ///< followed from faces as they were to the cells that they are
+
+  Work& operator+=(const Work& more) {
+    boundary_entries += more.boundary_entries;
+    rewritten_terms += more.rewritten_terms;
+    rule_terms += more.rule_terms;
+    path_links += more.path_links;
+    return *this;
+  }
+  Work& operator-=(const Work& less) {
+    boundary_entries -= less.boundary_entries;
+    rewritten_terms -= less.rewritten_terms;
+    rule_terms -= less.rule_terms;
+    path_links -= less.path_links;
+    return *this;
+  }
+  friend Work operator+(Work a, const Work& b) { return a += b; }
 };
 
 /// Keeps the homological equivalence C <= B => S of a structure current over one ring.
@@ -88,12 +104,26 @@ class HomologyTracker {
   HomologyTracker& operator=(const HomologyTracker&) = delete;
   virtual ~HomologyTracker() = default;
 
+  static constexpr std::uint64_t unlimited = UINT64_MAX;
+
   /// Takes in the cells or the removals that the structure has gained since: those of one step. Cost: that of the step.
-  virtual void extend() = 0;
+  ///
+  /// False when there have been de-identifications and the step would cost more than a budget, in terms that are read:
+  /// then the tracker is as it was at its last mark, which must be the moment before the step, and can only be undone.
+  [[nodiscard]] virtual bool extend(std::uint64_t budget) = 0;
   /// Remembers this moment; `undo_to_mark` goes back to the last one remembered and forgets it. The structure must have
   /// been truncated to the same moment first.
   virtual void push_mark() = 0;
   virtual void undo_to_mark() = 0;
+  /// The number of moments that are remembered.
+  [[nodiscard]] virtual std::size_t marks() const = 0;
+
+  /// A tracker of the structure as it is now that knows nothing of its history, and so cannot go back in it: what it
+  /// describes is an equivalence of the same object, with a big complex of one generator for each cell. The present one
+  /// may not have taken in the last step. Cost: that of reducing the object, lazy cells written out.
+  [[nodiscard]] virtual std::unique_ptr<HomologyTracker> afresh() const = 0;
+  /// The copies made since the tracker began.
+  [[nodiscard]] virtual std::uint32_t copies() const = 0;
 
   /// Betti numbers, torsion and sizes, with an entry for each of the first `dimensions` degrees: those that have cells.
   /// Cost O(dimensions), plus a Smith form of the core when that changed.

@@ -33,8 +33,12 @@ typename R::Element coefficient_at(const R& ring, const Terms<R>& chain, Index i
 }  // namespace
 
 template <Ring R>
-LazyMaps<R>::LazyMaps(R ring, const Structure& structure, BigComplex<R>& big, Rewriter<R>& rewriter)
-    : ring_{ring}, structure_{structure}, big_{big}, rewriter_{rewriter} {}
+LazyMaps<R>::LazyMaps(R ring, const Window& window, BigComplex<R>& big, Rewriter<R>& rewriter)
+    : ring_{ring},
+      structure_{window.structure()},
+      big_{big},
+      rewriter_{rewriter},
+      first_family_{window.begin().families} {}
 
 // ------------------------------------------------------------------------------------------------------------ families
 
@@ -206,14 +210,14 @@ void LazyMaps<R>::add_F(CellId cell, const Element& factor, Terms<R>& out) {
     }
   } else if (made.kind == FamilyKind::product) {
     const Terms<R> left = F_of(key.left.cell);
-    add_tensor(families_[key.family], left, F_of(key.right.cell), factor, out);
+    add_tensor(family(key.family), left, F_of(key.right.cell), factor, out);
   } else {
     for (const auto& [front, back] : reductions::alexander_whitney(structure_.dimension(cell))) {
       const Value a = restrict(key.left, front);
       const Value b = restrict(key.right, back);
       if (!a.is_degenerate() && !b.is_degenerate()) {
         const Terms<R> left = F_of(a.cell);
-        add_tensor(families_[key.family], left, F_of(b.cell), factor, out);
+        add_tensor(family(key.family), left, F_of(b.cell), factor, out);
       }
     }
   }
@@ -255,7 +259,7 @@ void LazyMaps<R>::add_pairs(FamilyId family, const Terms<R>& left, const Terms<R
 
 template <Ring R>
 void LazyMaps<R>::add_G(FamilyId id, Index generator, const Element& factor, Terms<R>& out) {
-  const Family& family = families_[id];
+  const Family& family = this->family(id);
   const std::uint32_t place = family.places[generator - family.first];
   const Terms<R> left = G_of(family.left[place / family.right.size()]);
   const Terms<R> right = G_of(family.right[place % family.right.size()]);
@@ -393,7 +397,7 @@ void LazyMaps<R>::add_gains(const Gains& gains, const std::unordered_map<Index, 
   for (const auto& [cell, gain] : ordered) {
     const ops::LazyKey key = structure_.lazy_of(cell)->key;
     if (key.part == LazyPart::pair) {
-      const Family& family = families_[key.family];
+      const Family& family = this->family(key.family);
       for (std::size_t place = 0; place < family.pairs.size(); ++place) {
         const Symbol left = family.left[place / family.right.size()];
         const Symbol right = family.right[place % family.right.size()];

@@ -33,7 +33,7 @@ class LazyMaps {
   using Element = typename R::Element;
   using Gains = std::unordered_map<CellId, Terms<R>>;
 
-  LazyMaps(R ring, const Structure& structure, BigComplex<R>& big, Rewriter<R>& rewriter);
+  LazyMaps(R ring, const Window& window, BigComplex<R>& big, Rewriter<R>& rewriter);
 
   /// Takes in the next family: its factors' small generators leave S, those of the family are appended.
   /// Cost: the number of those.
@@ -77,6 +77,7 @@ class LazyMaps {
     Terms<R> K, GF;
   };
 
+  [[nodiscard]] const Family& family(ops::FamilyId id) const { return families_[id - first_family_]; }
   [[nodiscard]] std::vector<Symbol> symbols_of(ops::BodyId body) const;
   const Terms<R>& F_of(CellId cell);
   const Homotopy& homotopy_of(CellId cell);
@@ -96,6 +97,7 @@ class LazyMaps {
   const Structure& structure_;
   BigComplex<R>& big_;
   Rewriter<R>& rewriter_;
+  ops::FamilyId first_family_;  ///< of the window
   std::vector<Family> families_;
   std::unordered_map<CellId, Terms<R>> images_;  ///< F of cells of frozen bodies, in symbols
   std::unordered_map<CellId, Homotopy> homotopies_;

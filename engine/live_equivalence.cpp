@@ -69,24 +69,81 @@ Terms<R> unit(const R& ring, Index index) {
 }  // namespace
 
 template <Ring R>
-LiveEquivalence<R>::LiveEquivalence(R ring, const Structure& structure)
+LiveEquivalence<R>::LiveEquivalence(R ring, Window window)
     : ring_{ring},
-      structure_{structure},
-      big_{ring, structure},
+      window_{std::move(window)},
+      structure_{window_.structure()},
+      big_{ring, window_},
       rewriter_{ring, big_.boundary()},
-      lazy_{ring, structure, big_, rewriter_} {
+      lazy_{ring, window_, big_, rewriter_},
+      cells_{window_.begin().created},
+      links_{window_.begin().links},
+      moves_{window_.begin().moves},
+      families_{window_.begin().families} {
   big_.set_lazy_maps(lazy_);
-  extend();
+  for (Index generator = 0; generator < big_.size(); ++generator) {
+    rewriter_.append(big_.degree(generator));
+  }
+  take_in_step();
+}
+
+template <Ring R>
+std::unique_ptr<HomologyTracker> LiveEquivalence<R>::afresh() const {
+  return std::make_unique<LiveEquivalence>(ring_, Window{structure_, current_cells()});
 }
 
 // ------------------------------------------------------------------------------------------------------- maintenance
 
+/// The cells of the object, by dimension and age.
 template <Ring R>
-void LiveEquivalence<R>::extend() {
+std::vector<CellId> LiveEquivalence<R>::current_cells() const {
+  std::vector<CellId> cells;
+  if (structure_.families() > 0) {
+    structure_.make_all_lazy_cells();
+    const ops::CellBasis basis = ops::cells_at(structure_, ops::now(structure_));
+    for (const std::vector<CellId>& of_degree : basis.cells()) {
+      cells.insert(cells.end(), of_degree.begin(), of_degree.end());
+    }
+    return cells;
+  }
+  // Not all that were ever made: those that the window began with and those made in it.
+  const auto add = [&](CellId c) {
+    if (structure_.is_current(c)) {
+      cells.push_back(c);
+    }
+  };
+  std::for_each(window_.cells().begin(), window_.cells().end(), add);
+  for (CellId c = window_.begin().created; c < structure_.created(); ++c) {
+    add(c);
+  }
+  std::sort(cells.begin(), cells.end(), [this](CellId a, CellId b) {
+    return std::pair{structure_.dimension(a), structure_.oldest(a)} <
+           std::pair{structure_.dimension(b), structure_.oldest(b)};
+  });
+  return cells;
+}
+
+template <Ring R>
+bool LiveEquivalence<R>::extend(std::uint64_t budget) {
+  rewriter_.set_budget(window_.has_splits() ? budget : unlimited);
+  try {
+    take_in_step();
+  } catch (const OverBudget&) {
+    rewriter_.drop_work();
+    rewriter_.set_budget(unlimited);
+    go_back_to(marks_.back());
+    return false;
+  }
+  rewriter_.set_budget(unlimited);
+  return true;
+}
+
+template <Ring R>
+void LiveEquivalence<R>::take_in_step() {
   const RuleId time = rewriter_.rules();
   Index first_copy = ops::none;
   for (; cells_ < structure_.created(); ++cells_) {
-    if (structure_.copy(cells_) != nullptr) {
+    if (window_.copy(cells_) != nullptr) {
       const Index copy = big_.append_copy(cells_);
       first_copy = std::min(first_copy, copy);
       rewriter_.append(big_.degree(copy));
@@ -117,8 +174,12 @@ void LiveEquivalence<R>::push_mark() {
 
 template <Ring R>
 void LiveEquivalence<R>::undo_to_mark() {
-  const Mark mark = marks_.back();
+  go_back_to(marks_.back());
   marks_.pop_back();
+}
+
+template <Ring R>
+void LiveEquivalence<R>::go_back_to(const Mark& mark) {
   rewriter_.undo(mark.rewriter);
   big_.truncate(mark.big);
   lazy_.truncate(mark.lazy, mark.big.generators);
@@ -510,7 +571,7 @@ SmallChain LiveEquivalence<R>::boundary(const SmallChain& chain) {
 
 template <Ring R>
 reductions::Equivalence<R> LiveEquivalence<R>::matrices() {
-  expects(structure_.families() == 0, "the big complex of lazy cells is not written out");
+  expects(window_.families() == 0, "the big complex of lazy cells is not written out");
   const ops::CellBasis basis = ops::cells_at(structure_, ops::now(structure_));
   Numbering object;
   for (std::size_t p = 0; p < basis.cells().size(); ++p) {
@@ -625,7 +686,7 @@ std::optional<std::string> LiveEquivalence<R>::first_defect(ops::Moment before_l
   if (auto defect = ops::first_broken_face_law(structure_, cells)) {
     return defect;
   }
-  if (auto defect = structure_.families() == 0 ? defect_of_matrices() : defect_of_maps(cells)) {
+  if (auto defect = window_.families() == 0 ? defect_of_matrices() : defect_of_maps(cells)) {
     return defect;
   }
   const std::vector<reductions::AbelianGroup> groups =
@@ -665,7 +726,7 @@ std::optional<std::string> LiveEquivalence<R>::first_defect(ops::Moment before_l
 std::unique_ptr<HomologyTracker> make_tracker(const sparse::AnyRing& ring, const Structure& structure) {
   return std::visit(
       [&]<class R>(const R& k) -> std::unique_ptr<HomologyTracker> {
-        return std::make_unique<LiveEquivalence<R>>(k, structure);
+        return std::make_unique<LiveEquivalence<R>>(k, Window{structure});
       },
       ring);
 }

@@ -18,11 +18,15 @@ namespace sesame::engine {
 template <Ring R>
 class LiveEquivalence final : public HomologyTracker {
  public:
-  LiveEquivalence(R ring, const Structure& structure);
+  /// The equivalence of a window's present object. Cost: that of its cells and of what has happened in it.
+  LiveEquivalence(R ring, Window window);
 
-  void extend() override;
+  [[nodiscard]] bool extend(std::uint64_t budget) override;
   void push_mark() override;
   void undo_to_mark() override;
+  [[nodiscard]] std::size_t marks() const override { return marks_.size(); }
+  [[nodiscard]] std::unique_ptr<HomologyTracker> afresh() const override;
+  [[nodiscard]] std::uint32_t copies() const override { return window_.copies(); }
 
   [[nodiscard]] Homology homology(std::size_t dimensions) override;
   [[nodiscard]] std::uint64_t small_of(ops::BodyId body) const override;
@@ -77,6 +81,9 @@ class LiveEquivalence final : public HomologyTracker {
     std::vector<std::uint32_t> ranks;  ///< of dS, by degree
   };
 
+  void take_in_step();
+  void go_back_to(const Mark& mark);
+  [[nodiscard]] std::vector<CellId> current_cells() const;
   const TorsionCache& torsion();
   [[nodiscard]] sparse::Matrix<R> core_matrix(const std::vector<Symbol>& columns) const;
   [[nodiscard]] Group group(int degree) const;
@@ -93,14 +100,15 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] Terms<R> core_boundary(std::span<const sparse::Term<R>> chain_of_s) const;
 
   R ring_;
+  Window window_;
   const Structure& structure_;
   BigComplex<R> big_;
   Rewriter<R> rewriter_;
   LazyMaps<R> lazy_;
-  CellId cells_ = 0;  ///< taken in so far
-  LinkId links_ = 0;
-  std::uint32_t moves_ = 0;
-  ops::FamilyId families_ = 0;
+  CellId cells_;  ///< taken in so far
+  LinkId links_;
+  std::uint32_t moves_;
+  ops::FamilyId families_;
   std::vector<Mark> marks_;
   TorsionCache torsion_;
 };

@@ -20,6 +20,42 @@ bool is_virtual(std::uint32_t generator) { return (generator & virtual_bit) != 0
 
 }  // namespace
 
+// ----------------------------------------------------------------------------------------------------------- budget
+
+template <Ring R>
+void Rewriter<R>::set_budget(std::uint64_t terms) {
+  effort_limit_ = terms < UINT64_MAX - effort() ? effort() + terms : UINT64_MAX;
+}
+
+template <Ring R>
+void Rewriter<R>::drop_work() {
+  Terms<R> nothing;
+  sum_.finish(nothing);
+  for (Accumulator<R>& traced : traced_) {
+    traced.finish(nothing);
+  }
+  traces_running_ = 0;
+  unsettled_.clear();
+}
+
+/// The words that a coefficient is held in: what arithmetic on it costs.
+template <Ring R>
+std::uint64_t Rewriter<R>::words(const Element& coefficient) {
+  if constexpr (requires { coefficient.words(); }) {
+    return coefficient.words();
+  }
+  return 1;
+}
+
+template <Ring R>
+std::uint64_t Rewriter<R>::words(const Terms<R>& terms) {
+  std::uint64_t sum = 0;
+  for (const TermType& term : terms) {
+    sum += words(term.coefficient);
+  }
+  return sum;
+}
+
 // ---------------------------------------------------------------------------------------------- symbols and rules
 
 template <Ring R>
@@ -199,6 +235,7 @@ template <Ring R>
 std::span<const sparse::Term<R>> Rewriter<R>::memoised(RuleId rule) {
   pending_.assign(1, rule);
   while (!pending_.empty()) {
+    check_budget();
     const RuleId top = pending_.back();
     bool is_current = memos_[top].checked == version_;
     bool waits = false;
@@ -376,6 +413,7 @@ void Rewriter<R>::substitute_row(Symbol row, std::span<const TermType> value) {
     const Element coefficient = at->coefficient;
     column.erase(at);
     sparse::add_multiple(ring_, column, coefficient, value);
+    other_effort_ += words(column);
     core_.set(z, std::move(column));
     unsettled_.insert(z);
   }
@@ -385,9 +423,11 @@ template <Ring R>
 void Rewriter<R>::settle() {
   moves_left_ = moves_per_generator;
   while (!unsettled_.empty()) {
+    check_budget();
     const Symbol x = *unsettled_.begin();
     unsettled_.erase(unsettled_.begin());
-    if (core_.find(x) != nullptr) {
+    if (const Terms<R>* column = core_.find(x)) {
+      other_effort_ += words(*column);
       settle_column(x);
     }
   }
@@ -551,7 +591,12 @@ Trace<R> Rewriter<R>::run_trace(RuleId before, Begin begin) {
     if (perturbations_until(degree_[rules_[rule].a] + 1, before) > taken_in(rule)) {
       take_in(rule);  // else what it is behind with is in symbols that no rule of that time can use
     }
-    for_each_in_value(rule, [&](Symbol y, const Element& factor) { add(y, coefficient, factor); });
+    const std::uint64_t weight = words(coefficient);
+    for_each_in_value(rule, [&](Symbol y, const Element& factor) {
+      other_effort_ += weight * words(factor);
+      add(y, coefficient, factor);
+    });
+    check_budget();
   }
   Terms<R> nothing;
   traced.finish(nothing);  // all taken: this only clears
@@ -688,7 +733,7 @@ typename Rewriter<R>::Expansion Rewriter<R>::expansion(Symbol x, RuleId time) {
 
 /// delta(V), in symbols from `first` on. Requires: the rules of the trace have taken in all changes.
 template <Ring R>
-Terms<R> Rewriter<R>::change_of(const Expansion& v, Symbol first) const {
+Terms<R> Rewriter<R>::change_of(const Expansion& v, Symbol first) {
   Terms<R> change;
   for (const TermType& part : v.generators) {
     boundary_.for_each_in_column(part.index, [&](const TermType& term) {
@@ -706,6 +751,7 @@ Terms<R> Rewriter<R>::change_of(const Expansion& v, Symbol first) const {
       }
     }
   }
+  other_effort_ += words(change);
   sparse::normalize(ring_, change);
   return change;
 }
@@ -758,6 +804,7 @@ void Rewriter<R>::take_in(RuleId rule) {
     sum.taken_in = all.size();
     perturbation_steps_.back().rules.push_back(done);
     terms_read_ += change.size() + top.lift.trace.size();
+    other_effort_ += words(change);
     stack.pop_back();
   }
 }

@@ -22,6 +22,10 @@ using RuleId = std::uint32_t;
 using sparse::Integer;
 inline constexpr RuleId no_rule = UINT32_MAX;
 
+/// Thrown by a Rewriter whose work has come to cost more than it was given: not an error, but a way out of nested work
+/// whose results are worth less than a fresh start.
+struct OverBudget {};
+
 /// Coefficients of a rewriting by rule: what the homotopy h is made of.
 template <Ring R>
 using Trace = std::vector<std::pair<RuleId, typename R::Element>>;
@@ -77,6 +81,13 @@ class Rewriter {
   /// g of a chain of S (in symbols) plus sum trace[a] V(b_a): a chain of B in normal form.
   /// Cost: each rule involved is expanded once.
   [[nodiscard]] Terms<R> lift(std::span<const TermType> chain_of_s, const Trace<R>& trace = {});
+
+  /// From now on work may cost this much, in terms that are read, each as often as its coefficient has words; what
+  /// would go beyond throws OverBudget. After that only `undo` to a mark made before is allowed, once `drop_work` was
+  /// called.
+  void set_budget(std::uint64_t terms);
+  /// Forgets what an OverBudget has cut off.
+  void drop_work();
 
   /// The small generators of a degree, oldest first.
   [[nodiscard]] std::vector<Symbol> small(int degree) const;
@@ -168,6 +179,15 @@ class Rewriter {
     Trace<R> trace;
   };
 
+  [[nodiscard]] std::uint64_t effort() const { return terms_read_ + other_effort_; }
+  void check_budget() const {
+    if (effort() > effort_limit_) [[unlikely]] {
+      throw OverBudget{};
+    }
+  }
+  static std::uint64_t words(const Element& coefficient);
+  static std::uint64_t words(const Terms<R>& terms);
+
   Symbol add_symbol(int degree, std::uint32_t generator);
   void drop_last_symbol();
   void unlink(Symbol x);
@@ -197,7 +217,7 @@ class Rewriter {
   void take_in(RuleId rule);
   [[nodiscard]] Terms<R> change_now(Symbol x, RuleId time, Symbol first);
   [[nodiscard]] Expansion expansion(Symbol x, RuleId time);
-  [[nodiscard]] Terms<R> change_of(const Expansion& v, Symbol first) const;
+  [[nodiscard]] Terms<R> change_of(const Expansion& v, Symbol first);
   void undo_last_perturbation();
   [[nodiscard]] Terms<R> rewrite_symbols(std::span<const TermType> chain);
   Memo& writable_memo(RuleId rule);
@@ -238,6 +258,8 @@ class Rewriter {
   std::uint32_t epoch_ = 1;                           ///< grows with every mark and undo
 
   std::uint64_t terms_read_ = 0, rule_terms_ = 0;
+  std::uint64_t other_effort_ = 0;  ///< terms of traces and of the core, words of large coefficients
+  std::uint64_t effort_limit_ = UINT64_MAX;
 
   TorsionCore<R> core_;
   std::set<Symbol> unsettled_;

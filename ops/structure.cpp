@@ -58,8 +58,8 @@ std::span<const CellId> Structure::faces(CellId c) const {
 }
 
 CellId Structure::face_at(CellId c, std::uint32_t k, const Moment& moment) const {
-  CellId face = none;
-  for_each_face_of_history(c, k, moment, [&face](CellId node, LinkId) { face = node; });
+  CellId face = faces_as_created(c)[k];
+  for_each_move_of(c, k, 0, moment.moves, [&face](const MadeMove& made) { face = made.after; });
   return face;
 }
 
@@ -169,16 +169,21 @@ CellId Structure::owner_of(std::uint32_t entry) const {
   return static_cast<CellId>(std::upper_bound(first.begin(), first.end(), entry) - first.begin() - 1);
 }
 
-std::vector<std::pair<CellId, std::uint32_t>> Structure::places_of(CellId node, std::size_t most) const {
+std::vector<std::pair<CellId, std::uint32_t>> Structure::places_of(CellId node, const Moment& since,
+                                                                   std::size_t most) const {
   std::vector<std::pair<CellId, std::uint32_t>> places;
   for (std::uint32_t entry = nodes_->first_incidence[node]; entry != none && places.size() <= most;
-       entry = nodes_->next_incidence[entry]) {
+       entry = nodes_->next_incidence[entry]) {  // the latest first
     const CellId owner = owner_of(entry);
+    if (owner < since.created) {
+      break;
+    }
     places.emplace_back(owner, entry - static_cast<std::uint32_t>(nodes_->first_face[owner]));
   }
   if (const auto onto = moved_onto_.find(node); onto != moved_onto_.end()) {
-    for (const std::uint32_t number : onto->second) {
-      places.emplace_back(moves_[number].cell, moves_[number].slot);
+    const std::vector<std::uint32_t>& numbers = onto->second;
+    for (auto at = std::lower_bound(numbers.begin(), numbers.end(), since.moves); at != numbers.end(); ++at) {
+      places.emplace_back(moves_[*at].cell, moves_[*at].slot);
     }
   }
   return places;

@@ -5,6 +5,7 @@
 /// Append-only but for undo, which is truncation.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -197,10 +198,11 @@ class Structure {
   template <class Visit>
   void for_each_member(CellId current, Visit&& visit) const;
 
-  /// Calls visit(link) for each removal in favour of a node itself.
+  /// Calls visit(link) for each removal in favour of a node itself, the latest first, as far as it is none of the first
+  /// `since` removals.
   template <class Visit>
-  void for_each_child_link(CellId node, Visit&& visit) const {
-    for (LinkId link = nodes_->last_child[node]; link != none; link = links_[link].previous_child) {
+  void for_each_child_link(CellId node, LinkId since, Visit&& visit) const {
+    for (LinkId link = nodes_->last_child[node]; link != none && link >= since; link = links_[link].previous_child) {
       visit(link);
     }
   }
@@ -224,10 +226,9 @@ class Structure {
     LinkId links;
   };
   [[nodiscard]] std::span<const MadeMove> moves() const { return moves_; }
-  /// Calls visit(node, links) for what face k of a cell was, one after the other, up to a moment: each node with the
-  /// number of links at which it was given up for the next.
+  /// Calls visit(move) for the moves of face k of a cell whose numbers are in [first, last), in order.
   template <class Visit>
-  void for_each_face_of_history(CellId c, std::uint32_t k, const Moment& moment, Visit&& visit) const;
+  void for_each_move_of(CellId c, std::uint32_t k, std::uint32_t first, std::uint32_t last, Visit&& visit) const;
   /// True when a name begins with that of a lazy family and goes on as its cells' names do.
   [[nodiscard]] bool extends_family_name(std::string_view name) const;
   /// The current cells that have a face which is a given current cell or degenerate over it, oldest first.
@@ -235,9 +236,10 @@ class Structure {
   /// apex of a lazy cone all cells that the cone is taken over.
   [[nodiscard]] std::vector<CellId> cofaces(CellId current) const;
 
-  /// The places where a node was given as a face: at the creation of cells, and by moves. As (cell as created, number).
-  /// Stops when there are more than `most`.
-  [[nodiscard]] std::vector<std::pair<CellId, std::uint32_t>> places_of(CellId node, std::size_t most = SIZE_MAX) const;
+  /// The places where a node was given as a face since a moment: at the creation of cells, and by moves. As (cell as
+  /// created, number). Stops when there are more than `most`.
+  [[nodiscard]] std::vector<std::pair<CellId, std::uint32_t>> places_of(CellId node, const Moment& since,
+                                                                        std::size_t most = SIZE_MAX) const;
 
   // ---- names
   /// The node of a name, or empty. Cells of bodies that a cone was taken over are those of the cone.
@@ -436,23 +438,23 @@ void Structure::for_each_member(CellId current, Visit&& visit) const {
     const CellId node = pending.back();
     pending.pop_back();
     visit(node);
-    for_each_child_link(node, [&](LinkId link) { pending.push_back(links_[link].removed); });
+    for_each_child_link(node, 0, [&](LinkId link) { pending.push_back(links_[link].removed); });
   }
 }
 
 template <class Visit>
-void Structure::for_each_face_of_history(CellId c, std::uint32_t k, const Moment& moment, Visit&& visit) const {
-  CellId node = faces_as_created(c)[k];
-  if (const auto moved = moved_.empty() ? moved_.end() : moved_.find(c); moved != moved_.end()) {
-    for (const std::uint32_t number : moved->second.history) {
-      const MadeMove& made = moves_[number];
-      if (made.slot == k && number < moment.moves) {
-        visit(node, made.links);
-        node = made.after;
-      }
+void Structure::for_each_move_of(CellId c, std::uint32_t k, std::uint32_t first, std::uint32_t last,
+                                 Visit&& visit) const {
+  const auto moved = moved_.empty() ? moved_.end() : moved_.find(c);
+  if (moved == moved_.end()) {
+    return;
+  }
+  const std::vector<std::uint32_t>& history = moved->second.history;
+  for (auto at = std::lower_bound(history.begin(), history.end(), first); at != history.end() && *at < last; ++at) {
+    if (moves_[*at].slot == k) {
+      visit(moves_[*at]);
     }
   }
-  visit(node, moment.links);
 }
 
 }  // namespace sesame::ops

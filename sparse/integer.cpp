@@ -147,6 +147,8 @@ void Integer::multiply_large(const Integer& other) {
 
 int Integer::large_sign() const { return mpz_sgn(Access::large(*this)); }
 
+std::size_t Integer::large_words() const { return mpz_size(Access::large(*this)); }
+
 int Integer::compare_large(const Integer& a, const Integer& b) { return mpz_cmp(View{a}.get(), View{b}.get()); }
 
 std::optional<Integer> Integer::parse(std::string_view digits) {

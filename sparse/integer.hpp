@@ -3,6 +3,7 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -62,6 +63,8 @@ class Integer {
 
   /// True when the value is held on the heap. For tests and statistics; arithmetic hides the difference.
   [[nodiscard]] bool is_large() const { return (word_ & 1) != 0; }
+  /// The machine words that the value takes: what arithmetic with it costs.
+  [[nodiscard]] std::size_t words() const { return is_large() ? large_words() : 1; }
   [[nodiscard]] bool is_zero() const { return word_ == 0; }
   /// True for 1 and -1, the units of Z.
   [[nodiscard]] bool is_unit() const { return word_ == 2 || word_ == -2; }
@@ -126,6 +129,7 @@ class Integer {
   void subtract_large(const Integer& other);
   void multiply_large(const Integer& other);
   [[nodiscard]] int large_sign() const;
+  [[nodiscard]] std::size_t large_words() const;
   static int compare_large(const Integer& a, const Integer& b);
 
   friend struct IntegerAccess;  // integer.cpp: the GMP side
