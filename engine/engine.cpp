@@ -75,7 +75,7 @@ std::uint64_t total(std::span<const std::uint64_t> counts) {
 }  // namespace
 
 Engine::Engine(sparse::AnyRing ring, ops::Limits limits, const RebasePolicy& rebases)
-    : ring_{ring}, planner_{structure_, limits}, equivalences_{make_tracker(ring, structure_), rebases} {
+    : ring_{ring}, planner_{structure_, limits}, equivalences_{ring, structure_, rebases} {
   spdlog::default_logger_raw();  // made now if need be, so that memory running out in a step is the step's own affair
 }
 
@@ -155,7 +155,7 @@ Result<StepReport> Engine::construct(const ops::Operation& operation) {
   const std::uint64_t before = total(cells());
   push_history();
   structure_.apply(plan_);
-  report.rebased = equivalences_.extend(cells());
+  report.rebased = equivalences_.extend();
   report.after = ops::now(structure_);
   const std::uint64_t after = total(cells());
   if (!plan_.merges.empty()) {
@@ -243,8 +243,8 @@ Result<StepReport> Engine::take_back(const ops::Undo& operation) {
     structure_.truncate(history_.back());
     history_.pop_back();
     steps_.pop_back();
-    equivalences_.undo_to_mark();
   }
+  equivalences_.undo(operation.steps);
   report.after = ops::now(structure_);
   return report;
 }

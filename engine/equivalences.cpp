@@ -1,8 +1,10 @@
 #include "engine/equivalences.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
+#include "engine/live_equivalence.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::engine {
@@ -20,40 +22,83 @@ std::uint64_t budget_of(std::span<const std::uint64_t> counts, const RebasePolic
                                                     : policy.least_terms + policy.terms_per_face * faces;
 }
 
-/// The splits after which an object of so many cells is begun afresh.
-std::uint64_t splits_of(std::span<const std::uint64_t> counts, const RebasePolicy& policy) {
+std::uint64_t cells_of(std::span<const std::uint64_t> counts) {
   std::uint64_t cells = 0;
   for (const std::uint64_t count : counts) {
     cells += std::min(count, many / 64);
   }
-  return policy.least_splits + cells / policy.cells_per_split;
+  return cells;
 }
 
 }  // namespace
 
-Equivalences::Equivalences(std::unique_ptr<HomologyTracker> first, const RebasePolicy& policy) : policy_{policy} {
-  trackers_.push_back(std::move(first));
+Equivalences::Equivalences(const sparse::AnyRing& ring, const ops::Structure& structure, const RebasePolicy& policy)
+    : ring_{ring}, structure_{structure}, policy_{policy} {
+  parts_.push_back({make_tracker(ring, structure), 0, 0});
 }
 
-bool Equivalences::extend(std::span<const std::uint64_t> counts) {
-  if (now().extend(budget_of(counts, policy_)) &&
-      (now().copies() == 0 || now().copies() < splits_of(counts, policy_))) {
+bool Equivalences::extend() {
+  const std::uint64_t splits_allowed = policy_.least_splits + cells_of(structure_.counts()) / policy_.cells_per_split;
+  if (now().extend(budget_of(structure_.counts(), policy_)) &&
+      (now().copies() == 0 || now().copies() < splits_allowed)) {
     return false;
   }
   std::unique_ptr<HomologyTracker> next = now().afresh();
-  done_by_others_ += now().work();
-  trackers_.push_back(std::move(next));
+  parts_.back().cells = cells_of(structure_.counts());
+  cells_kept_ += parts_.back().cells;
+  begin_part(std::move(next));
+  give_up_oldest();
   return true;
 }
 
-void Equivalences::undo_to_mark() {
-  if (now().marks() == 0) {
-    sparse::expects(trackers_.size() > 1, "only what is remembered can be undone");
+void Equivalences::push_mark() {
+  now().push_mark();
+  ++parts_.back().marks;
+}
+
+void Equivalences::begin_part(std::unique_ptr<HomologyTracker> tracker) {
+  if (parts_.back().tracker != nullptr) {
     done_by_others_ += now().work();
-    trackers_.pop_back();
-    done_by_others_ -= now().work();
   }
-  now().undo_to_mark();
+  parts_.push_back({std::move(tracker), 0, 0});
+}
+
+/// All but what the policy keeps, and the last that can be resumed.
+void Equivalences::give_up_oldest() {
+  const std::uint64_t most = policy_.least_cells_kept + policy_.objects_kept * cells_of(structure_.counts());
+  for (; cells_kept_ > most && first_kept_ + 2 < parts_.size(); ++first_kept_) {
+    cells_kept_ -= parts_[first_kept_].cells;
+    parts_[first_kept_].tracker.reset();
+  }
+}
+
+void Equivalences::end_last_part() {
+  sparse::expects(parts_.size() > 1, "only what is remembered can be undone");
+  if (parts_.back().tracker != nullptr) {
+    done_by_others_ += now().work();
+  }
+  parts_.pop_back();
+  if (Part& resumed = parts_.back(); resumed.tracker != nullptr) {
+    done_by_others_ -= resumed.tracker->work();
+    cells_kept_ -= resumed.cells;
+  }
+}
+
+void Equivalences::undo(std::uint64_t marks) {
+  for (; marks > 0; --marks) {
+    while (parts_.back().marks == 0) {
+      end_last_part();
+    }
+    --parts_.back().marks;
+    if (parts_.back().tracker != nullptr) {
+      now().undo_to_mark();
+    }
+  }
+  first_kept_ = std::min(first_kept_, parts_.size());
+  if (parts_.back().tracker == nullptr) {
+    begin_part(make_tracker_afresh(ring_, structure_));
+    first_kept_ = parts_.size() - 1;
+  }
 }
 
 }  // namespace sesame::engine

@@ -2,8 +2,8 @@
 /// The equivalence of the object, begun afresh whenever its history has come to weigh more than the object.
 #pragma once
 
+#include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "engine/homology_tracker.hpp"
@@ -20,9 +20,13 @@ struct RebasePolicy {
   // what reducing it takes.
   std::uint64_t least_terms = 4096;
   std::uint64_t terms_per_face = 8;
+  // Equivalences are kept for undo while their objects have together no more cells than this, and as often those of the
+  // present object; the last one always is.
+  std::uint64_t least_cells_kept = 50'000;
+  std::uint64_t objects_kept = 8;
 
   /// Never: every step is taken in by the equivalence of the whole history, whatever that costs.
-  [[nodiscard]] static RebasePolicy never() { return {UINT64_MAX / 2, 1, UINT64_MAX / 2, 1}; }
+  [[nodiscard]] static RebasePolicy never() { return {UINT64_MAX / 2, 1, UINT64_MAX / 2, 1, 0, 0}; }
 };
 
 /// A stack of trackers of one structure: the last describes the present, the others are as they were when the next took
@@ -37,28 +41,47 @@ struct RebasePolicy {
 ///
 /// So a step costs at most O(object), and splits cost on average what they would near the beginning of a history. While
 /// there are no splits there is never a rebase.
+///
+/// Undoing past a rebase resumes the tracker before it exactly. Of a long history only the last ones are kept; going
+/// back further is a rebase there, at the cost of the object of that time and a look at all cells ever made.
 class Equivalences {
  public:
-  Equivalences(std::unique_ptr<HomologyTracker> first, const RebasePolicy& policy);
+  Equivalences(const sparse::AnyRing& ring, const ops::Structure& structure, const RebasePolicy& policy);
 
-  [[nodiscard]] HomologyTracker& now() { return *trackers_.back(); }
-  [[nodiscard]] const HomologyTracker& now() const { return *trackers_.back(); }
+  [[nodiscard]] HomologyTracker& now() { return *parts_.back().tracker; }
+  [[nodiscard]] const HomologyTracker& now() const { return *parts_.back().tracker; }
 
-  /// Takes in what one step has changed; the moment before it is the last mark. `counts`: of the cells after it, by
-  /// dimension. True when that was a rebase: representatives of classes may be others since.
-  bool extend(std::span<const std::uint64_t> counts);
-  void push_mark() { now().push_mark(); }
-  /// As HomologyTracker::undo_to_mark, through any number of rebases.
-  void undo_to_mark();
+  /// Takes in what one step has changed; the moment before it is the last mark. True when that was a rebase:
+  /// representatives of classes may be others since.
+  bool extend();
+  void push_mark();
+  /// Goes back over the last `marks` marks, through any number of rebases; the structure has been truncated to that
+  /// moment. Requires: there are so many.
+  void undo(std::uint64_t marks);
 
   /// What all of them have done, those that were undone included.
   [[nodiscard]] Work work() const { return done_by_others_ + now().work(); }
   /// The rebases that are not undone.
-  [[nodiscard]] std::size_t rebases() const { return trackers_.size() - 1; }
+  [[nodiscard]] std::size_t rebases() const { return parts_.size() - 1; }
 
  private:
+  /// The history from one rebase to the next.
+  struct Part {
+    std::unique_ptr<HomologyTracker> tracker;  ///< null: given up
+    std::uint64_t marks = 0;
+    std::uint64_t cells = 0;  ///< that it is reckoned with while it is kept for undo
+  };
+
+  void begin_part(std::unique_ptr<HomologyTracker> tracker);
+  void end_last_part();
+  void give_up_oldest();
+
+  const sparse::AnyRing ring_;
+  const ops::Structure& structure_;
   RebasePolicy policy_;
-  std::vector<std::unique_ptr<HomologyTracker>> trackers_;
+  std::vector<Part> parts_;
+  std::size_t first_kept_ = 0;    ///< of `parts_`: those before it are given up
+  std::uint64_t cells_kept_ = 0;  ///< of the parts that are kept, but for the last
   Work done_by_others_;
 };
 

@@ -61,6 +61,17 @@ GradedMap<R> graded_map(const R& ring, int degree, const Numbering& source, cons
   return GradedMap<R>(ring, degree, from, to, std::move(parts));
 }
 
+/// The cells of the object by dimension and age, lazy ones written out.
+std::vector<CellId> cells_of_object(const Structure& structure) {
+  structure.make_all_lazy_cells();
+  const ops::CellBasis basis = ops::cells_at(structure, ops::now(structure));
+  std::vector<CellId> cells;
+  for (const std::vector<CellId>& of_degree : basis.cells()) {
+    cells.insert(cells.end(), of_degree.begin(), of_degree.end());
+  }
+  return cells;
+}
+
 template <Ring R>
 Terms<R> unit(const R& ring, Index index) {
   return {{index, ring.one()}};
@@ -97,15 +108,10 @@ std::unique_ptr<HomologyTracker> LiveEquivalence<R>::afresh() const {
 /// The cells of the object, by dimension and age.
 template <Ring R>
 std::vector<CellId> LiveEquivalence<R>::current_cells() const {
-  std::vector<CellId> cells;
   if (structure_.families() > 0) {
-    structure_.make_all_lazy_cells();
-    const ops::CellBasis basis = ops::cells_at(structure_, ops::now(structure_));
-    for (const std::vector<CellId>& of_degree : basis.cells()) {
-      cells.insert(cells.end(), of_degree.begin(), of_degree.end());
-    }
-    return cells;
+    return cells_of_object(structure_);
   }
+  std::vector<CellId> cells;
   // Not all that were ever made: those that the window began with and those made in it.
   const auto add = [&](CellId c) {
     if (structure_.is_current(c)) {
@@ -723,12 +729,24 @@ std::optional<std::string> LiveEquivalence<R>::first_defect(ops::Moment before_l
   return std::nullopt;
 }
 
-std::unique_ptr<HomologyTracker> make_tracker(const sparse::AnyRing& ring, const Structure& structure) {
+namespace {
+
+std::unique_ptr<HomologyTracker> make_tracker_of(const sparse::AnyRing& ring, Window window) {
   return std::visit(
       [&]<class R>(const R& k) -> std::unique_ptr<HomologyTracker> {
-        return std::make_unique<LiveEquivalence<R>>(k, Window{structure});
+        return std::make_unique<LiveEquivalence<R>>(k, std::move(window));
       },
       ring);
+}
+
+}  // namespace
+
+std::unique_ptr<HomologyTracker> make_tracker(const sparse::AnyRing& ring, const Structure& structure) {
+  return make_tracker_of(ring, Window{structure});
+}
+
+std::unique_ptr<HomologyTracker> make_tracker_afresh(const sparse::AnyRing& ring, const Structure& structure) {
+  return make_tracker_of(ring, Window{structure, cells_of_object(structure)});
 }
 
 #define SESAME_INSTANTIATE(R) template class LiveEquivalence<R>;

@@ -24,7 +24,6 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] bool extend(std::uint64_t budget) override;
   void push_mark() override;
   void undo_to_mark() override;
-  [[nodiscard]] std::size_t marks() const override { return marks_.size(); }
   [[nodiscard]] std::unique_ptr<HomologyTracker> afresh() const override;
   [[nodiscard]] std::uint32_t copies() const override { return window_.copies(); }
 
@@ -115,5 +114,8 @@ class LiveEquivalence final : public HomologyTracker {
 
 /// A live equivalence over a ring chosen at run time.
 [[nodiscard]] std::unique_ptr<HomologyTracker> make_tracker(const sparse::AnyRing& ring, const Structure& structure);
+/// One that knows only the present object: see HomologyTracker::afresh. Cost: also a look at all cells ever made.
+[[nodiscard]] std::unique_ptr<HomologyTracker> make_tracker_afresh(const sparse::AnyRing& ring,
+                                                                   const Structure& structure);
 
 }  // namespace sesame::engine

@@ -12,8 +12,10 @@ namespace {
 using engine::RebasePolicy;
 
 /// After each step that splits; and whenever a step after a split costs anything.
-constexpr RebasePolicy after_each_split{1, UINT64_MAX, UINT64_MAX / 4096, 0};
-constexpr RebasePolicy without_budget{UINT64_MAX / 2, 1, 0, 0};
+constexpr RebasePolicy after_each_split{1, UINT64_MAX, UINT64_MAX / 4096, 0, UINT64_MAX, 0};
+constexpr RebasePolicy without_budget{UINT64_MAX / 2, 1, 0, 0, UINT64_MAX, 0};
+/// The same, and no more is kept for undo than must be.
+constexpr RebasePolicy forgetful{1, UINT64_MAX, UINT64_MAX / 4096, 0, 0, 0};
 
 void check_graph(Engine& engine, const std::vector<std::int64_t>& betti) {
   const engine::Homology homology = engine.homology();
@@ -113,6 +115,40 @@ TEST_CASE("undo goes back through rebases to exactly what was", "[engine][rebase
     REQUIRE(answers(engine) == before[engine.undoable()]);
   }
   CHECK(engine.rebases() == 0);
+}
+
+TEST_CASE("undo goes back past what was kept for it, to the same groups and every law", "[engine][rebase][undo]") {
+  const std::string ring = GENERATE("Z", "Z/2");
+  const bool all_operations = GENERATE(false, true);
+  const unsigned seed = GENERATE(range(30U, 34U));
+  const int at_once = GENERATE(1, 3, 7);
+  CAPTURE(ring, all_operations, seed, at_once);
+  Engine engine(ring_named(ring), {}, forgetful);
+  RandomSteps random(seed, everything(40));
+  GraphSession session(seed, 8, false);
+  std::vector<std::vector<AbelianGroup>> before;
+  for (int k = 0; k < 60; ++k) {
+    before.push_back(live_groups(engine));
+    carry_out(engine, all_operations ? random.next(engine.structure()) : session.next());
+  }
+  while (engine.undoable() >= static_cast<std::uint64_t>(at_once)) {
+    CAPTURE(engine.undoable());
+    REQUIRE(engine.undo(static_cast<std::uint64_t>(at_once)).has_value());
+    REQUIRE(live_groups(engine) == before[engine.undoable()]);
+    REQUIRE(engine.first_defect().value_or("") == "");
+    if (engine.undoable() == 30 && !all_operations) {  // and on from there again
+      GraphSession other(seed, 8, false);
+      for (int k = 0; k < 40; ++k) {
+        const ops::Operation op = other.next();
+        if (k >= 30) {
+          carry_out(engine, op);
+        }
+      }
+      REQUIRE(engine.first_defect().value_or("") == "");
+      REQUIRE(engine.undo(engine.undoable() - 30).has_value());
+      REQUIRE(live_groups(engine) == before[30]);
+    }
+  }
 }
 
 TEST_CASE("steps taken back and taken again give the same bytes, rebases or not", "[engine][rebase][undo]") {
