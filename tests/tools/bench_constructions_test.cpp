@@ -5,6 +5,7 @@
 #include <set>
 
 #include "tests/support/bodies.hpp"
+#include "tools/bench/sessions.hpp"
 
 using namespace sesame;
 using namespace sesame::tests;
@@ -220,6 +221,55 @@ TEST_CASE("gluing a place makes a loop, and taking it back opens that again", "[
     }
     CHECK(cells_of(engine) == Counts{8, 10, 4});
   }
+}
+
+TEST_CASE("a square is glued to a torus and cut open to a square again", "[bench]") {
+  Engine engine;
+  const Operations operations = tools::glued_and_cut_square(4);
+  for (std::size_t k = 0; k < operations.size(); ++k) {
+    carry_out(engine, operations[k]);
+    CHECK(live_groups(engine) == (k % 2 == 1 ? torus_groups : Groups{group(1)}));
+    CHECK(cells_of(engine) == (k % 2 == 1 ? Counts{1, 2, 1} : Counts{4, 4, 1}));
+  }
+}
+
+TEST_CASE("separate Klein bottles have a summand of order 2 each", "[bench]") {
+  check(tools::separate_klein_bottles(3), {3, 6, 3}, {group(3), group(3, {Integer{2}, Integer{2}, Integer{2}})});
+}
+
+TEST_CASE("a graph that is edited has the homology that counting says, at every step", "[bench]") {
+  const bool with_undo = GENERATE(false, true);
+  const std::uint64_t seed = GENERATE(1U, 2U);
+  tools::GraphEditing editing(7, with_undo, seed);
+  Engine engine(sparse::Z2{});
+  std::set<std::string_view> kinds;
+  for (int step = 0; step < 1500; ++step) {
+    const ops::Operation operation = editing.next();
+    CAPTURE(with_undo, seed, step, ops::to_text(operation));
+    carry_out(engine, operation);
+    kinds.insert(ops::keyword(operation));
+    REQUIRE(cells_of(engine) == Counts{editing.vertices(), editing.edges()});
+    const std::int64_t pieces = editing.components();
+    const std::int64_t loops = std::int64_t{editing.edges()} - editing.vertices() + pieces;
+    REQUIRE(engine.homology().betti == std::vector<std::int64_t>{pieces, loops});
+  }
+  CHECK(kinds.contains("undo") == with_undo);
+  CHECK(kinds.size() == (with_undo ? 4 : 3));
+}
+
+TEST_CASE("triangles with one vertex are free when all that was glued is split apart", "[bench]") {
+  const std::uint64_t seed = GENERATE(1U, 2U, 3U);
+  const Operations operations = tools::glued_triangles(5, seed);
+  CHECK(operations.size() > 5 + 1 + 50);
+  check(operations, {1, 15, 5}, {group(1), group(10)});
+}
+
+TEST_CASE("an editing session is determined by its seed", "[bench]") {
+  const auto session = [](std::uint64_t seed) { return text_of(tools::edited_graph({20, true, seed}, 800)); };
+  CHECK(session(1) == session(1));
+  CHECK(session(1) != session(2));
+  CHECK(text_of(tools::glued_triangles(4, 1)) == text_of(tools::glued_triangles(4, 1)));
+  CHECK(text_of(tools::glued_triangles(4, 1)) != text_of(tools::glued_triangles(4, 2)));
 }
 
 TEST_CASE("a script replayed backwards comes to nothing", "[bench]") {

@@ -29,6 +29,8 @@ struct Assembly {
 [[nodiscard]] Operations torus(std::uint32_t n, Assembly assembly = {});
 /// The Klein bottle of n x n squares cut into triangles, n >= 3: 6 n^2 cells. H = Z, Z + Z/2, 0.
 [[nodiscard]] Operations klein_bottle(std::uint32_t n, Assembly assembly = {});
+/// Squares, each made and then glued to a Klein bottle of its own. H = Z^count, Z^count + (Z/2)^count.
+[[nodiscard]] Operations separate_klein_bottles(std::uint32_t count);
 /// The orientable surface of a genus: tori of n x n squares cut into triangles, each joined to the one before along a
 /// triangle that both lose. genus >= 1, n >= 4: 6 genus n^2 - 8 (genus - 1) cells. H = Z, Z^(2 genus), Z.
 [[nodiscard]] Operations surface_of_genus(std::uint32_t genus, std::uint32_t n, Assembly assembly = {});
@@ -52,6 +54,9 @@ struct Assembly {
 [[nodiscard]] Operations glued_and_split(std::uint32_t places, std::uint64_t times);
 /// The same, but each gluing is undone.
 [[nodiscard]] Operations glued_and_undone(std::uint32_t places, std::uint64_t times);
+/// A square; then, `times` times, its opposite sides are glued, which makes a torus, and in one step it is cut open
+/// along both circles. H = Z, with Z^2 and Z above it after each gluing.
+[[nodiscard]] Operations glued_and_cut_square(std::uint64_t times);
 /// The construction, then as many steps that each take one back: the object is empty in the end.
 /// Requires: there is no undo in it.
 [[nodiscard]] Operations replayed_backwards(Operations operations);

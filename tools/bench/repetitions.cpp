@@ -50,6 +50,25 @@ Operations glued_and_undone(std::uint32_t places, std::uint64_t times) {
   return operations;
 }
 
+Operations glued_and_cut_square(std::uint64_t times) {
+  Operations operations{ops::MakeSimploid{"q", {1, 1}, {}}};
+  const std::string bottom = "q.0-1x0", left = "q.0x0-1";
+  std::string top = "q.0-1x1", right = "q.1x0-1";
+  for (std::uint64_t time = 0; time < times; ++time) {
+    const std::string k = std::to_string(time);
+    operations.emplace_back(ops::Identify{{{bottom, top}, {left, right}}});
+    top = "t" + k;
+    right = "r" + k;
+    // Faces of the square: 0 right, 1 left, 2 top, 3 bottom; of an edge: 0 its end, 1 its beginning.
+    operations.emplace_back(ops::Deidentify{{{bottom, top, {{"q", 2}}},
+                                             {left, right, {{"q", 0}}},
+                                             {"q.0x0", "a" + k, {{bottom, 0}, {right, 1}}},
+                                             {"q.0x0", "b" + k, {{left, 0}, {top, 1}}},
+                                             {"q.0x0", "c" + k, {{top, 0}, {right, 0}}}}});
+  }
+  return operations;
+}
+
 Operations replayed_backwards(Operations operations) {
   const std::size_t steps = operations.size();
   operations.insert(operations.end(), steps, ops::Undo{1});

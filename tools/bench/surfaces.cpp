@@ -46,6 +46,16 @@ Operations klein_bottle(std::uint32_t n, Assembly assembly) {
   return assembled(tiling_of_facets(std::move(facets)), assembly);
 }
 
+Operations separate_klein_bottles(std::uint32_t count) {
+  Operations operations;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::string q = "q" + std::to_string(k);
+    operations.emplace_back(ops::MakeSimploid{q, {1, 1}, {}});
+    operations.emplace_back(ops::Identify{{{q + ".1x0-1", q + ".0-1x0"}, {q + ".0x0-1", q + ".0-1x1"}}});
+  }
+  return operations;
+}
+
 Operations surface_of_genus(std::uint32_t genus, std::uint32_t n, Assembly assembly) {
   sparse::expects(genus >= 1 && n >= 4, "a surface has a torus of four squares either way at least");
   // Each torus but the last lacks the lower triangle at (m, m); each but the first lacks the one at (0, 0), whose
