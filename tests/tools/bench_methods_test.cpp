@@ -9,6 +9,7 @@
 #include "tests/support/random_steps.hpp"
 #include "tools/bench/constructions.hpp"
 #include "tools/bench/eager_method.hpp"
+#include "tools/bench/sessions.hpp"
 
 using namespace sesame;
 using namespace sesame::tests;
@@ -93,6 +94,9 @@ TEST_CASE("all methods agree on cones, suspensions and insertions after each ste
 TEST_CASE("all methods that can agree on gluings, splits, undos and products after each step", "[bench]") {
   const std::string ring = GENERATE("Z", "Z/2", "Z/3");
   require_agreement({"live", "eager", "recompute"}, ring, tools::glued_and_split(2, 9));
+  require_agreement({"live", "eager", "recompute"}, ring, tools::glued_and_cut_square(3));
+  require_agreement({"live", "eager", "recompute"}, ring, tools::glued_triangles(4, 1));
+  require_agreement({"live", "eager", "recompute"}, ring, tools::edited_graph({8, true, 1}, 60));
   require_agreement(all, ring, tools::glued_and_undone(2, 9));
   require_agreement(all, ring, tools::replayed_backwards(tools::klein_bottle(3)));
   require_agreement({"live", "recompute"}, ring, tools::glued_product_of_circles(3, 2, 2));
@@ -320,7 +324,46 @@ std::uint64_t cost_of_a_step(const std::string& name, const std::string& count, 
   return 100 * (count_named(*method, count) - before) / (operations.size() - operations.size() / 2);
 }
 
+/// What mapping the generators of a circle back costs the eager method, in entries.
+std::uint64_t cost_of_generators(std::uint32_t edges) {
+  const auto method = method_named("eager", "Z");
+  for (const ops::Operation& operation : tools::product_of_circles(edges, 1)) {
+    take(*method, operation);
+  }
+  const std::uint64_t before = count_named(*method, "entries_touched");
+  REQUIRE(method->generators() == edges + 1);
+  return count_named(*method, "entries_touched") - before;
+}
+
+/// What the steps from one number to another cost, in `count` of a method.
+std::uint64_t cost_between(const std::string& name, const std::string& count, const tools::Operations& operations,
+                           std::size_t from, std::size_t to) {
+  const auto method = method_named(name, "Z");
+  std::uint64_t before = 0;
+  for (std::size_t k = 0; k < to; ++k) {
+    before = k == from ? count_named(*method, count) : before;
+    take(*method, operations.at(k));
+    static_cast<void>(method->homology());
+  }
+  return count_named(*method, count) - before;
+}
+
 }  // namespace
+
+TEST_CASE("what the eager method maps back costs it as much as that is long", "[bench]") {
+  const std::uint64_t small = cost_of_generators(50);
+  CHECK(small >= 51);
+  CHECK(cost_of_generators(500) <= 11 * small);
+}
+
+TEST_CASE("the method without memory costs the same whatever there was before", "[bench]") {
+  const tools::Operations operations = tools::glued_and_split(1, 500);
+  const auto cost = [&](std::size_t from) {
+    return cost_between("recompute", "cells_read", operations, from, from + 100);
+  };
+  CHECK(cost(3) > 0);
+  CHECK(cost(903) == cost(3));
+}
 
 TEST_CASE("the cost of a step is flat when only the small complex is asked for, and grows when all maps are kept",
           "[bench]") {

@@ -13,12 +13,14 @@ using sparse::Index;
 
 namespace {
 
-void count(std::vector<std::uint32_t>& sizes, int degree, bool add) {
-  const auto p = static_cast<std::size_t>(degree);
-  if (p >= sizes.size()) {
-    sizes.resize(p + 1);
-  }
-  sizes[p] += add ? 1U : ~0U;
+/// column(x) of a list of columns, or of a matrix.
+template <sparse::Ring R>
+auto column_of(const std::vector<sparse::Terms<R>>& columns) {
+  return [&columns](Index x) -> const sparse::Terms<R>& { return columns[x]; };
+}
+template <sparse::Ring R>
+auto column_of(const TwoWayMatrix<R>& matrix) {
+  return [&matrix](Index x) -> const sparse::Terms<R>& { return matrix.column(x); };
 }
 
 template <class Columns>
@@ -35,7 +37,7 @@ void reach(Columns& columns, Index column) {
 template <sparse::Ring R>
 void EagerEquivalence<R>::add_cell(Index cell, int degree, const Terms& boundary) {
   const Index b = size();
-  append(degree, image(g_, boundary));
+  append(degree, image(boundary, column_of<R>(g_)));
   eliminate_units({b});
   reach(g_, cell);
   g_[cell] = {{b, ring_.one()}};
@@ -52,7 +54,7 @@ void EagerEquivalence<R>::remove_cells(const std::vector<Removed>& removed, cons
   // The new boundaries g i(x) - d0 x, with the maps as they were.
   std::vector<Terms> boundaries;
   for (const Removed& x : removed) {
-    Terms& boundary = boundaries.emplace_back(image(g_, x.becomes));
+    Terms& boundary = boundaries.emplace_back(image(x.becomes, column_of<R>(g_)));
     add(boundary, minus_one, g_[x.cell]);
     add(boundary, minus_one, shifted(x.boundary, first));
   }
@@ -93,7 +95,7 @@ void EagerEquivalence<R>::split_cells(const std::vector<Copy>& copies, const Col
     g_[y.cell] = g_[y.source];
     add(g_[y.cell], ring_.one(), {{first + static_cast<Index>(k), ring_.one()}});
   }
-  perturb_right(delta, first, changed);
+  perturb_right(delta, changed);
   eliminate_units(std::move(changed));
 }
 
@@ -109,32 +111,19 @@ auto EagerEquivalence<R>::perturbation(const Columns& chi) -> Columns {
   return {columns.begin(), columns.end()};
 }
 
-/// What the new part `delta` of the boundary of B does to the right reduction, as long as none of the copies, the
-/// generators from `first` on, is eliminated: -delta hS is added to fS, delta gS to the boundary of S.
+/// What the new part `delta` of the boundary of B does to the right reduction, as long as none of the copies is
+/// eliminated: -delta hS is added to fS, delta gS to the boundary of S.
 template <sparse::Ring R>
-void EagerEquivalence<R>::perturb_right(const Columns& delta, Index first, std::set<Index>& changed) {
-  const std::map<Index, Terms> columns(delta.begin(), delta.end());
-  const auto image_of = [&](const Terms& chain) {
-    Terms image;
-    for (const auto& term : chain) {
-      if (const auto at = columns.find(term.index); at != columns.end()) {
-        add(image, term.coefficient, at->second);
-      }
-    }
-    touched_ += chain.size();
-    return image;
-  };
+void EagerEquivalence<R>::perturb_right(const Columns& delta, std::set<Index>& changed) {
   for (const auto& [y, chain] : delta) {
     add(d_[y], ring_.one(), chain);
-  }
-  for (Index y = 0; y < first; ++y) {
-    if (const Terms image = image_of(h_small_[y]); !image.empty()) {
-      f_small_.add_to_column(y, ring_.negate(ring_.one()), image);
+    for (const Index x : h_small_.columns_with(y)) {
+      f_small_.add_to_column(x, ring_.negate(h_small_.entry(y, x)), chain);
     }
-    if (const Terms image = image_of(g_small_[y]); !image.empty()) {
-      d_small_.add_to_column(y, ring_.one(), image);
-      settle(y);
-      changed.insert(y);
+    for (const Index x : g_small_.columns_with(y)) {
+      d_small_.add_to_column(x, g_small_.entry(y, x), chain);
+      settle(x);
+      changed.insert(x);
     }
   }
 }
@@ -145,20 +134,16 @@ template <sparse::Ring R>
 void EagerEquivalence<R>::append(int degree, const Terms& boundary) {
   const Index b = size();
   degrees_.push_back(degree);
-  is_small_.push_back(true);
-  count(big_sizes_, degree, true);
-  count(small_sizes_, degree, true);
-  Terms d_small;
-  for (const auto& term : boundary) {
-    add(d_small, term.coefficient, f_small_.column(term.index));
-  }
-  d_small_.append_column(d_small);
+  ++level(degree).big_size;
+  level(degree).small.insert(b);
+  d_small_.append_column(image(boundary, column_of(f_small_)));
   if (keeps_all()) {
     d_.push_back(boundary);
     h_.emplace_back();
-    g_small_.push_back({{b, ring_.one()}});
-    add(g_small_[b], ring_.negate(ring_.one()), image(h_small_, boundary));
-    h_small_.emplace_back();
+    Terms lift{{b, ring_.one()}};
+    add(lift, ring_.negate(ring_.one()), image(boundary, column_of(h_small_)));
+    g_small_.append_column(lift);
+    h_small_.append_column({});
   }
   const Terms itself{{b, ring_.one()}};
   f_small_.append_column(itself);
@@ -171,7 +156,7 @@ void EagerEquivalence<R>::eliminate_units(std::set<Index> columns) {
   while (!columns.empty()) {
     const Index b = *columns.begin();
     columns.erase(columns.begin());
-    if (const std::optional<Index> a = is_small_[b] ? best_unit(b) : std::nullopt) {
+    if (const std::optional<Index> a = level_of(b).small.contains(b) ? best_unit(b) : std::nullopt) {
       for (const Index changed : d_small_.columns_with(*a)) {
         columns.insert(changed);
       }
@@ -196,17 +181,17 @@ template <sparse::Ring R>
 void EagerEquivalence<R>::eliminate(Index a, Index b) {
   const Element inverse = ring_.inverse(d_small_.entry(a, b));
   if (keeps_all()) {
+    const Terms of_b = g_small_.column(b);
+    g_small_.clear_column(a);
+    g_small_.clear_column(b);
     for (const Index y : f_small_.columns_with(a)) {
-      add(h_small_[y], ring_.multiply(inverse, f_small_.entry(a, y)), g_small_[b]);
+      h_small_.add_to_column(y, ring_.multiply(inverse, f_small_.entry(a, y)), of_b);
     }
-    const Terms of_b = std::move(g_small_[b]);
     for (const Index c : d_small_.columns_with(a)) {
       if (c != b) {
-        add(g_small_[c], ring_.negate(ring_.multiply(inverse, d_small_.entry(a, c))), of_b);
+        g_small_.add_to_column(c, ring_.negate(ring_.multiply(inverse, d_small_.entry(a, c))), of_b);
       }
     }
-    g_small_[a] = {};
-    g_small_[b] = {};
   }
   Terms becomes;  // of a
   for (const auto& term : d_small_.column(b)) {
@@ -216,29 +201,37 @@ void EagerEquivalence<R>::eliminate(Index a, Index b) {
   }
   d_small_.clear_column(a);
   d_small_.clear_column(b);
-  const std::vector<Index> changed = d_small_.columns_with(a);
+  std::vector<Index> changed = d_small_.columns_with(a);
+  changed.insert(changed.end(), d_small_.columns_with(b).begin(), d_small_.columns_with(b).end());
   f_small_.substitute(a, becomes);
   f_small_.substitute(b, {});
   d_small_.substitute(a, becomes);
   d_small_.substitute(b, {});
   for (const Index x : {a, b}) {
-    is_small_[x] = false;
-    count(small_sizes_, degrees_[x], false);
-    with_boundary_.erase(x);
+    level_of(x).small.erase(x);
+    settle(x);
   }
   for (const Index c : changed) {
     settle(c);
   }
 }
 
-/// Notes whether a generator of S has a boundary.
+/// Takes note of a boundary in S that has changed.
 template <sparse::Ring R>
 void EagerEquivalence<R>::settle(Index b) {
-  if (d_small_.column(b).empty()) {
-    with_boundary_.erase(b);
-  } else {
-    with_boundary_.insert(b);
+  Level& its = level_of(b);
+  if (!d_small_.column(b).empty()) {
+    its.with_boundary.insert(b);
+  } else if (its.with_boundary.erase(b) == 0) {
+    return;
   }
+  its.factors.reset();
+}
+
+template <sparse::Ring R>
+auto EagerEquivalence<R>::level(int degree) -> Level& {
+  reach(levels_, static_cast<Index>(degree));
+  return levels_[static_cast<std::size_t>(degree)];
 }
 
 template <sparse::Ring R>
@@ -247,12 +240,18 @@ void EagerEquivalence<R>::add(Terms& into, const Element& factor, const Terms& t
   sparse::add_multiple<R>(ring_, into, factor, terms);
 }
 
+/// All terms first, then one sorting: adding column after column would read a long image again for each.
 template <sparse::Ring R>
-auto EagerEquivalence<R>::image(const std::vector<Terms>& columns, const Terms& chain) -> Terms {
+template <class Column>
+auto EagerEquivalence<R>::image(const Terms& chain, const Column& column) -> Terms {
   Terms image;
   for (const auto& term : chain) {
-    add(image, term.coefficient, columns[term.index]);
+    for (const auto& [index, coefficient] : column(term.index)) {
+      image.push_back({index, ring_.multiply(term.coefficient, coefficient)});
+    }
   }
+  touched_ += image.size();
+  sparse::normalize(ring_, image);
   return image;
 }
 
@@ -268,16 +267,16 @@ auto EagerEquivalence<R>::shifted(const Terms& terms, Index by) const -> Terms {
 // ---- answers
 
 template <sparse::Ring R>
-engine::Homology EagerEquivalence<R>::homology(std::size_t dimensions) const {
+engine::Homology EagerEquivalence<R>::homology(std::size_t dimensions) {
   engine::Homology homology;
   std::int64_t rank_below = 0;  // of the boundary of this degree
   for (std::size_t p = 0; p < dimensions; ++p) {
-    homology.small.push_back(p < small_sizes_.size() ? small_sizes_[p] : 0);
-    homology.big.push_back(p < big_sizes_.size() ? big_sizes_[p] : 0);
-    std::int64_t rank = 0;
+    homology.small.push_back(p < levels_.size() ? static_cast<std::uint32_t>(levels_[p].small.size()) : 0);
+    homology.big.push_back(p < levels_.size() ? levels_[p].big_size : 0);
     std::vector<sparse::Integer>& torsion = homology.torsion.emplace_back();
-    if (!with_boundary_.empty()) {
-      for (const Element& factor : sparse::invariant_factors(torsion_matrix(static_cast<int>(p) + 1))) {
+    std::int64_t rank = 0;
+    if (p + 1 < levels_.size()) {
+      for (const Element& factor : invariant_factors(levels_[p + 1])) {
         ++rank;
         if (!ring_.is_unit(factor)) {
           torsion.push_back(ring_.to_integer(factor));
@@ -290,17 +289,16 @@ engine::Homology EagerEquivalence<R>::homology(std::size_t dimensions) const {
   return homology;
 }
 
-/// The columns of the boundary of S of this degree that are not zero, their rows numbered anew.
+/// Of the boundaries that are not zero, their rows numbered anew.
 template <sparse::Ring R>
-sparse::Matrix<R> EagerEquivalence<R>::torsion_matrix(int degree) const {
+auto EagerEquivalence<R>::invariant_factors(Level& level) const -> const std::vector<Element>& {
+  if (level.factors) {
+    return *level.factors;
+  }
   std::map<Index, Index> rows;
-  std::vector<Index> columns;
-  for (const Index b : with_boundary_) {
-    if (degrees_[b] == degree) {
-      columns.push_back(b);
-      for (const auto& term : d_small_.column(b)) {
-        rows.emplace(term.index, 0);
-      }
+  for (const Index b : level.with_boundary) {
+    for (const auto& term : d_small_.column(b)) {
+      rows.emplace(term.index, 0);
     }
   }
   Index number = 0;
@@ -308,32 +306,28 @@ sparse::Matrix<R> EagerEquivalence<R>::torsion_matrix(int degree) const {
     row.second = number++;
   }
   sparse::Matrix<R> matrix(ring_, number, 0);
-  for (const Index b : columns) {
+  for (const Index b : level.with_boundary) {
     Terms column = d_small_.column(b);
     for (auto& term : column) {
       term.index = rows.at(term.index);
     }
     matrix.append_column(column);
   }
-  return matrix;
+  return level.factors.emplace(sparse::invariant_factors(matrix));
 }
 
 template <sparse::Ring R>
-std::uint64_t EagerEquivalence<R>::map_generators() const {
+std::uint64_t EagerEquivalence<R>::map_generators() {
   sparse::expects(keeps_all(), "generators are mapped back by gS and f");
   const auto generators = small_generators();
   std::uint64_t terms = 0;
   for (const auto& group : reductions::homology(small_complex(generators))) {
     for (const auto& generator : group.generators) {
-      Terms in_b, in_c;
-      for (const auto& term : generator.cycle.terms()) {
-        const Index z = generators[static_cast<std::size_t>(generator.cycle.degree().value)][term.index];
-        sparse::add_multiple<R>(ring_, in_b, term.coefficient, g_small_[z]);
+      Terms cycle = generator.cycle.terms();
+      for (auto& term : cycle) {
+        term.index = generators[static_cast<std::size_t>(generator.cycle.degree().value)][term.index];
       }
-      for (const auto& term : in_b) {
-        sparse::add_multiple<R>(ring_, in_c, term.coefficient, f_.column(term.index));
-      }
-      terms += in_c.size();
+      terms += image(image(cycle, column_of(g_small_)), column_of(f_)).size();
     }
   }
   return terms;
@@ -341,8 +335,9 @@ std::uint64_t EagerEquivalence<R>::map_generators() const {
 
 template <sparse::Ring R>
 std::uint64_t EagerEquivalence<R>::entries_held() const {
-  std::uint64_t entries = f_.entries() + f_small_.entries() + d_small_.entries();
-  for (const auto* columns : {&d_, &g_, &h_, &g_small_, &h_small_}) {
+  std::uint64_t entries =
+      f_.entries() + f_small_.entries() + g_small_.entries() + h_small_.entries() + d_small_.entries();
+  for (const auto* columns : {&d_, &g_, &h_}) {
     for (const Terms& column : *columns) {
       entries += column.size();
     }
@@ -352,7 +347,7 @@ std::uint64_t EagerEquivalence<R>::entries_held() const {
 
 template <sparse::Ring R>
 std::uint64_t EagerEquivalence<R>::entries_touched() const {
-  return touched_ + f_.touched() + f_small_.touched() + d_small_.touched();
+  return touched_ + f_.touched() + f_small_.touched() + g_small_.touched() + h_small_.touched() + d_small_.touched();
 }
 
 // ---- written out
@@ -405,11 +400,9 @@ reductions::GradedMap<R> map_between(const R& ring, int degree, const Basis& sou
 
 template <sparse::Ring R>
 std::vector<std::vector<Index>> EagerEquivalence<R>::small_generators() const {
-  std::vector<std::vector<Index>> generators(small_sizes_.size());
-  for (Index b = 0; b < size(); ++b) {
-    if (is_small_[b]) {
-      generators[static_cast<std::size_t>(degrees_[b])].push_back(b);
-    }
+  std::vector<std::vector<Index>> generators;
+  for (const Level& level : levels_) {
+    generators.emplace_back(level.small.begin(), level.small.end());
   }
   return generators;
 }
@@ -417,28 +410,23 @@ std::vector<std::vector<Index>> EagerEquivalence<R>::small_generators() const {
 template <sparse::Ring R>
 reductions::ChainComplex<R> EagerEquivalence<R>::small_complex(
     const std::vector<std::vector<Index>>& generators) const {
-  return reductions::complex_with(
-      map_between(ring_, -1, generators, generators, [this](Index b) { return d_small_.column(b); }));
+  return reductions::complex_with(map_between(ring_, -1, generators, generators, column_of(d_small_)));
 }
 
 template <sparse::Ring R>
 reductions::Equivalence<R> EagerEquivalence<R>::matrices(const reductions::ChainComplex<R>& object,
                                                          const std::vector<std::vector<Index>>& cells) const {
   sparse::expects(keeps_all(), "an equivalence is written out when all of it is kept");
-  Basis big(big_sizes_.size());
+  Basis big(levels_.size());
   for (Index b = 0; b < size(); ++b) {
     big[static_cast<std::size_t>(degrees_[b])].push_back(b);
   }
   const Basis small = small_generators();
-  const auto column_of = [](const auto& columns) { return [&columns](Index x) { return columns[x]; }; };
-  const auto column_of_matrix = [](const TwoWayMatrix<R>& matrix) {
-    return [&matrix](Index x) { return matrix.column(x); };
-  };
-  const auto big_complex = reductions::complex_with(map_between(ring_, -1, big, big, column_of(d_)));
+  const auto big_complex = reductions::complex_with(map_between(ring_, -1, big, big, column_of<R>(d_)));
   return {
-      {big_complex, object, map_between(ring_, 0, big, cells, column_of_matrix(f_)),
-       map_between(ring_, 0, cells, big, column_of(g_)), map_between(ring_, 1, big, big, column_of(h_))},
-      {big_complex, small_complex(small), map_between(ring_, 0, big, small, column_of_matrix(f_small_)),
+      {big_complex, object, map_between(ring_, 0, big, cells, column_of(f_)),
+       map_between(ring_, 0, cells, big, column_of<R>(g_)), map_between(ring_, 1, big, big, column_of<R>(h_))},
+      {big_complex, small_complex(small), map_between(ring_, 0, big, small, column_of(f_small_)),
        map_between(ring_, 0, small, big, column_of(g_small_)), map_between(ring_, 1, big, big, column_of(h_small_))}};
 }
 

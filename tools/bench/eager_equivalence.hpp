@@ -42,7 +42,8 @@ class EagerEquivalence {
   /// Some columns of a matrix, each by its number.
   using Columns = std::vector<std::pair<Index, Terms>>;
 
-  EagerEquivalence(R ring, Keep keep) : ring_{ring}, keep_{keep}, f_{ring}, f_small_{ring}, d_small_{ring} {}
+  EagerEquivalence(R ring, Keep keep)
+      : ring_{ring}, keep_{keep}, f_{ring}, f_small_{ring}, g_small_{ring}, h_small_{ring}, d_small_{ring} {}
 
   /// Backward sequence: a cell is added. `boundary` is in cells that are there.
   void add_cell(Index cell, int degree, const Terms& boundary);
@@ -65,14 +66,15 @@ class EagerEquivalence {
     Terms boundary;  ///< d0 (y - x), in copies: those of lower degree, which come first
   };
   /// Backward sequence: de-identification. `chi` as above, chains of copies. Requires: all maps are kept.
-  /// Cost: all columns of hS and gS are searched for generators whose boundary in B changes.
+  /// Cost: the columns of hS and gS with a generator whose boundary in B changes, and eliminations.
   void split_cells(const std::vector<Copy>& copies, const Columns& chi);
 
-  /// Betti numbers, torsion and sizes of degrees 0 to `dimensions` - 1. Cost over Z: a Smith form of the boundary of S.
-  [[nodiscard]] engine::Homology homology(std::size_t dimensions) const;
+  /// Betti numbers, torsion and sizes of degrees 0 to `dimensions` - 1. Cost: O(dimensions); over Z, a Smith form of
+  /// the boundary of S in each degree in which that has changed.
+  [[nodiscard]] engine::Homology homology(std::size_t dimensions);
   /// The generators of all homology groups as chains of cells; returns their number of terms.
-  /// Requires: all maps are kept.
-  [[nodiscard]] std::uint64_t map_generators() const;
+  /// Requires: all maps are kept. Cost: the homology of S, and the terms of gS and f that are added up, sorted.
+  [[nodiscard]] std::uint64_t map_generators();
 
   /// The entries of all matrices kept. Cost: the columns.
   [[nodiscard]] std::uint64_t entries_held() const;
@@ -88,7 +90,9 @@ class EagerEquivalence {
   [[nodiscard]] Index size() const { return static_cast<Index>(degrees_.size()); }
   [[nodiscard]] bool keeps_all() const { return keep_ == Keep::all_maps; }
   void add(Terms& into, const Element& factor, const Terms& terms);
-  [[nodiscard]] Terms image(const std::vector<Terms>& columns, const Terms& chain);
+  /// The image of a chain under the map with these columns: column(x) is that of a generator.
+  template <class Column>
+  [[nodiscard]] Terms image(const Terms& chain, const Column& column);
   [[nodiscard]] Terms shifted(const Terms& terms, Index by) const;
 
   /// Appends a generator with this boundary in B.
@@ -100,11 +104,22 @@ class EagerEquivalence {
 
   /// delta = chi f, by columns, in the numbers that the copies have in B.
   [[nodiscard]] Columns perturbation(const Columns& chi);
-  void perturb_right(const Columns& delta, Index first, std::set<Index>& changed);
+  void perturb_right(const Columns& delta, std::set<Index>& changed);
+
+  /// Of one degree.
+  struct Level {
+    std::uint32_t big_size = 0;
+    std::set<Index> small;          ///< generators of S
+    std::set<Index> with_boundary;  ///< those whose boundary is not zero
+    /// The invariant factors of these boundaries, until one of them changes.
+    std::optional<std::vector<Element>> factors;
+  };
+  [[nodiscard]] Level& level(int degree);
+  [[nodiscard]] Level& level_of(Index b) { return level(degrees_[b]); }
+  [[nodiscard]] const std::vector<Element>& invariant_factors(Level& level) const;
 
   [[nodiscard]] reductions::ChainComplex<R> small_complex(const std::vector<std::vector<Index>>& generators) const;
   [[nodiscard]] std::vector<std::vector<Index>> small_generators() const;
-  [[nodiscard]] sparse::Matrix<R> torsion_matrix(int degree) const;
 
   R ring_;
   Keep keep_;
@@ -114,13 +129,11 @@ class EagerEquivalence {
   std::vector<Terms> g_;  ///< by cell
   std::vector<Terms> h_;
   TwoWayMatrix<R> f_small_;
-  std::vector<Terms> g_small_;  ///< by generator; empty for those that S does not have
-  std::vector<Terms> h_small_;
-  TwoWayMatrix<R> d_small_;  ///< likewise
-  std::vector<bool> is_small_;
-  std::vector<std::uint32_t> big_sizes_, small_sizes_;  ///< by degree
-  std::set<Index> with_boundary_;                       ///< generators of S whose boundary is not zero
-  std::uint64_t touched_ = 0;                           ///< outside of the two-way matrices
+  TwoWayMatrix<R> g_small_;  ///< by generator; zero for those that S does not have
+  TwoWayMatrix<R> h_small_;
+  TwoWayMatrix<R> d_small_;    ///< likewise
+  std::vector<Level> levels_;  ///< by degree
+  std::uint64_t touched_ = 0;  ///< outside of the two-way matrices
 };
 
 }  // namespace sesame::tools

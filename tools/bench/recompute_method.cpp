@@ -2,9 +2,9 @@
 
 #include <variant>
 
-#include "ops/step_sequence.hpp"
 #include "reductions/homology.hpp"
 #include "tools/bench/plain_object.hpp"
+#include "tools/bench/present_complex.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -16,6 +16,7 @@ class RecomputeMethod final : public Method {
 
   Status apply(const ops::Operation& operation) override {
     if (const auto* undo = std::get_if<ops::Undo>(&operation)) {
+      complex_.begin_again();
       return object_.take_back(undo->steps);
     }
     if (Status planned = object_.plan(operation); !planned) {
@@ -50,14 +51,12 @@ class RecomputeMethod final : public Method {
   }
 
   [[nodiscard]] std::vector<std::pair<std::string, std::uint64_t>> counts() const override {
-    return {{"matrix_entries", matrix_entries_}};
+    return {{"cells_read", complex_.cells_read()}, {"matrix_entries", matrix_entries_}};
   }
 
  private:
   reductions::ChainComplex<R> matrices() {
-    const ops::Structure& structure = object_.structure();
-    const ops::Moment now = structure.now();
-    auto complex = ops::chain_complex(structure, ops::cells_at(structure, now), now, ring_);
+    auto complex = complex_.matrices(ring_);
     for (int p = 1; p <= complex.top(); ++p) {
       matrix_entries_ += complex.boundary(p).nonzeros();
     }
@@ -66,6 +65,7 @@ class RecomputeMethod final : public Method {
 
   R ring_;
   PlainObject object_;
+  PresentComplex complex_{object_.structure()};
   std::uint64_t matrix_entries_ = 0;
 };
 
