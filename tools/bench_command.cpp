@@ -219,17 +219,24 @@ class Bench {
     for (const Measurement& m : report_.measurements) {
       if (m.verdict == Verdict::wrong || m.verdict == Verdict::failed) {
         (m.verdict == Verdict::wrong ? is_wrong : is_failed) = true;
-        std::cerr << fmt::format("sesame bench: {}, {}: {}: {}\n", m.scenario, m.method, verdict_name(m.verdict),
-                                 m.remark);
+        complain(m.scenario, m.method, verdict_name(m.verdict), m.remark);
       }
     }
-    if (is_failed) {
-      return static_cast<int>(Outcome::law_failed);
+    for (const Scaling& scaling : report_.scalings) {
+      if (scaling.is_wrong) {
+        is_wrong = true;
+        complain(scaling.experiment, scaling.method, verdict_name(Verdict::wrong), scaling.remark);
+      }
     }
-    if (golden_ && !holds(*golden_)) {
+    if (!is_failed && golden_ && !holds(*golden_)) {
       is_wrong = true;
     }
-    return static_cast<int>(is_wrong ? Outcome::expectation_failed : Outcome::done);
+    return static_cast<int>(is_wrong ? Outcome::expectation_failed : is_failed ? Outcome::law_failed : Outcome::done);
+  }
+
+  static void complain(const std::string& of, const std::string& method, std::string_view verdict,
+                       const std::string& remark) {
+    std::cerr << fmt::format("sesame bench: {}, {}: {}: {}\n", of, method, verdict, remark);
   }
 
   bool holds(const std::vector<CountRow>& golden) {
@@ -285,9 +292,10 @@ void add_bench_command(CLI::App& app, int& status) {
   command->add_option("--against", arguments->against,
                       "Count only; fails when a count is larger by more than 2 % (and 2) than in this file");
   command->footer(
-      "Every answer is checked. Exit status: 0 done, 1 wrong usage or unreadable file, 3 a wrong answer or a count "
-      "that\n"
-      "grew, 4 a run that broke off.");
+      "A run of its own checks the answers on the way, as the column `checked` says; every run checks the last one.\n"
+      "Exit status: 0 done, 1 wrong usage or unreadable file, 3 a wrong answer or a count that grew, 4 a run that "
+      "broke "
+      "off.");
   command->callback([arguments, &status] {
     if (arguments->list) {
       write_list();

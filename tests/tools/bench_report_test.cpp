@@ -26,10 +26,11 @@ Measurement measurement(const std::string& scenario, const Spread& seconds) {
   m.size = 5;
   m.steps = 100;
   m.seconds = seconds;
-  m.step = {1.5, 20.25, 300};
+  m.step = {2.5, 1.5, 20.25, 300};
+  m.checked = 40;
   m.memory = {1 << 20, 12345};
   m.counts = {{"rewritten_terms", 1000}, {"terms_held", 7}, {"allocations", 50}};
-  m.timeline = {{50, 1.5, 300}, {100, 1.25, 20}};
+  m.timeline = {{50, 3.5, 1.5, 300}, {100, 1.75, 1.25, 20}};
   return m;
 }
 
@@ -41,8 +42,16 @@ Report report() {
   report.measurements = {measurement("torus", {2, 1.5, 3, 0.25, 5}), measurement("sphere", {1, 1, 1, 0, 5})};
   report.measurements[1].verdict = Verdict::wrong;
   report.measurements[1].remark = "found <nothing> & \xff";
-  report.scalings = {{"object size", "work", "live", "cells", 0, {{100, 2.5, 10}, {1000, 2.5, 10}}, ""},
-                     {"touched part", "work", "live", "cells", 1, {{10, 3, 10}, {100, 30, 100}}, "ends here"}};
+  report.scalings = {
+      {"object size", "work", "live", "cells", 0, {{100, {2.5, 2, 4, 5}, 10}, {1000, {2.5, 2, 4, 5}, 10}}, "", false},
+      {"touched part",
+       "work",
+       "live",
+       "cells",
+       1,
+       {{10, {3, 2, 4, 5}, 10}, {100, {30, 2, 4, 5}, 100}},
+       "ends here",
+       true}};
   return report;
 }
 
@@ -87,13 +96,47 @@ TEST_CASE("a report is the same after it was written and read", "[bench]") {
   CHECK(read->measurements[0].seconds == report().measurements[0].seconds);
   CHECK(read->measurements[0].counts == report().measurements[0].counts);
   CHECK(read->measurements[0].timeline == report().measurements[0].timeline);
+  CHECK(read->measurements[0].step == report().measurements[0].step);
+  CHECK(read->measurements[0].checked == 40);
   CHECK(read->measurements[1].verdict == Verdict::wrong);
+  CHECK(read->scalings[1].is_wrong);
   CHECK(read->scalings[1].points == report().scalings[1].points);
   CHECK(to_text(*read) == text);
   CHECK_FALSE(parse_report(text.substr(0, text.size() / 2)));
   CHECK_FALSE(parse_report("{}"));
-  CHECK_THAT(parse_report(R"({"sesame_bench":2})").error().what, Contains("\"sesame_bench\" should be 1"));
+  CHECK_THAT(parse_report(R"({"sesame_bench":3})").error().what, Contains("\"sesame_bench\" should be 1 or 2"));
   CHECK_THAT(read_report("/nowhere/report.json").error().what, Contains("cannot read /nowhere/report.json"));
+}
+
+TEST_CASE("a report of version 1, which had no means, can still be read", "[bench]") {
+  const auto read = parse_report(R"({"sesame_bench":1,"date":"2026-01-31T12:00:00Z",
+    "build":{"version":"0.1.0","commit":"abc","compiler":"g++ 12","flags":"-O2"},
+    "machine":{"cpu":"c","cores":2,"memory_bytes":1024,"system":"s"},
+    "measurements":[{"scenario":"torus","family":"surfaces","size":5,"ring":"Z","method":"live","verdict":"right",
+      "remark":"","steps":100,"seconds":{"median":2,"min":1,"max":3,"deviation":0.5,"runs":3},"busy":1,
+      "step_us":{"p50":1.5,"p99":20,"max":300},"memory":{"resident":1,"heap":2},"counts":{"terms":7},
+      "timeline":[[100,1.5,300]]}],
+    "scalings":[{"experiment":"size","what":"w","method":"live","x":"cells","expected_exponent":0,"remark":"",
+      "points":[[100,2.5,10]]}]})");
+  REQUIRE(read);
+  const Measurement& m = read->measurements.at(0);
+  CHECK(m.step == Latency{0, 1.5, 20, 300});
+  CHECK(m.timeline == std::vector<TimelinePoint>{{100, 0, 1.5, 300}});
+  CHECK(m.checked == 0);
+  CHECK(read->scalings.at(0).points == std::vector<ScalingPoint>{{100, {0, 2.5, 0, 0}, 10}});
+}
+
+TEST_CASE("means and tails stand side by side in the table and on the page", "[bench]") {
+  std::ostringstream table, page;
+  write_measurement_head(table);
+  write_measurement(table, report().measurements[0]);
+  write_scaling(table, report().scalings[0]);
+  write_page(page, report());
+  CHECK_THAT(table.str(), Contains("2.50 us   1.50 us   20.2 us    300 us") && Contains("mean       p50       p99"));
+  CHECK_THAT(table.str(), Contains("2.50         2.00         4.00         5.00"));
+  CHECK_THAT(page.str(), Contains("<th>mean</th><th>p50</th><th>p99</th><th>max</th>") &&
+                             Contains("<td>2.50 us</td><td>1.50 us</td><td>20.2 us</td><td>300 us</td>"));
+  CHECK(checked_text(report().measurements[0]) == "40");
 }
 
 TEST_CASE("only times whose intervals have nothing in common are faster or slower", "[bench]") {
@@ -162,8 +205,8 @@ TEST_CASE("the table and the page show what was measured, and the page needs not
     write_scaling(table, scaling);
   }
   CHECK_THAT(table.str(), Contains("sesame 0.1.0 at abc+") && Contains("16.0 GiB") && Contains("2.00 s") &&
-                              Contains("wrong: found <nothing>") && Contains("exponent of time 1.00") &&
-                              Contains("theory expects 1"));
+                              Contains("wrong: found <nothing>") && Contains("exponent of the mean 1.00") &&
+                              Contains("of p50 0.00") && Contains("theory expects 1"));
   write_page(page, report());
   CHECK_THAT(page.str(), Contains("&lt;") || Contains("wrong"));
   CHECK_THAT(page.str(), Contains("<svg") && Contains("object size (theory: exponent 0)") &&
@@ -192,13 +235,13 @@ TEST_CASE("samples are summed up by their medians, and the worst verdict stands"
   first.counts = {{"terms", 4}};
   first.memory = {100, 50};
   slow.seconds = 3;
-  slow.step = {1, 2, 30};
+  slow.step = {9, 1, 2, 30};
   quick.seconds = 1;
-  quick.step = {1, 4, 10};
+  quick.step = {3, 1, 4, 10};
   const Measurement m = sum_up(first, {slow, quick, quick});
   CHECK(m.seconds.median == 1);
   CHECK(m.seconds.runs == 3);
-  CHECK(m.step == StepLatency{1, 4, 10});
+  CHECK(m.step == Latency{3, 1, 4, 10});
   CHECK(m.memory == Memory{100, 50});
   CHECK(m.counts == Counts{{"terms", 4}, {"allocations", 9}});
   CHECK(m.verdict == Verdict::right);
@@ -211,8 +254,8 @@ TEST_CASE("samples are summed up by their medians, and the worst verdict stands"
 TEST_CASE("runs that had little of a processor are told", "[bench]") {
   Sample sample;
   sample.seconds = 2;
-  sample.processor_seconds = 1.9;
+  sample.busy = 0.95;
   CHECK(disturbance(sum_up({}, {sample})).empty());
-  sample.processor_seconds = 0.5;
+  sample.busy = 0.25;
   CHECK(disturbance(sum_up({}, {sample})) == "disturbed: 25 % of the time on a processor");
 }

@@ -135,9 +135,9 @@ TEST_CASE("a method that refuses a step, and one that breaks off, end the run wi
 TEST_CASE("generators on demand are counted", "[bench]") {
   Scenario scenario = torus_with({{1, 2, 1}});
   const auto make = [](std::uint64_t n) { return torus(static_cast<std::uint32_t>(n)); };
-  scenario.input = Construction{make, 5};
+  scenario.input = Construction{make, nullptr, 5};
   const std::uint64_t often = count_of(measure(scenario, 4, "live", once), "terms_of_generators");
-  scenario.input = Construction{make, 20};
+  scenario.input = Construction{make, nullptr, 20};
   CHECK(often > count_of(measure(scenario, 4, "live", once), "terms_of_generators"));
 }
 
@@ -218,7 +218,7 @@ TEST_CASE("an experiment says how cost grows, and counts do not depend on the ma
     REQUIRE(scaling.points.size() >= 2);
     CHECK(scaling.remark.empty());
     CHECK(std::ranges::is_sorted(scaling.points, {}, &ScalingPoint::x));
-    REQUIRE(fit_times(scaling).has_value());
+    REQUIRE(fit_times(scaling, &Latency::mean).has_value());
     REQUIRE(fit_counts(scaling).has_value());
     // What generators cost grows with their length, and splits of the same place cost more each time.
     if (!experiment.with_generators && experiment.name != "history of splits") {

@@ -1,73 +1,30 @@
 #include <algorithm>
 
 #include "sparse/contract.hpp"
+#include "tools/bench/answer_check.hpp"
 #include "tools/bench/method.hpp"
 #include "tools/bench/runs.hpp"
 
 namespace sesame::tools {
 namespace {
 
-using sparse::Integer;
-
-std::string text_of(const std::vector<std::int64_t>& betti, const std::vector<std::vector<Integer>>& torsion) {
-  std::string text = "Betti numbers";
-  for (const std::int64_t b : betti) {
-    text += " " + std::to_string(b);
-  }
-  text += ", torsion";
-  for (const auto& factors : torsion) {
-    text += " [";
-    for (const Integer& factor : factors) {
-      text += (text.back() == '[' ? "" : ",") + factor.to_string();
-    }
-    text += "]";
-  }
-  return text;
-}
-
-template <class T>
-void drop_trailing(std::vector<T>& list, const T& nothing) {
-  while (!list.empty() && list.back() == nothing) {
-    list.pop_back();
-  }
-}
-
-const MethodEntry& entry_of(const std::string& method) {
-  const auto found = std::ranges::find(methods(), method, &MethodEntry::name);
-  sparse::expects(found != methods().end(), "the method of a run exists");
-  return *found;
+std::unique_ptr<Method> method_of(const Scenario& scenario, const std::string& name) {
+  const auto entry = std::ranges::find(methods(), name, &MethodEntry::name);
+  const Result<sparse::AnyRing> ring = sparse::parse_ring(scenario.ring);
+  sparse::expects(entry != methods().end() && ring.has_value(), "the method of a run and the ring of a scenario exist");
+  return entry->make(*ring);
 }
 
 }  // namespace
 
-std::string difference(const engine::Homology& found, const Answer& answer) {
-  std::vector<std::int64_t> betti = found.betti, right_betti = answer.betti;
-  std::vector<std::vector<Integer>> torsion = found.torsion, right_torsion;
-  for (const auto& factors : answer.torsion) {
-    right_torsion.emplace_back(factors.begin(), factors.end());
-  }
-  for (auto* list : {&betti, &right_betti}) {
-    drop_trailing(*list, std::int64_t{0});
-  }
-  for (auto* list : {&torsion, &right_torsion}) {
-    drop_trailing(*list, {});
-  }
-  if (betti == right_betti && torsion == right_torsion) {
-    return "";
-  }
-  return "found " + text_of(betti, torsion) + "; right is " + text_of(right_betti, right_torsion);
-}
-
 Sample run_construction(const Scenario& scenario, std::uint64_t size, const std::string& method_name,
-                        const RunOptions& options) {
+                        const RunOptions& options, StepTimes& times) {
   const auto& construction = std::get<Construction>(scenario.input);
   const std::vector<ops::Operation> operations = construction.make(size);
-  const Result<sparse::AnyRing> ring = sparse::parse_ring(scenario.ring);
-  sparse::expects(ring.has_value(), "the ring of a scenario exists");
   engine::Homology homology;
   std::uint64_t terms_of_cycles = 0;
-  const std::unique_ptr<Method> method = entry_of(method_name).make(*ring);
-  Sample sample = measure_steps(operations.size(), options, [&](std::size_t k) -> Status {
+  const std::unique_ptr<Method> method = method_of(scenario, method_name);
+  Sample sample = measure_steps(operations.size(), options, times, [&](std::size_t k) -> Status {
     if (Status status = method->apply(operations[k]); !status) {
       return status;
     }
@@ -86,6 +43,20 @@ Sample run_construction(const Scenario& scenario, std::uint64_t size, const std:
     sample.remark = difference(homology, *answer);
     sample.verdict = sample.remark.empty() ? Verdict::right : Verdict::wrong;
   }
+  return sample;
+}
+
+Sample check_construction(const Scenario& scenario, std::uint64_t size, const std::string& method_name,
+                          std::uint64_t steps, double most_seconds, StepTimes& times) {
+  const std::vector<ops::Operation> operations = std::get<Construction>(scenario.input).make(size);
+  const std::unique_ptr<Method> method = method_of(scenario, method_name);
+  AnswerCheck check(scenario, size, method_name, operations.size());
+  const auto checked_step = [&](std::size_t k) -> Status {
+    Status status = method->apply(operations[k]);
+    return status ? check.after(operations[k], method->homology()) : status;
+  };
+  Sample sample = measure_steps(std::min<std::size_t>(steps, operations.size()), {most_seconds}, times, checked_step);
+  sample.checked = check.compared();
   return sample;
 }
 

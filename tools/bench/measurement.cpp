@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int report_version = 1;
+constexpr int report_version = 2;
 constexpr std::array<std::string_view, 6> verdict_names{"right", "wrong", "cut", "absent", "refused", "failed"};
 
 Verdict verdict_named(const std::string& name) {
@@ -46,18 +46,23 @@ std::string_view verdict_name(Verdict verdict) { return verdict_names.at(static_
 
 // ---- the parts, where nlohmann::json looks for them
 
-static void to_json(Json& json, const TimelinePoint& point) { json = {point.last_step, point.median, point.max}; }
+static void to_json(Json& json, const TimelinePoint& point) {
+  json = {point.last_step, point.mean, point.median, point.max};
+}
 
 static void from_json(const Json& json, TimelinePoint& point) {
-  point = {json.at(0).get<std::uint64_t>(), json.at(1).get<double>(), json.at(2).get<double>()};
+  const std::size_t median = json.size() - 2;  // version 1 had no mean before it
+  point = {json.at(0).get<std::uint64_t>(), median == 2 ? json.at(1).get<double>() : 0, json.at(median).get<double>(),
+           json.at(median + 1).get<double>()};
 }
 
-static void to_json(Json& json, const StepLatency& step) {
-  json = {{"p50", step.p50}, {"p99", step.p99}, {"max", step.max}};
+static void to_json(Json& json, const Latency& step) {
+  json = {{"mean", step.mean}, {"p50", step.p50}, {"p99", step.p99}, {"max", step.max}};
 }
 
-static void from_json(const Json& json, StepLatency& step) {
-  step = {json.at("p50").get<double>(), json.at("p99").get<double>(), json.at("max").get<double>()};
+static void from_json(const Json& json, Latency& step) {
+  step = {json.value("mean", 0.0), json.at("p50").get<double>(), json.at("p99").get<double>(),
+          json.at("max").get<double>()};
 }
 
 static void to_json(Json& json, const Memory& memory) { json = {{"resident", memory.resident}, {"heap", memory.heap}}; }
@@ -83,8 +88,9 @@ void to_json(Json& json, const Sample& sample) {
   json = {{"verdict", verdict_name(sample.verdict)},
           {"remark", sample.remark},
           {"steps", sample.steps},
+          {"checked", sample.checked},
           {"seconds", sample.seconds},
-          {"processor_seconds", sample.processor_seconds},
+          {"busy", sample.busy},
           {"step_us", sample.step},
           {"memory", sample.memory},
           {"allocations", sample.allocations},
@@ -96,8 +102,9 @@ void from_json(const Json& json, Sample& sample) {
   sample.verdict = verdict_named(json.at("verdict").get<std::string>());
   json.at("remark").get_to(sample.remark);
   json.at("steps").get_to(sample.steps);
+  json.at("checked").get_to(sample.checked);
   json.at("seconds").get_to(sample.seconds);
-  json.at("processor_seconds").get_to(sample.processor_seconds);
+  json.at("busy").get_to(sample.busy);
   json.at("step_us").get_to(sample.step);
   json.at("memory").get_to(sample.memory);
   json.at("allocations").get_to(sample.allocations);
@@ -105,26 +112,28 @@ void from_json(const Json& json, Sample& sample) {
   json.at("timeline").get_to(sample.timeline);
 }
 
-void to_json(Json& json, const ScalingPoint& point) { json = {point.x, point.microseconds, point.touched}; }
+void to_json(Json& json, const ScalingPoint& point) {
+  json = {{"x", point.x}, {"step_us", point.step}, {"touched", point.touched}};
+}
 
 void from_json(const Json& json, ScalingPoint& point) {
-  point = {json.at(0).get<std::uint64_t>(), json.at(1).get<double>(), json.at(2).get<double>()};
+  if (json.is_array()) {  // version 1
+    point = {json.at(0).get<std::uint64_t>(), {0, json.at(1).get<double>(), 0, 0}, json.at(2).get<double>()};
+    return;
+  }
+  json.at("x").get_to(point.x);
+  json.at("step_us").get_to(point.step);
+  json.at("touched").get_to(point.touched);
 }
 
 static void to_json(Json& json, const Measurement& m) {
-  json = {{"scenario", m.scenario},
-          {"family", m.family},
-          {"size", m.size},
-          {"ring", m.ring},
-          {"method", m.method},
-          {"verdict", verdict_name(m.verdict)},
-          {"remark", m.remark},
-          {"steps", m.steps},
-          {"seconds", m.seconds},
-          {"busy", m.busy},
-          {"step_us", m.step},
-          {"memory", m.memory},
-          {"counts", counts_json(m.counts)},
+  json = {{"scenario", m.scenario}, {"family", m.family},
+          {"size", m.size},         {"ring", m.ring},
+          {"method", m.method},     {"verdict", verdict_name(m.verdict)},
+          {"remark", m.remark},     {"steps", m.steps},
+          {"checked", m.checked},   {"seconds", m.seconds},
+          {"busy", m.busy},         {"step_us", m.step},
+          {"memory", m.memory},     {"counts", counts_json(m.counts)},
           {"timeline", m.timeline}};
 }
 
@@ -137,6 +146,7 @@ static void from_json(const Json& json, Measurement& m) {
   m.verdict = verdict_named(json.at("verdict").get<std::string>());
   json.at("remark").get_to(m.remark);
   json.at("steps").get_to(m.steps);
+  m.checked = json.value("checked", std::uint64_t{0});
   json.at("seconds").get_to(m.seconds);
   json.at("busy").get_to(m.busy);
   json.at("step_us").get_to(m.step);
@@ -152,6 +162,7 @@ static void to_json(Json& json, const Scaling& scaling) {
           {"x", scaling.x_name},
           {"expected_exponent", scaling.expected},
           {"remark", scaling.remark},
+          {"is_wrong", scaling.is_wrong},
           {"points", scaling.points}};
 }
 
@@ -162,6 +173,7 @@ static void from_json(const Json& json, Scaling& scaling) {
   json.at("x").get_to(scaling.x_name);
   json.at("expected_exponent").get_to(scaling.expected);
   json.at("remark").get_to(scaling.remark);
+  scaling.is_wrong = json.value("is_wrong", false);
   json.at("points").get_to(scaling.points);
 }
 
@@ -213,8 +225,8 @@ std::string to_text(const Report& report) {
 Result<Report> parse_report(const std::string& text) {
   try {
     const Json json = Json::parse(text);
-    if (json.at("sesame_bench") != report_version) {
-      return Error{Errc::bad_input, "\"sesame_bench\" should be " + std::to_string(report_version)};
+    if (json.at("sesame_bench") != 1 && json.at("sesame_bench") != report_version) {
+      return Error{Errc::bad_input, "\"sesame_bench\" should be 1 or " + std::to_string(report_version)};
     }
     Report report;
     json.at("date").get_to(report.date);

@@ -20,14 +20,8 @@ using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
 /// The steps of a part of a run, in microseconds a step.
 struct TimelinePoint {
   std::uint64_t last_step = 0;
-  double median = 0, max = 0;
+  double mean = 0, median = 0, max = 0;
   friend bool operator==(const TimelinePoint&, const TimelinePoint&) = default;
-};
-
-/// The latency of steps in microseconds; 0 when a run has no steps that can be seen from here.
-struct StepLatency {
-  double p50 = 0, p99 = 0, max = 0;
-  friend bool operator==(const StepLatency&, const StepLatency&) = default;
 };
 
 /// Memory in bytes; 0 where it is not known.
@@ -38,8 +32,8 @@ struct Memory {
 };
 
 enum class Verdict {
-  right,    ///< the answer is the one that is known
-  wrong,    ///< it is another
+  right,    ///< all answers that were checked are right
+  wrong,    ///< one is not
   cut,      ///< the time was up before the end; what was measured until then stands
   absent,   ///< the program is not installed
   refused,  ///< the method cannot do this
@@ -51,39 +45,39 @@ struct Sample {
   Verdict verdict = Verdict::right;
   std::string remark;  ///< what is wrong, or which options a program was run with
   std::uint64_t steps = 0;
+  std::uint64_t checked = 0;  ///< after so many of them the groups, or the bars, were compared with others
   double seconds = 0;
-  double processor_seconds = 0;
-  StepLatency step;
+  double busy = 0;  ///< the part of the time, others' included, that was spent on a processor
+  Latency step;     ///< in microseconds; 0 when a run has no steps that can be seen from here
   Memory memory;
   std::uint64_t allocations = 0;
   Counts counts;
   std::vector<TimelinePoint> timeline;
 };
 
-/// A method on a scenario: the first run, which warms up, gives memory and counts; the others the times.
+/// A method on a scenario: the first run, which warms up, gives memory and counts; the second one is for checking the
+/// answers; the others give the times.
 struct Measurement {
   std::string scenario, family, method, ring;
   std::uint64_t size = 0;
   Verdict verdict = Verdict::right;
   std::string remark;
   std::uint64_t steps = 0;
-  Spread seconds;    ///< of whole runs
-  double busy = 0;   ///< the part of it on a processor: much less than 1 when others wanted the machine too
-  StepLatency step;  ///< medians over the runs
+  std::uint64_t checked = 0;  ///< as of the run that checked
+  Spread seconds;             ///< of whole runs
+  double busy = 0;            ///< as of runs: much less than 1 when others wanted the machine too
+  Latency step;               ///< medians over the runs
   Memory memory;
   Counts counts;  ///< those of the method, and allocations
   std::vector<TimelinePoint> timeline;
 
   [[nodiscard]] bool has_times() const { return seconds.runs > 0 && seconds.median > 0; }
-  [[nodiscard]] double steps_per_second() const {
-    return has_times() ? static_cast<double>(steps) / seconds.median : 0;
-  }
 };
 
 struct ScalingPoint {
   std::uint64_t x = 0;
-  double microseconds = 0;  ///< a step takes: the median over the rounds
-  double touched = 0;       ///< by a step, as the method counts: the mean, as that is the same on every machine
+  Latency step;        ///< microseconds that a step takes, over the rounds
+  double touched = 0;  ///< by a step, as the method counts: the mean
   friend bool operator==(const ScalingPoint&, const ScalingPoint&) = default;
 };
 
@@ -92,7 +86,8 @@ struct Scaling {
   std::string experiment, what, method, x_name;
   double expected = 0;  ///< the exponent that theory says
   std::vector<ScalingPoint> points;
-  std::string remark;  ///< why it ends before the largest x
+  std::string remark;     ///< why it ends before the largest x
+  bool is_wrong = false;  ///< it ends with a wrong answer
 };
 
 struct Report {
@@ -110,7 +105,7 @@ void from_json(const nlohmann::ordered_json& json, Sample& sample);
 void to_json(nlohmann::ordered_json& json, const ScalingPoint& point);
 void from_json(const nlohmann::ordered_json& json, ScalingPoint& point);
 
-/// One JSON object; a measurement a line.
+/// One JSON object; a measurement a line. Version 1 had no means: they are 0 when it is read.
 [[nodiscard]] std::string to_text(const Report& report);
 /// Errors: bad_input, when it is no such object.
 Result<Report> parse_report(const std::string& text);

@@ -5,6 +5,7 @@
 
 #include "replay/script.hpp"
 #include "sparse/contract.hpp"
+#include "tools/bench/surface_count.hpp"
 #include "tools/mesh/script.hpp"
 #include "tools/mesh/validity.hpp"
 
@@ -66,7 +67,8 @@ Result<Scenario> mesh_scenario(const std::string& path) {
                   .size_name = "faces",
                   .size = size,
                   .quick_size = size,
-                  .input = Construction{[path](std::uint64_t) { return assembly_of(path); }},
+                  .input = Construction{[path](std::uint64_t) { return assembly_of(path); },
+                                        [path](std::uint64_t) { return counted(assembly_of(path)); }},
                   .answer = [answer = answer_of(validity)](std::uint64_t) { return answer; }};
 }
 

@@ -40,7 +40,7 @@ std::string measurement_row(const Measurement& m) {
   const auto bytes = [](std::uint64_t n) { return n > 0 ? short_bytes(n) : "\u2013"; };
   const bool is_measured = m.verdict == Verdict::right || m.verdict == Verdict::cut || m.verdict == Verdict::wrong;
   if (!is_measured) {
-    return fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td colspan=\"12\">{}: {}</td></tr>\n",
+    return fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td colspan=\"13\">{}: {}</td></tr>\n",
                        xml_escaped(m.scenario), m.size, xml_escaped(m.method), verdict_name(m.verdict),
                        xml_escaped(m.remark));
   }
@@ -50,16 +50,16 @@ std::string measurement_row(const Measurement& m) {
     remark += (remark.empty() ? "" : "; ") + text;
   }
   return row({m.scenario, std::to_string(m.size), m.method, replay::with_separators(m.steps), time(m.seconds.median),
-              time(m.seconds.max - m.seconds.min), time(m.step.p50 / 1e6), time(m.step.p99 / 1e6),
-              time(m.step.max / 1e6), m.has_times() ? short_count(m.steps_per_second()) : "\u2013",
-              bytes(m.memory.resident), bytes(m.memory.heap), per_step(m, true), per_step(m, false), remark},
+              time(m.seconds.max - m.seconds.min), time(m.step.mean / 1e6), time(m.step.p50 / 1e6),
+              time(m.step.p99 / 1e6), time(m.step.max / 1e6), bytes(m.memory.resident), bytes(m.memory.heap),
+              per_step(m, true), per_step(m, false), checked_text(m), remark},
              "td");
 }
 
 std::string measurement_table(const std::vector<const Measurement*>& measurements) {
   std::string text = "<div class=\"wide\"><table class=\"runs\">\n" +
-                     row({"scenario", "size", "method", "steps", "median", "spread", "p50", "p99", "max", "steps/s",
-                          "resident", "heap", "alloc./step", "touched/step", "remarks"},
+                     row({"scenario", "size", "method", "steps", "median", "spread", "mean", "p50", "p99", "max",
+                          "resident", "heap", "alloc./step", "touched/step", "checked", "remarks"},
                          "th");
   for (const Measurement* m : measurements) {
     text += measurement_row(*m);
@@ -75,13 +75,13 @@ std::string timeline(const std::vector<const Measurement*>& measurements) {
     if (m->timeline.empty()) {
       continue;
     }
-    Curve medians{m->method, {}, false, false, colour}, worst{"", {}, false, true, colour};
+    Curve means{m->method, {}, false, false, colour}, worst{"", {}, false, true, colour};
     for (const TimelinePoint& point : m->timeline) {
-      medians.points.push_back({static_cast<double>(point.last_step), point.median});
+      means.points.push_back({static_cast<double>(point.last_step), point.mean});
       worst.points.push_back({static_cast<double>(point.last_step), point.max});
     }
     curves.push_back(std::move(worst));
-    curves.push_back(std::move(medians));
+    curves.push_back(std::move(means));
     ++colour;
   }
   if (curves.empty()) {
@@ -126,10 +126,10 @@ std::string scaling_plot(const std::vector<const Scaling*>& scalings) {
   std::vector<Curve> times, fits;
   int colour = 0;
   for (const Scaling* scaling : scalings) {
-    const std::optional<PowerLaw> law = fit_times(*scaling);
+    const std::optional<PowerLaw> law = fit_times(*scaling, &Latency::mean);
     Curve curve{fmt::format("{}: exponent {}", scaling->method, exponent_text(law)), {}, true, false, colour};
     for (const ScalingPoint& point : scaling->points) {
-      curve.points.push_back({static_cast<double>(point.x), point.microseconds});
+      curve.points.push_back({static_cast<double>(point.x), point.step.mean});
     }
     if (law) {
       Curve fitted{"", {}, false, true, colour};
@@ -144,7 +144,7 @@ std::string scaling_plot(const std::vector<const Scaling*>& scalings) {
   times.insert(times.end(), fits.begin(), fits.end());
   const Scaling& any = *scalings.front();
   return plot({fmt::format("{} (theory: exponent {:g})", any.experiment, any.expected), any.x_name,
-               "microseconds a step", true, 540, 300},
+               "microseconds a step, on average", true, 540, 300},
               times);
 }
 
@@ -153,13 +153,17 @@ void write_scalings(std::ostream& out, const Report& report) {
     return;
   }
   out << "<h2>Scaling</h2>\n<div class=\"wide\"><table>\n"
-      << row({"experiment", "up to", "method", "exponent of time", "exponent of what is touched", "theory"}, "th");
+      << row({"experiment", "up to", "method", "mean", "p50", "p99", "max", "exponent of the mean", "of p50",
+              "of what is touched", "theory"},
+             "th");
   for (const Scaling& scaling : report.scalings) {
-    const std::uint64_t largest = scaling.points.empty() ? 0 : scaling.points.back().x;
-    out << row(
-        {scaling.experiment, replay::with_separators(largest) + " " + scaling.x_name, scaling.method,
-         exponent_text(fit_times(scaling)), exponent_text(fit_counts(scaling)), fmt::format("{:g}", scaling.expected)},
-        "td");
+    const auto [largest, step, touched] = scaling.points.empty() ? ScalingPoint{} : scaling.points.back();
+    const auto time = [](double us) { return short_time(us / 1e6); };
+    out << row({scaling.experiment, replay::with_separators(largest) + " " + scaling.x_name, scaling.method,
+                time(step.mean), time(step.p50), time(step.p99), time(step.max),
+                exponent_text(fit_times(scaling, &Latency::mean)), exponent_text(fit_times(scaling, &Latency::p50)),
+                exponent_text(fit_counts(scaling)), fmt::format("{:g}", scaling.expected)},
+               "td");
   }
   out << "</table></div>\n<div class=\"plots\">\n";
   for (std::size_t begin = 0; begin < report.scalings.size();) {
@@ -187,8 +191,8 @@ void write_page(std::ostream& out, const Report& report) {
                                  build.version, build.commit, build.compiler, build.flags, machine.cpu, machine.cores,
                                  short_bytes(machine.memory_bytes), machine.system, report.date))
       << "</p>\n<p class=\"note\">Times are medians over runs, each in a process of its own; the spread is that of the "
-         "slowest and the quickest run. Every answer was checked. In the pictures of latency, full lines are medians "
-         "and dashed lines the slowest steps, each over a 240th of the run.</p>\n";
+         "slowest and the quickest run. In the pictures of latency, full lines are means and dashed lines the slowest "
+         "steps, each over a 240th of the run.</p>\n";
   write_scalings(out, report);
   write_measurements(out, report);
   out << "</body>\n</html>\n";

@@ -75,12 +75,18 @@ Result<Ended> fork_and_read(Child&& child) {
   return ended;
 }
 
+/// Whether a process was ended since it took too long.
+bool was_late(const Ended& ended) {
+  return WIFSIGNALED(ended.status) && (WTERMSIG(ended.status) == SIGALRM || WTERMSIG(ended.status) == SIGPROF);
+}
+
 /// Why a process did not end as it should, or nothing.
 std::optional<Error> trouble(const Ended& ended, unsigned most_seconds) {
   if (WIFSIGNALED(ended.status)) {
     const int signal = WTERMSIG(ended.status);
-    return Error{Errc::refused, signal == SIGALRM ? "took longer than " + std::to_string(most_seconds) + " s"
-                                                  : "was ended by signal " + std::to_string(signal)};
+    return Error{Errc::refused, signal == SIGALRM   ? "took longer than " + std::to_string(most_seconds) + " s"
+                                : signal == SIGPROF ? "took longer than it was allowed to"
+                                                    : "was ended by signal " + std::to_string(signal)};
   }
   if (WEXITSTATUS(ended.status) != 0) {
     const bool says_why = WEXITSTATUS(ended.status) == 1 && !ended.output.empty();
@@ -113,7 +119,8 @@ std::uint64_t kilobytes_in(const char* file, std::string_view name) {
 
 }  // namespace
 
-Result<std::string> in_child(const std::function<std::string()>& work, unsigned most_seconds) {
+Result<std::string> in_child(const std::function<std::string()>& work, unsigned most_seconds,
+                             const std::function<std::string()>& when_late) {
   const Result<Ended> ended = fork_and_read([&](int file) {
     std::signal(SIGALRM, SIG_DFL);
     alarm(most_seconds);
@@ -130,6 +137,9 @@ Result<std::string> in_child(const std::function<std::string()>& work, unsigned 
   });
   if (!ended) {
     return ended.error();
+  }
+  if (when_late && was_late(*ended)) {
+    return when_late();
   }
   if (std::optional<Error> error = trouble(*ended, most_seconds)) {
     return *std::move(error);

@@ -14,8 +14,10 @@ namespace sesame::tools {
 
 /// Runs `work` in a copy of this process and returns its text. Requires: one thread.
 /// Errors: refused, with a sentence, when it threw, ran out of memory, was ended by a signal or took longer than
-/// `most_seconds`; io when there can be no such process.
-Result<std::string> in_child(const std::function<std::string()>& work, unsigned most_seconds);
+/// `most_seconds`, or than it allowed itself (SIGPROF); io when there can be no such process. When it took too long and
+/// `when_late` is given, the text is what that returns, called in this process.
+Result<std::string> in_child(const std::function<std::string()>& work, unsigned most_seconds,
+                             const std::function<std::string()>& when_late = nullptr);
 
 struct ProgramRun {
   double seconds = 0;

@@ -1,10 +1,12 @@
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <array>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 
 #include "sparse/contract.hpp"
+#include "tools/bench/answer_check.hpp"
 #include "tools/bench/runs.hpp"
 
 namespace sesame::tools {
@@ -40,37 +42,44 @@ std::uint64_t next_word(std::istream& in) {
   return word;
 }
 
-/// Betti numbers from the boundary matrix and the pairs that PHAT wrote: the cells without a partner.
-std::vector<std::int64_t> betti_from_pairs(const std::string& matrix, const std::string& pairs) {
-  std::vector<std::int64_t> betti;
+/// The bars of the boundary matrix and the pairs that PHAT wrote; the cells without a partner begin those without an
+/// end.
+BarSet bars_of_pairs(const std::string& matrix, const std::string& pairs) {
   std::vector<std::uint8_t> dimensions;
   std::ifstream in(matrix, std::ios::binary);
   for (std::uint64_t left = next_word(in); left > 0 && in; --left) {
     dimensions.push_back(static_cast<std::uint8_t>(next_word(in)));
     in.ignore(static_cast<std::streamsize>(sizeof(std::uint64_t) * next_word(in)));
-    betti.resize(std::max(betti.size(), std::size_t{dimensions.back()} + 1));
-    ++betti[dimensions.back()];
   }
+  BarSet bars;
+  std::vector<bool> is_paired(dimensions.size());
+  const auto add = [&](std::uint64_t birth, double death) {
+    bars.add({dimensions.at(birth), static_cast<double>(birth), death});
+  };
   std::ifstream pairs_in(pairs, std::ios::binary);
-  for (std::uint64_t left = 2 * next_word(pairs_in); left > 0 && pairs_in; --left) {
-    --betti.at(dimensions.at(next_word(pairs_in)));
+  for (std::uint64_t left = next_word(pairs_in); left > 0 && pairs_in; --left) {
+    const std::uint64_t birth = next_word(pairs_in), death = next_word(pairs_in);
+    add(birth, static_cast<double>(death));
+    is_paired.at(birth) = is_paired.at(death) = true;
   }
-  return betti;
-}
-
-/// Betti numbers from lines `dim birth death`: the bars without an end.
-std::vector<std::int64_t> betti_from_bars(const std::string& bars) {
-  std::vector<std::int64_t> betti;
-  std::ifstream in(bars);
-  for (std::string line; std::getline(in, line);) {
-    const std::vector<std::string> words = words_of(line);
-    if (words.size() == 3 && words[2] == "inf") {
-      const std::size_t dimension = std::stoul(words[0]);
-      betti.resize(std::max(betti.size(), dimension + 1));
-      ++betti[dimension];
+  for (std::uint64_t cell = 0; cell < dimensions.size(); ++cell) {
+    if (!is_paired[cell]) {
+      add(cell, engine::never);
     }
   }
-  return betti;
+  return bars;
+}
+
+/// The bars of lines `dim birth death`.
+BarSet bars_of_lines(const std::string& path) {
+  BarSet bars;
+  std::ifstream in(path);
+  for (std::string line; std::getline(in, line);) {
+    if (const std::vector<std::string> words = words_of(line); words.size() == 3) {
+      bars.add({std::stoi(words[0]), std::stod(words[1]), std::stod(words[2])});
+    }
+  }
+  return bars;
 }
 
 /// Betti numbers from a line `betti b0 b1 ...`.
@@ -110,7 +119,8 @@ FiltrationProgram::FiltrationProgram(const Scenario& scenario, std::uint64_t siz
         std::ofstream file(directory_.path("cells"), std::ios::binary);
         method_ == "gudhi" ? write_gudhi(file, filtration) : write_phat_binary(file, filtration);
         sparse::expects(file.flush().good(), "there is room for the files of a benchmark");
-        return std::to_string(filtration.size());
+        const BarSet bars = bars_of(scenario_, size_);
+        return fmt::format("{} {} {}", filtration.size(), bars.size, bars.digest);
       },
       3600);
   if (!cells || *cells == "0") {
@@ -118,7 +128,7 @@ FiltrationProgram::FiltrationProgram(const Scenario& scenario, std::uint64_t siz
     trouble_.remark = cells ? "the cells are no simplices" : cells.error().what;
     return;
   }
-  cells_ = std::stoull(*cells);
+  std::istringstream(*cells) >> cells_ >> bars_.size >> bars_.digest;
 }
 
 std::vector<std::string> FiltrationProgram::command(const std::string& options) const {
@@ -143,17 +153,15 @@ std::vector<std::string> FiltrationProgram::command(const std::string& options) 
 }
 
 std::string FiltrationProgram::wrong_answer(const std::string& printed) const {
-  const std::optional<Answer> answer = scenario_.answer(size_);
-  if (!answer) {
-    return "";
+  if (method_ == "gudhi") {
+    const std::optional<Answer> answer = scenario_.answer(size_);
+    return answer ? difference({betti_from_line(printed), {}, {}, {}}, *answer) : "";
   }
   const Result<std::string> wrong = in_child(  // so that what the files need is not memory of this process
-      [&] {
+      [&]() -> std::string {
         const std::string out = directory_.path("out");
-        const std::vector<std::int64_t> betti = method_ == "phat"    ? betti_from_pairs(directory_.path("cells"), out)
-                                                : method_ == "gudhi" ? betti_from_line(printed)
-                                                                     : betti_from_bars(out);
-        return difference({betti, {}, {}, {}}, *answer);
+        const BarSet bars = method_ == "phat" ? bars_of_pairs(directory_.path("cells"), out) : bars_of_lines(out);
+        return bars == bars_ ? "" : fmt::format("found {} other bars than the {} of sesame", bars.size, bars_.size);
       },
       3600);
   return wrong ? *wrong : wrong.error().what;
@@ -169,7 +177,7 @@ Sample FiltrationProgram::run_with(const std::string& options, unsigned most_sec
   }
   sample.steps = cells_;
   sample.seconds = run->seconds;
-  sample.processor_seconds = run->processor_seconds;
+  sample.busy = run->processor_seconds / run->seconds;
   sample.memory.resident = run->peak_bytes;
   sample.remark = wrong_answer(run->output);
   sample.verdict = sample.remark.empty() ? Verdict::right : Verdict::wrong;

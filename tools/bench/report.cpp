@@ -75,6 +75,10 @@ std::string per_step(const Measurement& m, bool allocations) {
   return is_known && m.steps > 0 ? short_count(static_cast<double>(sum) / static_cast<double>(m.steps)) : "-";
 }
 
+std::string checked_text(const Measurement& m) {
+  return m.checked == 0 ? "-" : m.checked == m.steps ? "all" : short_count(static_cast<double>(m.checked));
+}
+
 void write_facts(std::ostream& out, const Report& report) {
   out << fmt::format("sesame {} at {}, {} {}\n{}, {} cores, {}, {}\n{}\n\n", report.build.version, report.build.commit,
                      report.build.compiler, report.build.flags, report.machine.cpu, report.machine.cores,
@@ -82,10 +86,10 @@ void write_facts(std::ostream& out, const Report& report) {
 }
 
 void write_measurement_head(std::ostream& out) {
-  out << fmt::format("{:<28} {:>8} {:<14} {:>8} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8}\n",
-                     "scenario", "size", "method", "steps", "median", "spread", "p50", "p99", "max", "steps/s",
-                     "resident", "heap", "alloc.", "touched")
-      << std::string(160, '-') << '\n';
+  out << fmt::format("{:<28} {:>8} {:<14} {:>8} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8}\n",
+                     "scenario", "size", "method", "steps", "median", "spread", "mean", "p50", "p99", "max", "resident",
+                     "heap", "alloc.", "touched", "checked")
+      << std::string(169, '-') << '\n';
 }
 
 void write_measurement(std::ostream& out, const Measurement& m) {
@@ -95,12 +99,12 @@ void write_measurement(std::ostream& out, const Measurement& m) {
     return;
   }
   const auto bytes = [](std::uint64_t n) { return n > 0 ? short_bytes(n) : "-"; };
-  out << fmt::format("{:>8} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8}",
+  out << fmt::format("{:>8} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8}",
                      short_count(static_cast<double>(m.steps)), dash_or(m.seconds.median, short_time),
-                     dash_or(m.seconds.max - m.seconds.min, short_time), dash_or(m.step.p50, microseconds),
-                     dash_or(m.step.p99, microseconds), dash_or(m.step.max, microseconds),
-                     dash_or(m.steps_per_second(), short_count), bytes(m.memory.resident), bytes(m.memory.heap),
-                     per_step(m, true), per_step(m, false));
+                     dash_or(m.seconds.max - m.seconds.min, short_time), dash_or(m.step.mean, microseconds),
+                     dash_or(m.step.p50, microseconds), dash_or(m.step.p99, microseconds),
+                     dash_or(m.step.max, microseconds), bytes(m.memory.resident), bytes(m.memory.heap),
+                     per_step(m, true), per_step(m, false), checked_text(m));
   if (m.verdict != Verdict::right) {
     out << "  " << verdict_name(m.verdict) << ": " << m.remark;
   } else if (!m.remark.empty()) {
@@ -113,13 +117,16 @@ void write_measurement(std::ostream& out, const Measurement& m) {
 }
 
 void write_scaling(std::ostream& out, const Scaling& scaling) {
-  out << fmt::format("\n{}, {}: {}\n{:>14} {:>14} {:>16}\n", scaling.experiment, scaling.method, scaling.what,
-                     scaling.x_name, "us a step", "touched a step");
-  for (const ScalingPoint& point : scaling.points) {
-    out << fmt::format("{:>14} {:>14.2f} {:>16.1f}\n", point.x, point.microseconds, point.touched);
+  out << fmt::format("\n{}, {}: {}\n{:>14} {:>12} {:>12} {:>12} {:>12} {:>16}\n", scaling.experiment, scaling.method,
+                     scaling.what, scaling.x_name, "mean, us", "p50", "p99", "max", "touched a step");
+  for (const auto& [x, step, touched] : scaling.points) {
+    out << fmt::format("{:>14} {:>12.2f} {:>12.2f} {:>12.2f} {:>12.2f} {:>16.1f}\n", x, step.mean, step.p50, step.p99,
+                       step.max, touched);
   }
-  out << fmt::format("exponent of time {}, of what is touched {}; theory expects {}\n",
-                     exponent_text(fit_times(scaling)), exponent_text(fit_counts(scaling)), scaling.expected);
+  out << fmt::format("exponent of the mean {}, of p50 {}, of what is touched {}; theory expects {}\n",
+                     exponent_text(fit_times(scaling, &Latency::mean)),
+                     exponent_text(fit_times(scaling, &Latency::p50)), exponent_text(fit_counts(scaling)),
+                     scaling.expected);
   if (!scaling.remark.empty()) {
     out << scaling.remark << '\n';
   }

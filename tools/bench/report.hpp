@@ -36,6 +36,8 @@ void write_page(std::ostream& out, const Report& report);
 [[nodiscard]] std::string exponent_text(const std::optional<PowerLaw>& law);
 /// How little of a processor the runs had, when that was much less than one; else an empty text.
 [[nodiscard]] std::string disturbance(const Measurement& measurement);
+/// After how many of the steps the groups were compared: "all", or a number; a dash when it was only the last.
+[[nodiscard]] std::string checked_text(const Measurement& measurement);
 /// Allocations or terms by the step; a dash when there are none.
 [[nodiscard]] std::string per_step(const Measurement& measurement, bool allocations);
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/homology_tracker.hpp"
+#include "engine/barcode.hpp"
 #include "tools/bench/measurement.hpp"
 #include "tools/bench/processes.hpp"
 #include "tools/bench/scenarios.hpp"
@@ -15,16 +15,29 @@
 
 namespace sesame::tools {
 
-/// What differs from the answer, or an empty text.
-[[nodiscard]] std::string difference(const engine::Homology& found, const Answer& answer);
-
-/// Runs in this process, whose memory is counted. Requires: a method of the scenario that is no program.
+/// Runs in this process, whose memory is counted. Only the last answer is looked at.
+/// Requires: a method of the scenario that is no program; a construction, or else a filtration or a tower.
 [[nodiscard]] Sample run_construction(const Scenario& scenario, std::uint64_t size, const std::string& method,
-                                      const RunOptions& options);
-[[nodiscard]] Sample run_filtration(const Scenario& scenario, std::uint64_t size, const std::string& method,
-                                    const RunOptions& options);
-[[nodiscard]] Sample run_tower(const Scenario& scenario, std::uint64_t size, const std::string& method,
-                               const RunOptions& options);
+                                      const RunOptions& options, StepTimes& times);
+[[nodiscard]] Sample run_tracker(const Scenario& scenario, std::uint64_t size, const std::string& method,
+                                 const RunOptions& options, StepTimes& times);
+
+/// Carries the first steps out once more and checks the answer after each of them: those of constructions as
+/// AnswerCheck says; in filtrations and towers the Euler characteristic, and with another tracker the Betti numbers and
+/// the bars so far. Nothing but verdict, remark, steps and `checked` has a meaning. Requires: as above.
+[[nodiscard]] Sample check_construction(const Scenario& scenario, std::uint64_t size, const std::string& method,
+                                        std::uint64_t steps, double most_seconds, StepTimes& times);
+[[nodiscard]] Sample check_tracker(const Scenario& scenario, std::uint64_t size, const std::string& method,
+                                   std::uint64_t steps, double most_seconds, StepTimes& times);
+
+/// Bars in any order: how many, and a number that other bars are most unlikely to have.
+struct BarSet {
+  std::uint64_t size = 0, digest = 0;
+  void add(const engine::Bar& bar);
+  friend bool operator==(const BarSet&, const BarSet&) = default;
+};
+/// All bars of a filtration, those that do not end too; times are the places of its cells.
+[[nodiscard]] BarSet bars_of(const Scenario& scenario, std::uint64_t size);
 
 /// The methods that are trackers of this process, and those that are programs.
 [[nodiscard]] std::span<const std::string> tracker_methods();
@@ -36,7 +49,8 @@ class FiltrationProgram {
  public:
   /// Writes the file that the program reads, in a process of its own. Requires: a method among program_methods().
   FiltrationProgram(const Scenario& scenario, std::uint64_t size, std::string method);
-  /// Runs the program and checks what it wrote. The first run finds the quickest options.
+  /// Runs the program and compares its bars with those of this one; of GUDHI the Betti numbers with the answer. The
+  /// first run finds the quickest options.
   [[nodiscard]] Sample run(unsigned most_seconds);
 
  private:
@@ -52,6 +66,7 @@ class FiltrationProgram {
   std::string program_;
   std::vector<std::string> options_;  ///< sets of options yet to be compared; the chosen one when there is but one
   std::uint64_t cells_ = 0;
+  BarSet bars_;  ///< what the program should find
 };
 
 }  // namespace sesame::tools

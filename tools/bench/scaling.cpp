@@ -1,14 +1,18 @@
 #include "tools/bench/scaling.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "sparse/contract.hpp"
+#include "tools/bench/answer_check.hpp"
 #include "tools/bench/constructions.hpp"
 #include "tools/bench/method.hpp"
 #include "tools/bench/processes.hpp"
+#include "tools/bench/step_times.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -18,6 +22,11 @@ using Clock = std::chrono::steady_clock;
 using Rounds = std::vector<std::vector<ops::Operation>>;
 
 constexpr std::uint64_t rounds_measured = 25;
+
+/// The answers after the steps of a round when they are the same in every round.
+std::function<Answer(std::size_t, std::size_t)> in_every_round(std::vector<Answer> answers) {
+  return [answers = std::move(answers)](std::size_t, std::size_t step) { return answers.at(step); };
+}
 
 std::string place(const std::string& kind, std::uint64_t i, std::uint64_t j) {
   return kind + std::to_string(i) + "_" + std::to_string(j);
@@ -58,7 +67,12 @@ Rounds work_on_torus(std::uint64_t n) {
 
 ScalingWorkload on_objects(std::uint64_t x) {
   const auto n = std::max<std::uint64_t>(5, static_cast<std::uint64_t>(std::sqrt(static_cast<double>(x) / 4)));
-  return {4 * n * n, {given_torus(n)}, work_on_torus(n)};
+  const auto answer = [](std::size_t round, std::size_t step) {
+    const std::int64_t pieces = step == 0 || step == 3 ? 2 : 1;  // what is new is not glued yet
+    const std::int64_t loops = step < 2 ? 0 : 1;                 // the cone over two edges that are apart adds one
+    return Answer{{pieces, 2 + static_cast<std::int64_t>(round) + loops, 1}};
+  };
+  return {4 * n * n, {given_torus(n)}, work_on_torus(n), answer};
 }
 
 /// Squares that are made and glued onto the first one, which is all that there is after every other step.
@@ -68,7 +82,7 @@ ScalingWorkload after_gluings(std::uint64_t x) {
     operations.emplace_back(ops::MakeSimploid{name, {1, 1}, {}});
     operations.emplace_back(ops::Identify{{{"q", name}}});
   };
-  ScalingWorkload workload{1 + 2 * (x / 2), {ops::MakeSimploid{"q", {1, 1}, {}}}, {}};
+  ScalingWorkload workload{1 + 2 * (x / 2), {ops::MakeSimploid{"q", {1, 1}, {}}}, {}, in_every_round({{{2}}, {{1}}})};
   for (std::uint64_t k = 0; k < x / 2; ++k) {
     glue_on(workload.before, k);
   }
@@ -82,13 +96,31 @@ ScalingWorkload after_gluings(std::uint64_t x) {
 ScalingWorkload after_splits(std::uint64_t x) {
   constexpr std::uint64_t rounds = 200;  // as few of them do most of the work
   Operations operations = glued_and_split(4, x / 2 + rounds);
-  ScalingWorkload workload;
+  ScalingWorkload workload{0, {}, {}, in_every_round({{{4, 1}}, {{4}}})};
   const auto measured = operations.end() - static_cast<std::ptrdiff_t>(2 * rounds);
   for (auto at = measured; at != operations.end(); at += 2) {
     workload.rounds.emplace_back(at, at + 2);
   }
   workload.before.assign(std::move_iterator{operations.begin()}, std::move_iterator{measured});
   workload.x = workload.before.size();
+  return workload;
+}
+
+/// As many circles as loops, each an edge and a vertex. One vertex is split, which opens its loop, and that is undone.
+ScalingWorkload among_loops(std::uint64_t x) {
+  ops::MakeComplex circles{"K", {}};
+  const auto v = [](std::uint64_t k) { return "v" + std::to_string(k); };
+  for (std::uint64_t k = 0; k < x; ++k) {
+    circles.cells.push_back({v(k), {}, {}, {}});
+    circles.cells.push_back({"e" + std::to_string(k), {}, {v(k), v(k)}, {}});
+  }
+  const auto loops = static_cast<std::int64_t>(x);
+  ScalingWorkload workload{x, {std::move(circles)}, {}, in_every_round({{{loops, loops - 1}}, {{loops, loops}}})};
+  for (std::uint64_t round = 0; round < rounds_measured; ++round) {
+    const std::string k = std::to_string(round * (x / rounds_measured));
+    workload.rounds.push_back(
+        {ops::Deidentify{{{"K.v" + k, "w" + std::to_string(round), {{"K.e" + k, 0}}}}}, ops::Undo{1}});
+  }
   return workload;
 }
 
@@ -115,7 +147,10 @@ ops::MakeComplex strip(const std::string& name, std::uint64_t triangles) {
 ScalingWorkload on_parts(std::uint64_t x) {
   constexpr std::uint64_t most_strips = 15;
   const std::uint64_t triangles = std::max<std::uint64_t>(1, x / 4), strips = x > 10'000 ? 5 : most_strips;
-  ScalingWorkload workload{4 * triangles + 3, {strip("s0", triangles)}, {}};
+  const auto answer = [strips](std::size_t round, std::size_t) {  // each round makes two pieces one
+    return Answer{{static_cast<std::int64_t>(strips - round)}};
+  };
+  ScalingWorkload workload{4 * triangles + 3, {strip("s0", triangles)}, {}, answer};
   for (std::uint64_t k = 1; k <= strips; ++k) {
     const std::string name = "s" + std::to_string(k);
     workload.before.emplace_back(strip(name, triangles));
@@ -137,36 +172,42 @@ std::uint64_t touched(const Method& method) {
   return sum;
 }
 
-/// The number of terms of the generators, when they are asked for.
-std::uint64_t carry_out(Method& method, const ops::Operation& operation, bool with_generators) {
-  const Status status = method.apply(operation);
-  if (!status) {
-    throw std::runtime_error(status.error().what);
-  }
-  method.homology();
-  return with_generators ? method.generators() : 0;
-}
-
-ScalingPoint measure_point(const Experiment& experiment, Method& method, std::uint64_t x) {
+/// Errors: why a step cannot be taken; expectation, for a wrong answer.
+Result<ScalingPoint> measure_point(const Experiment& experiment, Method& method, std::uint64_t x) {
   const ScalingWorkload workload = experiment.make(x);
   for (const ops::Operation& operation : workload.before) {
-    carry_out(method, operation, false);
+    if (Status status = method.apply(operation); !status) {
+      return status.error();
+    }
+    method.homology();
   }
   std::vector<double> microseconds;
   double count = 0;
-  for (const std::vector<ops::Operation>& round : workload.rounds) {
+  std::vector<engine::Homology> found;
+  StepClock clock;
+  for (std::size_t number = 0; number < workload.rounds.size(); ++number) {
+    const std::vector<ops::Operation>& round = workload.rounds[number];
     const std::uint64_t before = touched(method);
     std::uint64_t terms = 0;
-    const Clock::time_point begin = Clock::now();
+    found.clear();
+    clock.begin();
     for (const ops::Operation& operation : round) {
-      terms += carry_out(method, operation, experiment.with_generators);
+      if (Status status = method.apply(operation); !status) {
+        return status.error();
+      }
+      found.push_back(method.homology());
+      terms += experiment.with_generators ? method.generators() : 0;
     }
-    const std::chrono::duration<double, std::micro> taken = Clock::now() - begin;
     const auto steps = static_cast<double>(round.size());
-    microseconds.push_back(taken.count() / steps);
+    microseconds.push_back(clock.lap() / steps);
     count += static_cast<double>(touched(method) - before + terms) / steps;
+    for (std::size_t step = 0; step < found.size(); ++step) {
+      if (const std::string wrong = difference(found[step], workload.answer(number, step)); !wrong.empty()) {
+        return Error{Errc::expectation, fmt::format("step {} of round {}: {}", step + 1, number + 1, wrong)};
+      }
+    }
   }
-  return {workload.x, median(microseconds), count / static_cast<double>(workload.rounds.size())};
+  return ScalingPoint{workload.x, latency_of(microseconds), count / static_cast<double>(workload.rounds.size())};
 }
 
 std::vector<std::uint64_t> sizes_of(const Experiment& experiment, Extent extent) {
@@ -229,13 +270,25 @@ const std::vector<Experiment>& experiments() {
        "steps before",
        0,
        "Z",
-       {"live"},
+       {"live", "eager", "recompute"},
        false,
        100,
        10'000,
        1'000,
        100'000,
        after_splits},
+      {"homology",
+       "in one of many circles a vertex is split, and that is undone",
+       "loops",
+       0,
+       "Z",
+       {"live"},
+       false,
+       100,
+       100'000,
+       1'000,
+       1'000'000,
+       among_loops},
       {"touched part",
        "a strip of triangles is glued onto another one in one step",
        "cells glued",
@@ -281,19 +334,23 @@ Scaling run_experiment(const Experiment& experiment, const std::string& method_n
   const auto entry = std::ranges::find(methods(), method_name, &MethodEntry::name);
   const Result<sparse::AnyRing> ring = sparse::parse_ring(experiment.ring);
   sparse::expects(entry != methods().end() && ring.has_value(), "method and ring of an experiment exist");
-  Scaling scaling{experiment.name, experiment.what, method_name, experiment.x_name, experiment.expected, {}, {}};
+  Scaling scaling{experiment.name, experiment.what, method_name, experiment.x_name, experiment.expected, {}, {}, false};
   for (const std::uint64_t x : sizes_of(experiment, extent)) {
     const auto work = [&] {
       const std::unique_ptr<Method> method = entry->make(*ring);
-      return Json(measure_point(experiment, *method, x)).dump();
+      const Result<ScalingPoint> point = measure_point(experiment, *method, x);
+      const Json json = point ? Json(*point) : Json{{"error", point.error().what}, {"code", point.error().code}};
+      return json.dump();
     };
     const Clock::time_point begin = Clock::now();
     const Result<std::string> text = in_child(work, static_cast<unsigned>(std::clamp(4 * most_seconds, 1.0, 1e6)));
-    if (!text) {
-      scaling.remark = "at " + std::to_string(x) + ": " + text.error().what;
+    const Json json = text ? Json::parse(*text) : Json{{"error", text.error().what}, {"code", text.error().code}};
+    if (json.contains("error")) {
+      scaling.remark = "at " + std::to_string(x) + ": " + json.at("error").get<std::string>();
+      scaling.is_wrong = json.at("code").get<Errc>() == Errc::expectation;
       break;
     }
-    scaling.points.push_back(Json::parse(*text).get<ScalingPoint>());
+    scaling.points.push_back(json.get<ScalingPoint>());
     if (std::chrono::duration<double>(Clock::now() - begin).count() > most_seconds) {
       scaling.remark = "ends where the time was up";
       break;
@@ -302,8 +359,8 @@ Scaling run_experiment(const Experiment& experiment, const std::string& method_n
   return scaling;
 }
 
-std::optional<PowerLaw> fit_times(const Scaling& scaling) {
-  return fit(scaling, [](const ScalingPoint& point) { return point.microseconds; });
+std::optional<PowerLaw> fit_times(const Scaling& scaling, double Latency::*part) {
+  return fit(scaling, [part](const ScalingPoint& point) { return point.step.*part; });
 }
 
 std::optional<PowerLaw> fit_counts(const Scaling& scaling) {

@@ -10,6 +10,7 @@
 
 #include "ops/operation.hpp"
 #include "tools/bench/measurement.hpp"
+#include "tools/bench/scenarios.hpp"
 
 namespace sesame::tools {
 
@@ -19,6 +20,7 @@ struct ScalingWorkload {
   std::vector<ops::Operation> before;  ///< not measured
   /// Measured, each round alike but for what it touches: see ScalingPoint.
   std::vector<std::vector<ops::Operation>> rounds;
+  std::function<Answer(std::size_t round, std::size_t step)> answer;  ///< the homology after a step of a round
 };
 
 struct Experiment {
@@ -36,12 +38,12 @@ struct Experiment {
 enum class Extent { quick, normal, large };
 
 /// Runs an experiment with one of its methods: two sizes for each power of ten, each in a process of its own, up to the
-/// largest or until a point takes more than `most_seconds`.
+/// largest or until a point takes more than `most_seconds`. Every answer is checked.
 [[nodiscard]] Scaling run_experiment(const Experiment& experiment, const std::string& method, Extent extent,
                                      double most_seconds);
 
-/// The fit of the microseconds, or of the counts; nothing when there are too few points, or counts of 0.
-[[nodiscard]] std::optional<PowerLaw> fit_times(const Scaling& scaling);
+/// The fit of a part of the latency, or of the counts; nothing when there are too few points, or values of 0.
+[[nodiscard]] std::optional<PowerLaw> fit_times(const Scaling& scaling, double Latency::*part);
 [[nodiscard]] std::optional<PowerLaw> fit_counts(const Scaling& scaling);
 
 }  // namespace sesame::tools

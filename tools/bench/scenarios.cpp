@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 
 #include "tools/bench/constructions.hpp"
 #include "tools/bench/method.hpp"
 #include "tools/bench/runs.hpp"
+#include "tools/bench/sessions.hpp"
+#include "tools/bench/surface_count.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -40,6 +43,69 @@ const Answer torus_groups{{1, 2, 1}};
 const Answer klein_groups{{1, 1}, {{}, {2}}};
 const Answer solid_torus_groups{{1, 3, 3, 1}};  // of the 3-torus
 
+// ---- what is known on the way
+
+using Follow = std::function<AnswerAfter(Size)>;
+using Make = std::function<Operations(Size)>;
+
+/// From counting: for surfaces.
+Follow counted(const Make& make) {
+  return [make](Size size) { return tools::counted(make(size)); };
+}
+
+/// What one function says at a step, whatever the size.
+Follow by_step(std::function<Answer(std::size_t step)> answer) {
+  return [answer = std::move(answer)](Size) { return answer; };
+}
+
+/// While pairs of triangles are made, three steps each, and then a place is glued and opened again, in turn.
+Follow glued_in_turn(std::int64_t places) {
+  return by_step([places](std::size_t step) -> Answer {
+    const auto k = static_cast<std::int64_t>(step);
+    if (k < 3 * places) {
+      return {{k / 3 + (k % 3 == 1 ? 2 : 1)}};
+    }
+    return (k - 3 * places) % 2 == 0 ? Answer{{places, 1}} : Answer{{places}};
+  });
+}
+
+Follow edited(std::uint32_t edges, bool with_undo) {
+  return [=](Size) -> AnswerAfter {
+    const auto editing = std::make_shared<GraphEditing>(edges, with_undo, 1);
+    // Counting costs as much as there are edges: for many of them, after some of the steps only.
+    const std::size_t every = std::max<std::size_t>(1, edges / 1000);
+    return [=](std::size_t step) -> std::optional<Answer> {
+      editing->next();
+      if (step % every != 0) {
+        return std::nullopt;
+      }
+      const std::int64_t pieces = editing->components();
+      return Answer{{pieces, std::int64_t{editing->edges()} - editing->vertices() + pieces}};
+    };
+  };
+}
+
+/// While circles are made and multiplied: circle, circle, product, circle, product, ...
+Answer multiplied(std::size_t step) {
+  Answer answer{binomials((step + 2) / 2)};
+  if (step % 2 == 1) {  // and one beside the product
+    ++answer.betti[0];
+    ++answer.betti[1];
+  }
+  return answer;
+}
+
+Answer sphere(std::size_t dimension) {
+  Answer answer{{1}};
+  answer.betti.resize(dimension + 1);
+  ++answer.betti[dimension];
+  return answer;
+}
+
+Answer torsion_summands(std::int64_t pieces, std::int64_t of_order_two) {
+  return {{pieces, of_order_two}, {{}, std::vector<std::int64_t>(static_cast<std::size_t>(of_order_two), 2)}};
+}
+
 struct NamedOrder {
   std::string suffix, what;
   Assembly assembly;
@@ -53,15 +119,16 @@ const std::vector<NamedOrder>& orders() {
   return all;
 }
 
-/// An assembly in all orders.
-void add_assemblies(std::vector<Scenario>& list, Scenario base,
+/// An assembly in all orders; of surfaces, or of solids, which are not followed.
+void add_assemblies(std::vector<Scenario>& list, Scenario base, bool is_surface,
                     const std::function<Operations(Size, const Assembly&)>& make) {
   const Scenario first = std::move(base);
   for (const auto& [suffix, what, assembly] : orders()) {
     Scenario scenario = first;
     scenario.name += "-" + suffix;
     scenario.what += ", " + what;
-    scenario.input = Construction{[make, assembly = assembly](Size size) { return make(size, assembly); }};
+    const Make make_so = [make, assembly = assembly](Size size) { return make(size, assembly); };
+    scenario.input = Construction{make_so, is_surface ? counted(make_so) : nullptr};
     list.push_back(std::move(scenario));
   }
 }
@@ -76,7 +143,7 @@ void add_surfaces(std::vector<Scenario>& list) {
                   .quick_size = 16,
                   .input = Construction{},
                   .answer = always(torus_groups)},
-                 [](Size n, const Assembly& assembly) { return torus(small(n), assembly); });
+                 true, [](Size n, const Assembly& assembly) { return torus(small(n), assembly); });
   add_assemblies(list,
                  {.name = "klein-bottle",
                   .family = "surfaces",
@@ -86,7 +153,7 @@ void add_surfaces(std::vector<Scenario>& list) {
                   .quick_size = 12,
                   .input = Construction{},
                   .answer = always(klein_groups)},
-                 [](Size n, const Assembly& assembly) { return klein_bottle(small(n), assembly); });
+                 true, [](Size n, const Assembly& assembly) { return klein_bottle(small(n), assembly); });
   add_assemblies(list,
                  {.name = "genus",
                   .family = "surfaces",
@@ -99,6 +166,7 @@ void add_surfaces(std::vector<Scenario>& list) {
                       [](Size genus) {
                         return Answer{{1, 2 * whole(genus), 1}};
                       }},
+                 true,
                  [](Size genus, const Assembly& assembly) { return surface_of_genus(small(genus), 10, assembly); });
 }
 
@@ -112,7 +180,7 @@ void add_solids(std::vector<Scenario>& list) {
                   .quick_size = 4,
                   .input = Construction{},
                   .answer = always(solid_torus_groups)},
-                 [](Size n, const Assembly& assembly) { return freudenthal_torus(small(n), assembly); });
+                 false, [](Size n, const Assembly& assembly) { return freudenthal_torus(small(n), assembly); });
   const auto tunnels = [](Size level) { return Answer{{1, menger_tunnels(static_cast<int>(level))}}; };
   for (const Size level : {Size{1}, Size{2}, Size{3}, Size{4}}) {
     const Size quick = level <= 2 ? level : 0;
@@ -125,112 +193,175 @@ void add_solids(std::vector<Scenario>& list) {
                     .quick_size = quick,
                     .input = Construction{},
                     .answer = tunnels},
+                   false,
                    [](Size n, const Assembly& assembly) { return menger_sponge(static_cast<int>(n), assembly); });
   }
 }
 
-void add_repetitions(std::vector<Scenario>& list) {
-  const auto construction = [&](const char* name, const char* what, const char* size_name, Size size, Size quick,
-                                std::function<Operations(Size)> make, AnswerAt answer) {
-    list.push_back(
-        {name, "again and again", what, size_name, size, quick, Construction{std::move(make)}, std::move(answer)});
+/// Constructions of one family.
+class Adder {
+ public:
+  Adder(std::vector<Scenario>& list, std::string family, bool all_methods)
+      : list_{list}, family_{std::move(family)}, all_methods_{all_methods} {}
+
+  struct Sizes {
+    const char* name;
+    Size usual, quick;
   };
-  construction(
-      "glue-and-split", "one place is glued and split again: see the history of splits", "gluings", 5'000, 500,
-      [](Size n) { return glued_and_split(1, n); }, always({{1}}));
-  construction(
-      "glue-and-split-1000", "a thousand places are glued and split again, in turn", "gluings", 1'000'000, 2'000,
-      [](Size n) { return glued_and_split(1000, n); }, always({{1000}}));
-  construction(
-      "glue-and-undo", "four places are glued and the gluing is undone, in turn", "gluings", 1'000'000, 500,
-      [](Size n) { return glued_and_undone(4, n); }, always({{4}}));
-  construction(
-      "torus-backwards", "a torus of squares in random order, then taken back step by step", "squares a side", 150, 12,
-      [](Size n) {
-        return replayed_backwards(torus(small(n), {Order::random, 1}));
-      },
-      always({}));
-  construction(
-      "menger-backwards", "Menger's sponge, then taken back step by step", "level", 3, 1,
+  void operator()(const char* name, const char* what, Sizes sizes, Make make, AnswerAt answer, Follow follow = nullptr,
+                  Size generators_every = 0) const {
+    list_.push_back({name, family_, what, sizes.name, sizes.usual, sizes.quick,
+                     Construction{std::move(make), std::move(follow), generators_every}, std::move(answer), "Z",
+                     all_methods_});
+  }
+
+ private:
+  std::vector<Scenario>& list_;
+  std::string family_;
+  bool all_methods_;
+};
+
+void add_repetitions(std::vector<Scenario>& list) {
+  const Adder add(list, "again and again", true);
+  add(
+      "glue-and-split", "one place is glued and split again", {"gluings", 5'000, 500},
+      [](Size n) { return glued_and_split(1, n); }, always({{1}}), glued_in_turn(1));
+  const auto places = [](Size n) { return std::clamp<Size>(n / 10, 1, 1000); };
+  add(
+      "glue-and-split-1000", "a thousand places (or a tenth as many as gluings) are glued and split again, in turn",
+      {"gluings", 1'000'000, 500}, [places](Size n) { return glued_and_split(small(places(n)), n); },
+      [places](Size n) { return Answer{{whole(places(n))}}; },
+      [places](Size n) { return glued_in_turn(whole(places(n)))(n); });
+  add("glue-and-cut", "a square is glued to a torus and cut open again", {"gluings", 2'000, 100}, glued_and_cut_square,
+      always({{1}}), by_step([](std::size_t step) { return step % 2 == 1 ? torus_groups : Answer{{1}}; }));
+  add(
+      "glue-and-undo", "four places are glued and the gluing is undone, in turn", {"gluings", 1'000'000, 500},
+      [](Size n) { return glued_and_undone(4, n); }, always({{4}}), glued_in_turn(4));
+  const auto torus_backwards = [](Size n) { return replayed_backwards(torus(small(n), {Order::random, 1})); };
+  add("torus-backwards", "a torus of squares in random order, then taken back step by step",
+      {"squares a side", 150, 12}, torus_backwards, always({}), counted(torus_backwards));
+  add(
+      "menger-backwards", "Menger's sponge, then taken back step by step", {"level", 3, 1},
       [](Size n) { return replayed_backwards(menger_sponge(static_cast<int>(n))); }, always({}));
 }
 
-void add_other_constructions(std::vector<Scenario>& list) {
-  const auto construction = [&](const char* name, const char* what, const char* size_name, Size size, Size quick,
-                                std::function<Operations(Size)> make, AnswerAt answer) {
-    list.push_back({name, "complexes, cones, products", what, size_name, size, quick, Construction{std::move(make)},
-                    std::move(answer)});
+void add_sessions(std::vector<Scenario>& list) {
+  const Adder add(list, "editing", true);
+  const auto graph = [&add](const char* name, const char* what, std::uint32_t edges, bool with_undo, Size usual,
+                            Size quick) {
+    add(
+        name, what, {"steps", usual, quick},
+        [=](Size n) {
+          return edited_graph({edges, with_undo, 1}, n);
+        },
+        [=](Size n) {
+          const AnswerAfter follow = edited(edges, with_undo)(n);
+          std::optional<Answer> last;
+          for (std::size_t step = 0; step < n; ++step) {
+            last = follow(step);
+          }
+          return last;
+        },
+        edited(edges, with_undo));
   };
+  graph("graph-30", "30 edges, whose vertices are glued and split at random", 30, false, 20'000, 120);
+  graph("graph-30-undo", "the same, and hundreds of steps are undone at times", 30, true, 20'000, 120);
+  graph("graph-300", "300 edges, whose vertices are glued and split at random", 300, false, 20'000, 600);
+  graph("graph-300-undo", "the same, and hundreds of steps are undone at times", 300, true, 20'000, 900);
+  add(
+      "glued-triangles", "triangles with one vertex; their sides are glued and split at random, then all split apart",
+      {"triangles", 32, 6}, [](Size n) { return glued_triangles(small(n), 1); },
+      [](Size n) {
+        return Answer{{1, 2 * whole(n)}};
+      });
+  add(
+      "torsion", "squares, each made and glued to a Klein bottle", {"squares", 400, 12},
+      [](Size n) { return separate_klein_bottles(small(n)); },
+      [](Size n) { return torsion_summands(whole(n), whole(n)); },
+      by_step([](std::size_t step) { return torsion_summands(whole(step / 2) + 1, whole((step + 1) / 2)); }));
+}
+
+void add_other_constructions(std::vector<Scenario>& list) {
+  const Adder add(list, "complexes, cones, products", false);
   // With so many triangles there is no H_1, with overwhelming probability (R. Meshulam and N. Wallach, 2009).
   const auto half = [](Size n) { return static_cast<Size>(binomial(whole(n), 3) / 2); };
-  construction(
-      "random-triangles", "all edges, then half of all triangles in random order", "vertices", 60, 12,
+  add(
+      "random-triangles", "all edges, then half of all triangles in random order", {"vertices", 60, 12},
       [half](Size n) { return random_triangles(small(n), half(n), 1); },
       [half](Size n) {
         return Answer{{1, 0, whole(half(n)) - binomial(whole(n) - 1, 2)}};
       });
-  construction(
-      "cones", "cones over everything, one after the other", "cones", 16, 8,
-      [](Size n) { return iterated_cones(10, small(n)); }, always({{1}}));
-  construction(
-      "suspensions", "two points, suspended", "dimension", 10, 6, [](Size n) { return suspended_points(small(n)); },
-      [](Size n) {
-        Answer sphere{{1}};
-        sphere.betti.resize(n + 1);
-        ++sphere.betti[n];
-        return sphere;
+  add(
+      "cones", "cones over everything, one after the other", {"cones", 16, 8},
+      [](Size n) { return iterated_cones(10, small(n)); }, always({{1}}),
+      by_step([](std::size_t step) { return Answer{{step == 0 ? 10 : 1}}; }));
+  add(
+      "suspensions", "two points, suspended", {"dimension", 10, 6}, [](Size n) { return suspended_points(small(n)); },
+      [](Size n) { return sphere(n); },
+      by_step([](std::size_t step) { return step % 2 == 1 ? Answer{{1}} : sphere(step / 2); }));
+  const Answer suspended_groups{{1, 0, 1}, {{}, {}, {2}}};
+  add(
+      "suspended-klein-bottle", "a Klein bottle of squares, suspended", {"squares a side", 100, 8},
+      [](Size n) { return suspended_klein_bottle(small(n)); }, always(suspended_groups),
+      [=](Size n) -> AnswerAfter {
+        const std::size_t cone = klein_bottle(small(n)).size();
+        const AnswerAfter surface = counted([](Size m) { return klein_bottle(small(m)); })(n);
+        return [=](std::size_t step) -> std::optional<Answer> {
+          return step < cone ? surface(step) : step == cone ? Answer{{1}} : suspended_groups;
+        };
       });
-  construction(
-      "suspended-klein-bottle", "a Klein bottle of squares, suspended", "squares a side", 100, 8,
-      [](Size n) { return suspended_klein_bottle(small(n)); }, always({{1, 0, 1}, {{}, {}, {2}}}));
-  construction(
-      "product-of-circles", "the product of circles of a hundred edges", "factors", 7, 4,
-      [](Size n) { return product_of_circles(100, small(n)); }, [](Size n) { return Answer{binomials(n)}; });
-  construction(
-      "glued-product", "the product of three circles, then a gluing of vertices at each step", "gluings", 2000, 50,
+  add(
+      "product-of-circles", "the product of circles of a hundred edges", {"factors", 7, 4},
+      [](Size n) { return product_of_circles(100, small(n)); }, [](Size n) { return Answer{binomials(n)}; },
+      by_step(multiplied));
+  add(
+      "glued-product", "the product of three circles, then a gluing of vertices at each step", {"gluings", 2000, 50},
       [](Size n) { return glued_product_of_circles(small(n) + 1, 3, small(n)); },
       [](Size n) {
         return Answer{{1, 3 + whole(n), 3, 1}};
-      });
+      },
+      by_step([](std::size_t step) {
+        return step < 5 ? multiplied(step) : Answer{{1, whole(step) - 1, 3, 1}};
+      }));
 }
 
 void add_generators(std::vector<Scenario>& list) {
-  list.push_back({"generators-torus", "generators", "a torus, inside out; all generators every 500 steps",
-                  "squares a side", 100, 16, Construction{[](Size n) { return torus(small(n)); }, 500},
-                  always(torus_groups)});
-  list.push_back({"generators-menger", "generators", "Menger's sponge; all generators every 500 steps", "level", 3, 2,
-                  Construction{[](Size n) { return menger_sponge(static_cast<int>(n)); }, 500}, [](Size n) {
-                    return Answer{{1, menger_tunnels(static_cast<int>(n))}};
-                  }});
+  const Adder add(list, "generators", false);
+  const Make torus_of_squares = [](Size n) { return torus(small(n)); };
+  add("generators-torus", "a torus, inside out; all generators every 500 steps", {"squares a side", 100, 16},
+      torus_of_squares, always(torus_groups), counted(torus_of_squares), 500);
+  add(
+      "generators-menger", "Menger's sponge; all generators every 500 steps", {"level", 3, 2},
+      [](Size n) { return menger_sponge(static_cast<int>(n)); },
+      [](Size n) {
+        return Answer{{1, menger_tunnels(static_cast<int>(n))}};
+      },
+      nullptr, 500);
 }
 
 /// Small enough for methods that look at the whole object at every step.
 void add_comparisons(std::vector<Scenario>& list) {
-  const auto construction = [&](const char* name, const char* what, const char* size_name, Size size, Size quick,
-                                std::function<Operations(Size)> make, AnswerAt answer) {
-    list.push_back(
-        {name, "methods", what, size_name, size, quick, Construction{std::move(make)}, std::move(answer), "Z", true});
-  };
-  construction(
-      "methods-torus", "a torus of squares, breadth first", "squares a side", 12, 4,
+  const Adder add(list, "methods", true);
+  add(
+      "methods-torus", "a torus of squares, breadth first", {"squares a side", 12, 4},
       [](Size n) { return torus(small(n)); }, always(torus_groups));
-  construction(
-      "methods-klein-bottle", "a Klein bottle of triangles in random order", "squares of two triangles a side", 8, 3,
+  add(
+      "methods-klein-bottle", "a Klein bottle of triangles in random order", {"squares of two triangles a side", 8, 3},
       [](Size n) {
         return klein_bottle(small(n), {Order::random, 1});
       },
       always(klein_groups));
-  construction(
-      "methods-3-torus", "a 3-torus of tetrahedra, breadth first", "cubes of six tetrahedra a side", 3, 2,
+  add(
+      "methods-3-torus", "a 3-torus of tetrahedra, breadth first", {"cubes of six tetrahedra a side", 3, 2},
       [](Size n) { return freudenthal_torus(small(n)); }, always(solid_torus_groups));
-  construction(
-      "methods-menger", "Menger's sponge, cube by cube", "level", 1, 1,
+  add(
+      "methods-menger", "Menger's sponge, cube by cube", {"level", 1, 1},
       [](Size n) { return menger_sponge(static_cast<int>(n)); },
       [](Size n) {
         return Answer{{1, menger_tunnels(static_cast<int>(n))}};
       });
-  construction(
-      "methods-random-triangles", "all edges, then all triangles in random order", "vertices", 14, 7,
+  add(
+      "methods-random-triangles", "all edges, then all triangles in random order", {"vertices", 14, 7},
       [](Size n) { return random_triangles(small(n), SIZE_MAX, 1); },
       [](Size n) {
         return Answer{{1, 0, binomial(whole(n) - 1, 3)}};
@@ -318,6 +449,7 @@ const std::vector<Scenario>& scenarios() {
     add_surfaces(list);
     add_solids(list);
     add_repetitions(list);
+    add_sessions(list);
     add_other_constructions(list);
     add_generators(list);
     add_comparisons(list);

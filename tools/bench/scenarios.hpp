@@ -23,9 +23,14 @@ struct Answer {
   std::vector<std::vector<std::int64_t>> torsion = {};
 };
 
+/// The homology after step number `step`, counted from 0, where it is known. To be asked once for each, in order.
+using AnswerAfter = std::function<std::optional<Answer>(std::size_t step)>;
+
 /// Steps of construction. A method is asked for the homology after each, and for all generators every so many steps.
 struct Construction {
   std::function<std::vector<ops::Operation>(std::uint64_t size)> make;
+  /// What the homology is on the way, in closed form or from counting; null: that is not known.
+  std::function<AnswerAfter(std::uint64_t size)> follow = nullptr;
   std::uint64_t generators_every = 0;  ///< 0: never
 };
 /// Cells in order, for methods that compute persistence.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "sparse/contract.hpp"
 
@@ -21,6 +22,13 @@ double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return values.size() % 2 == 1 ? *middle : (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+Latency latency_of(std::span<double> values) {
+  sparse::expects(!values.empty(), "a latency is of some values");
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  return {sum / static_cast<double>(values.size()), percentile(values, 0.5), percentile(values, 0.99),
+          std::ranges::max(values)};
 }
 
 Spread spread_of(const std::vector<double>& values) {

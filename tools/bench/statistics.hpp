@@ -26,6 +26,15 @@ struct Spread {
 /// Requires: some values.
 [[nodiscard]] Spread spread_of(const std::vector<double>& values);
 
+/// How long each of many things took: what they cost together, what is usual, and the tail. Where most are quick and a
+/// few are slow, p50 hides what the mean shows.
+struct Latency {
+  double mean = 0, p50 = 0, p99 = 0, max = 0;
+  friend bool operator==(const Latency&, const Latency&) = default;
+};
+/// Requires: some values. Cost: linear; reorders the values.
+[[nodiscard]] Latency latency_of(std::span<double> values);
+
 struct Sighting {
   double x, y;
 };

@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <fstream>
-#include <numeric>
 
 #include "engine/cycle_tracker.hpp"
 #include "replay/tower_reader.hpp"
 #include "replay/tower_replay.hpp"
 #include "sparse/contract.hpp"
+#include "tools/bench/answer_check.hpp"
 #include "tools/bench/runs.hpp"
 
 namespace sesame::tools {
@@ -68,63 +69,10 @@ class LoadedOperations {
   std::vector<std::uint64_t> words_;
 };
 
-std::int64_t alternating_sum(std::span<const std::uint64_t> numbers) {
-  std::int64_t sum = 0;
-  for (std::size_t k = numbers.size(); k-- > 0;) {
-    sum = static_cast<std::int64_t>(numbers[k]) - sum;
+LoadedOperations operations_of(const Scenario& scenario, std::uint64_t size) {
+  if (const auto* filtration = std::get_if<CellFiltration>(&scenario.input)) {
+    return LoadedOperations(filtration->make(size));
   }
-  return sum;
-}
-
-/// What is wrong with the Betti numbers at the end, or an empty text.
-std::string wrong_answer(const engine::BarcodeTracker& tracker, const replay::TowerReplay& tower,
-                         const std::optional<Answer>& answer) {
-  const std::vector<std::uint64_t> betti = tracker.betti();
-  if (alternating_sum(betti) != alternating_sum(tower.cells())) {
-    return "the Euler characteristics of cells and of homology differ";
-  }
-  return answer ? difference({{betti.begin(), betti.end()}, {}, {}, {}}, *answer) : "";
-}
-
-Sample run_tracker(const Scenario& scenario, std::uint64_t size, const std::string& method,
-                   const LoadedOperations& operations, engine::Slots slots, const RunOptions& options) {
-  std::uint64_t bars = 0;
-  const auto count_bar = [&bars](const engine::Bar&) { ++bars; };
-  std::unique_ptr<engine::BarcodeTracker> tracker;
-  if (method == "cycles") {
-    tracker = engine::make_cycle_tracker(sparse::Z2{}, count_bar);
-  } else {
-    tracker = engine::make_barcode_tracker(sparse::Z2{}, count_bar, slots);
-  }
-  replay::TowerReplay tower({tracker.get()});
-  Sample sample = measure_steps(operations.size(), options, [&](std::size_t k) { return tower.apply(operations[k]); });
-  const engine::BarcodeTracker::Work work = tracker->work();
-  sample.counts = {{"terms_touched", work.terms_touched},
-                   {"terms_held", work.terms_held},
-                   {"classes_held", work.classes_held},
-                   {"bars", bars}};
-  if (sample.verdict == Verdict::right) {
-    sample.remark = wrong_answer(*tracker, tower, scenario.answer(size));
-    sample.verdict = sample.remark.empty() ? Verdict::right : Verdict::wrong;
-  }
-  return sample;
-}
-
-}  // namespace
-
-std::span<const std::string> tracker_methods() {
-  static const std::array<std::string, 2> names{"sesame", "cycles"};
-  return names;
-}
-
-Sample run_filtration(const Scenario& scenario, std::uint64_t size, const std::string& method,
-                      const RunOptions& options) {
-  const LoadedOperations operations(std::get<CellFiltration>(scenario.input).make(size));
-  const auto slots = method == "cycles" ? engine::Slots::by_dimension : engine::Slots::shared;
-  return run_tracker(scenario, size, method, operations, slots, options);
-}
-
-Sample run_tower(const Scenario& scenario, std::uint64_t size, const std::string& method, const RunOptions& options) {
   const ScratchDirectory directory;
   TowerOptions tower = std::get<RandomTower>(scenario.input).options;
   tower.operations = size;
@@ -134,8 +82,127 @@ Sample run_tower(const Scenario& scenario, std::uint64_t size, const std::string
   }
   const auto reader = replay::TowerReader::open(directory.path("tower"), replay::TowerFormat::tower);
   sparse::expects(reader.has_value(), "a tower that was written can be opened");
-  const LoadedOperations operations(**reader);
-  return run_tracker(scenario, size, method, operations, engine::Slots::by_dimension, options);
+  return LoadedOperations(**reader);
+}
+
+/// A tracker, and what it has reported.
+class Tracked {
+ public:
+  Tracked(const Tracked&) = delete;
+  Tracked& operator=(const Tracked&) = delete;
+  ~Tracked() = default;
+  Tracked(const Scenario& scenario, const std::string& method) {
+    const auto on_bar = [this](const engine::Bar& bar) { bars_.add(bar); };
+    const bool is_filtration = std::holds_alternative<CellFiltration>(scenario.input);
+    tracker_ = method == "cycles"
+                   ? engine::make_cycle_tracker(sparse::Z2{}, on_bar)
+                   : engine::make_barcode_tracker(sparse::Z2{}, on_bar,
+                                                  is_filtration ? engine::Slots::shared : engine::Slots::by_dimension);
+  }
+
+  [[nodiscard]] engine::BarcodeTracker* get() const { return tracker_.get(); }
+  [[nodiscard]] std::vector<std::uint64_t> betti() const { return tracker_->betti(); }
+  /// The bars that have ended.
+  [[nodiscard]] const BarSet& bars() const { return bars_; }
+  /// Those and the others.
+  [[nodiscard]] BarSet all_bars() const {
+    BarSet all = bars_;
+    for (const engine::Bar& bar : tracker_->open_bars()) {
+      all.add(bar);
+    }
+    return all;
+  }
+
+ private:
+  BarSet bars_;
+  std::unique_ptr<engine::BarcodeTracker> tracker_;
+};
+
+engine::Homology homology_of(const std::vector<std::uint64_t>& betti) {
+  return {{betti.begin(), betti.end()}, {}, {}, {}};
+}
+
+std::string wrong_euler(const Tracked& tracked, const replay::TowerReplay& tower) {
+  return alternating_sum(tracked.betti()) == alternating_sum(tower.cells())
+             ? ""
+             : "the Euler characteristics of cells and of homology differ";
+}
+
+/// What is wrong in the end, or an empty text.
+std::string wrong_end(const Tracked& tracked, const replay::TowerReplay& tower, const std::optional<Answer>& answer) {
+  const std::string wrong = wrong_euler(tracked, tower);
+  return wrong.empty() && answer ? difference(homology_of(tracked.betti()), *answer) : wrong;
+}
+
+}  // namespace
+
+void BarSet::add(const engine::Bar& bar) {
+  std::uint64_t mixed = static_cast<std::uint64_t>(bar.dimension);
+  for (const double time : {bar.birth, bar.death}) {
+    mixed = (mixed ^ std::bit_cast<std::uint64_t>(time)) * 0x9e3779b97f4a7c15;
+    mixed ^= mixed >> 29;
+  }
+  ++size;
+  digest += mixed * 0xbf58476d1ce4e5b9;
+}
+
+std::span<const std::string> tracker_methods() {
+  static const std::array<std::string, 2> names{"sesame", "cycles"};
+  return names;
+}
+
+Sample run_tracker(const Scenario& scenario, std::uint64_t size, const std::string& method, const RunOptions& options,
+                   StepTimes& times) {
+  const LoadedOperations operations = operations_of(scenario, size);
+  const Tracked tracked(scenario, method);
+  replay::TowerReplay tower({tracked.get()});
+  Sample sample =
+      measure_steps(operations.size(), options, times, [&](std::size_t k) { return tower.apply(operations[k]); });
+  const engine::BarcodeTracker::Work work = tracked.get()->work();
+  sample.counts = {{"terms_touched", work.terms_touched},
+                   {"terms_held", work.terms_held},
+                   {"classes_held", work.classes_held},
+                   {"bars", tracked.bars().size}};
+  if (sample.verdict == Verdict::right) {
+    sample.remark = wrong_end(tracked, tower, scenario.answer(size));
+    sample.verdict = sample.remark.empty() ? Verdict::right : Verdict::wrong;
+  }
+  return sample;
+}
+
+Sample check_tracker(const Scenario& scenario, std::uint64_t size, const std::string& method, std::uint64_t steps,
+                     double most_seconds, StepTimes& times) {
+  const LoadedOperations operations = operations_of(scenario, size);
+  const Tracked tracked(scenario, method), other(scenario, method == "cycles" ? "sesame" : "cycles");
+  replay::TowerReplay tower({tracked.get(), other.get()});
+  const auto checked_step = [&](std::size_t k) -> Status {
+    if (Status status = tower.apply(operations[k]); !status) {
+      return status;
+    }
+    std::string wrong = wrong_euler(tracked, tower);
+    if (wrong.empty() && tracked.betti() != other.betti()) {
+      wrong = "another tracker has other Betti numbers";
+    }
+    if (wrong.empty() && tracked.bars() != other.bars()) {
+      wrong = "another tracker has other bars";
+    }
+    return wrong.empty() ? Status{Done{}}
+                         : Error{Errc::expectation, "after operation " + std::to_string(k + 1) + ": " + wrong};
+  };
+  Sample sample = measure_steps(std::min<std::size_t>(steps, operations.size()), {most_seconds}, times, checked_step);
+  sample.checked = sample.steps;
+  return sample;
+}
+
+BarSet bars_of(const Scenario& scenario, std::uint64_t size) {
+  const LoadedOperations operations = operations_of(scenario, size);
+  const Tracked tracked(scenario, "sesame");
+  replay::TowerReplay tower({tracked.get()});
+  for (std::size_t k = 0; k < operations.size(); ++k) {
+    const Status status = tower.apply(operations[k]);
+    sparse::expects(status.has_value(), "a filtration that was made can be carried out");
+  }
+  return tracked.all_bars();
 }
 
 }  // namespace sesame::tools
