@@ -3,7 +3,6 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 
 #include "engine/live_equivalence.hpp"
@@ -57,6 +56,22 @@ void compare(const char* what, const std::optional<T>& expected, const T& found,
     differences += std::string{differences.empty() ? "" : "; "} + what + " should be " + to_text(*expected) +
                    " but is " + to_text(found);
   }
+}
+
+/// Adds up the terms of each cell, and drops what comes to nothing.
+void add_up(std::vector<CellChain::Term>& terms) {
+  std::sort(terms.begin(), terms.end(), [](const auto& a, const auto& b) { return a.cell < b.cell; });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < terms.size();) {
+    CellChain::Term sum = std::move(terms[i]);
+    for (++i; i < terms.size() && terms[i].cell == sum.cell; ++i) {
+      sum.coefficient += terms[i].coefficient;
+    }
+    if (!sum.coefficient.is_zero()) {
+      terms[kept++] = std::move(sum);
+    }
+  }
+  terms.resize(kept);
 }
 
 template <class From>
@@ -284,7 +299,6 @@ std::int64_t Engine::euler_characteristic() const {
 Result<CellChain> Engine::chain(const std::vector<std::pair<Integer, std::string>>& terms) const {
   CellChain chain;
   bool is_first = true;
-  std::map<ops::CellId, Integer> coefficients;
   for (const auto& [coefficient, name] : terms) {
     const Result<ops::CellId> node = planner_.resolve(name);
     if (!node) {
@@ -300,14 +314,10 @@ Result<CellChain> Engine::chain(const std::vector<std::pair<Integer, std::string
     }
     if (const auto [cell, sign] = structure_.find_oriented(*node); cell != ops::none) {  // a degenerate one counts as 0
       const bool agrees = sign * structure_.sign_of_name(name) * structure_.sign_of_name(cell) > 0;
-      coefficients[cell] += agrees ? coefficient : -coefficient;
+      chain.terms.push_back({agrees ? coefficient : -coefficient, cell});
     }
   }
-  for (auto& [cell, coefficient] : coefficients) {
-    if (!coefficient.is_zero()) {
-      chain.terms.push_back({std::move(coefficient), cell});
-    }
-  }
+  add_up(chain.terms);
   std::sort(chain.terms.begin(), chain.terms.end(), [this](const CellChain::Term& a, const CellChain::Term& b) {
     return structure_.is_older(structure_.oldest(a.cell), structure_.oldest(b.cell));
   });

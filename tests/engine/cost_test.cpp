@@ -1,4 +1,8 @@
 // What a step costs, in terms and entries: a matter of the step, not of the object or of the history.
+#include <algorithm>
+#include <numeric>
+#include <random>
+
 #include "tests/support/complexes.hpp"
 #include "tests/support/engines.hpp"
 
@@ -31,6 +35,26 @@ ops::MakeComplex torus_of_squares(int n) {
                                {at("u", i + 1, j), at("u", i, j), at("h", i, j + 1), at("h", i, j)},
                                {}});
     }
+  }
+  return complex;
+}
+
+/// A disc: n triangles around a point c, in a random order; its boundary consists of the edges e.
+ops::MakeComplex fan(int n) {
+  ops::MakeComplex complex{"F", {{"c", {}, {}, {}}}};
+  const auto at = [n](const char* kind, int i) { return kind + std::to_string((i + n) % n); };
+  std::vector<int> order(static_cast<std::size_t>(n));
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), std::mt19937{1});
+  for (const int i : order) {
+    complex.cells.push_back({at("v", i), {}, {}, {}});
+  }
+  for (const int i : order) {
+    complex.cells.push_back({at("e", i), {}, {at("v", i + 1), at("v", i)}, {}});
+    complex.cells.push_back({at("s", i), {}, {at("v", i), "c"}, {}});
+  }
+  for (const int i : order) {
+    complex.cells.push_back({at("t", i), {}, {at("e", i), at("s", i + 1), at("s", i)}, {}});
   }
   return complex;
 }
@@ -144,4 +168,25 @@ TEST_CASE("doing a step again after taking it back costs the same after any hist
   const std::uint64_t few = cost_of_redoing(20);
   CHECK(few > 0);
   CHECK(cost_of_redoing(2000) == few);
+}
+
+TEST_CASE("a class is found and bounded at a cost in proportion to the length of the chain", "[engine]") {
+  const std::string ring = GENERATE("Z", "Z/2", "Z/3");
+  const auto cost_of_class = [&](int n) {
+    Engine engine(ring_named(ring));
+    carry_out(engine, fan(n));
+    ops::AskClass question;
+    for (int i = 0; i < n; ++i) {
+      question.chain.push_back({1, "F.e" + std::to_string(i)});
+    }
+    const std::uint64_t before = total(engine.work());
+    const auto report = engine.apply(std::move(question));
+    REQUIRE(report);
+    REQUIRE(report->answer->bounds);
+    CHECK(report->answer->bounds->terms.size() == static_cast<std::size_t>(n));
+    return total(engine.work()) - before;
+  };
+  const std::uint64_t few = cost_of_class(1000);
+  CHECK(few >= 1000);
+  CHECK(cost_of_class(16'000) < 20 * few);
 }
