@@ -7,7 +7,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <unordered_set>
 
 #include "ops/operation.hpp"
 
@@ -85,13 +84,13 @@ std::string text(Fields& in, const std::string& field, const Json& value) {
   return value.get<std::string>();
 }
 
+constexpr std::uint64_t largest_word = std::numeric_limits<std::int64_t>::max();
+
 /// Integers beyond 64 bits are written as strings of digits.
 Integer integer(Fields& in, const std::string& field, const Json& value) {
   if (value.is_number_integer()) {
-    if (value.is_number_unsigned()) {
-      return *Integer::parse(std::to_string(value.get<std::uint64_t>()));
-    }
-    return value.get<std::int64_t>();
+    const bool is_beyond_words = value.is_number_unsigned() && value.get<std::uint64_t>() > largest_word;
+    return is_beyond_words ? *Integer::parse(std::to_string(value.get<std::uint64_t>())) : value.get<std::int64_t>();
   }
   if (value.is_string()) {
     if (auto parsed = Integer::parse(value.get<std::string>())) {
@@ -453,50 +452,84 @@ Header read_header(const Json& object) {
   return header;
 }
 
-/// Refuses a field that stands twice in one object: one of the two would be lost without a word. A pass of its own,
-/// because the parser's callbacks look through the whole list above each object that ends.
-class DoubledFields final : public nlohmann::json_sax<Json> {
+/// Builds the value that a line says, and refuses a field that stands twice in one object: one of the two would be lost
+/// without a word. Its cost is that of the text, n log n for an object with n fields.
+class LineParser final : public nlohmann::json_sax<Json> {
  public:
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return true; }
-  bool start_array(std::size_t) override { return true; }
-  bool end_array() override { return true; }
-  bool start_object(std::size_t) override {
-    if (++depth_ > fields_.size()) {
-      fields_.emplace_back();
-    }
-    fields_[depth_ - 1].clear();
-    return true;
+  /// Throws Wrong.
+  static Json parse(std::string_view line) {
+    LineParser parser;
+    Json::sax_parse(line, &parser);
+    return std::move(parser.root_);
   }
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add(value); }
+  bool number_float(number_float_t value, const string_t& /*text*/) override { return add(value); }
+  bool string(string_t& value) override { return add(std::move(value)); }
+  bool binary(binary_t& /*value*/) override { return false; }  // no text has one
+  bool start_array(std::size_t /*size*/) override { return open(Json::array()); }
+  bool end_array() override { return close(); }
+  bool start_object(std::size_t /*size*/) override { return open(Json::object()); }
   bool end_object() override {
-    --depth_;
-    return true;
+    refuse_doubled_fields(*open_.back()->get_ptr<const Json::object_t*>());
+    return close();
   }
   bool key(string_t& field) override {
-    if (!fields_[depth_ - 1].insert(field).second) {
-      throw Wrong{fmt::format("the field \"{}\" stands twice in one object", field)};
-    }
+    // Not by operator[], which would look through all the fields before it.
+    open_.back()->get_ptr<Json::object_t*>()->emplace_back(std::move(field), nullptr);
     return true;
   }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
-    return false;  // the parser proper says what is wrong
+  bool parse_error(std::size_t column, const std::string& /*token*/,
+                   const nlohmann::detail::exception& error) override {
+    // The only other complaint of the reader is about numbers beyond all machine numbers.
+    throw Wrong{dynamic_cast<const Json::parse_error*>(&error) != nullptr
+                    ? fmt::format("this is not a JSON object (at column {}): a line is one object, {{...}}", column)
+                    : "this object cannot be read: a number in it is out of range; write integers beyond 64 bits as "
+                      "strings"};
   }
 
  private:
-  std::vector<std::unordered_set<std::string>> fields_;  // per object that is open; kept for the next one
-  std::size_t depth_ = 0;
-};
+  /// Puts a value at the end of what is open.
+  Json& place(Json value) {
+    if (open_.empty()) {
+      return root_ = std::move(value);
+    }
+    if (auto* list = open_.back()->get_ptr<Json::array_t*>()) {
+      return list->emplace_back(std::move(value));
+    }
+    return open_.back()->get_ptr<Json::object_t*>()->back().second = std::move(value);
+  }
+  bool add(Json value) {
+    place(std::move(value));
+    return true;
+  }
+  bool open(Json value) {
+    open_.push_back(&place(std::move(value)));
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
 
-Json parse_object(std::string_view line) {
-  DoubledFields doubled;
-  Json::sax_parse(line, &doubled);
-  return Json::parse(line);
-}
+  void refuse_doubled_fields(const Json::object_t& object) {
+    fields_.clear();
+    for (const auto& [field, value] : object) {
+      fields_.push_back(field);
+    }
+    std::sort(fields_.begin(), fields_.end());
+    if (const auto twice = std::adjacent_find(fields_.begin(), fields_.end()); twice != fields_.end()) {
+      throw Wrong{fmt::format("the field \"{}\" stands twice in one object", *twice)};
+    }
+  }
+
+  Json root_;
+  std::vector<Json*> open_;               ///< each the last in the one before it, so that none moves while it is open
+  std::vector<std::string_view> fields_;  ///< of the object that ends; kept for the next one
+};
 
 template <class Read>
 auto parse_line(std::string_view line, Read read) -> Result<decltype(read(Json{}))> {
@@ -505,16 +538,7 @@ auto parse_line(std::string_view line, Read read) -> Result<decltype(read(Json{}
     return Error{Errc::bad_input, "a line should be one JSON object, {...}"};
   }
   try {
-    return read(parse_object(line));
-  } catch (const Json::parse_error& e) {
-    const auto column = e.byte;
-    return Error{Errc::bad_input,
-                 fmt::format("this is not a JSON object (at column {}): a line is one object, {{...}}", column)};
-  } catch (const Json::exception&) {
-    // The only other complaint of the reader is about numbers beyond all machine numbers.
-    return Error{
-        Errc::bad_input,
-        "this object cannot be read: a number in it is out of range; write integers beyond 64 bits as strings"};
+    return read(LineParser::parse(line));
   } catch (Wrong& wrong) {
     return Error{Errc::bad_input, std::move(wrong.what)};
   }
