@@ -6,11 +6,11 @@
 #pragma once
 
 #include <cstdint>
-#include <istream>
 #include <ostream>
 #include <string>
 
 #include "engine/barcode.hpp"
+#include "replay/byte_source.hpp"
 #include "replay/text_buffer.hpp"
 #include "sparse/result.hpp"
 
@@ -62,7 +62,7 @@ inline constexpr int largest_dimension_read = 1000;
 /// Reads lines `[[field] dimension] birth death`, as GUDHI writes them too: 2, 3 or 4 numbers, the same count and the
 /// same field on all lines; `inf`, `Inf`, `infinity` for the death of an essential class; comments after `#`; line ends
 /// \n or \r\n. Lines may stand in any order.
-/// Errors: `NAME:LINE: what, and what would be right` (bad_input); io when the stream breaks.
-[[nodiscard]] Result<PersFile> read_pers(std::istream& input, const std::string& name);
+/// Errors: `NAME:LINE: what, and what would be right` (bad_input); those of the source.
+[[nodiscard]] Result<PersFile> read_pers(ByteSource source);
 
 }  // namespace sesame::replay

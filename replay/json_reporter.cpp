@@ -82,6 +82,12 @@ class JsonReporter final : public Reporter {
     out_ << object.dump() << '\n' << std::flush;  // live: a program may be waiting for it
   }
 
+  void refused(const RefusedStep& refused) override {
+    const Json object{{"step", refused.step}, {"error", {{"line", refused.line}, {"what", refused.what}}}};
+    // What a script says may be no UTF-8.
+    out_ << object.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n' << std::flush;
+  }
+
   void summary(engine::Engine& engine, const Summary& summary) override {
     const engine::Homology homology = engine.homology();
     Json object{{"summary", true},

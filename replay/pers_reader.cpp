@@ -4,10 +4,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include "replay/barcode_files.hpp"
+#include "replay/line_source.hpp"
 #include "replay/line_words.hpp"
 
 namespace sesame::replay {
@@ -140,18 +142,15 @@ class PersReader {
 
 }  // namespace
 
-Result<PersFile> read_pers(std::istream& input, const std::string& name) {
-  PersReader reader(name);
-  std::string text;
-  for (std::uint64_t number = 1; std::getline(input, text); ++number) {
-    if (Status done = reader.line(number == 1 ? without_mark(text) : text, number); !done) {
-      return done.error();
-    }
+Result<PersFile> read_pers(ByteSource source) {
+  PersReader reader(source.name());
+  LineSource lines(std::move(source));
+  while (true) {
+    const Result<std::optional<std::string_view>> text = lines.next();
+    if (!text) return text.error();
+    if (!*text) return std::move(reader).finished();
+    if (Status done = reader.line(**text, lines.line()); !done) return done.error();
   }
-  if (input.bad()) {
-    return Error{Errc::io, "cannot read " + name};
-  }
-  return std::move(reader).finished();
 }
 
 }  // namespace sesame::replay

@@ -1,6 +1,8 @@
 #include "replay/replay.hpp"
 
 #include <chrono>
+#include <new>
+#include <utility>
 
 namespace sesame::replay {
 namespace {
@@ -8,7 +10,18 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 Outcome outcome_of(Errc code) {
-  return code == Errc::expectation ? Outcome::expectation_failed : Outcome::wrong_script;
+  switch (code) {
+    case Errc::io:
+      return Outcome::wrong_usage;
+    case Errc::expectation:
+      return Outcome::expectation_failed;
+    default:
+      return Outcome::wrong_script;
+  }
+}
+
+std::uint32_t characteristic(const sparse::AnyRing& ring) {
+  return std::visit([](const auto& k) { return k.characteristic(); }, ring);
 }
 
 /// One replay: the engine with the means to report on it.
@@ -24,33 +37,41 @@ class Run {
       return Outcome::interrupted;  // before there was anything to summarise
     }
     if (!header) {
-      return fail(header.error().what, Outcome::wrong_script);
+      return fail(header.error().what, outcome_of(header.error().code));
     }
-    const Result<sparse::AnyRing> ring = options_.ring ? *options_.ring : sparse::parse_ring(header->ring);
+    const Result<sparse::AnyRing> own_ring = sparse::parse_ring(header->ring);
+    const Result<sparse::AnyRing> ring = options_.ring ? *options_.ring : own_ring;
     if (!ring) {
       return fail(script_.place() + ring.error().what, Outcome::wrong_script);
     }
-    is_ring_of_header_ = sparse::ring_name(*ring) == header->ring;
+    header_ring_ = header->ring;
+    expects_torsion_ = own_ring && *own_ring == *ring;
+    expects_betti_ = own_ring && characteristic(*own_ring) == characteristic(*ring);
     engine::Engine engine(*ring, options_.limits);
     Outcome outcome = options_.older_steps != nullptr ? take_older_steps(engine) : begin_log(*header, *ring);
     if (outcome == Outcome::done) {
       outcome = all_steps(engine);
     }
-    if (outcome == Outcome::done && is_stopped()) {
+    if (outcome == refused_ && is_stopped()) {
       outcome = Outcome::interrupted;
     }
     const bool is_summarised = outcome == Outcome::done || outcome == Outcome::interrupted ||
-                               (options_.partial && outcome != Outcome::law_failed);
+                               (options_.partial && outcome != Outcome::law_failed) ||
+                               (options_.keep_going && outcome == refused_);
     if (!is_summarised) {
       return outcome;
     }
-    if (progress_ != nullptr) {
-      progress_->clear();
-    }
+    clear_progress();
     if (reporter_ != nullptr) {
       const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
       reporter_->summary(engine, {steps_, seconds, options_.generators, outcome == Outcome::interrupted});
     }
+    return outcome;
+  }
+
+  Outcome fail(const std::string& what, Outcome outcome) {
+    clear_progress();
+    errors_ << what << '\n';
     return outcome;
   }
 
@@ -74,7 +95,7 @@ class Run {
     ScriptReader& older = *options_.older_steps;
     const Result<ops::Header> header = older.header();
     if (!header) {
-      return fail(header.error().what, Outcome::wrong_script);
+      return fail(header.error().what, outcome_of(header.error().code));
     }
     const std::string ring = sparse::ring_name(engine.ring());
     if (header->ring != ring) {
@@ -104,32 +125,25 @@ class Run {
   Outcome all_steps(engine::Engine& engine) {
     while (!is_stopped() && (!options_.until || steps_ - older_ < *options_.until)) {
       Result<std::optional<ops::Operation>> operation = script_.next();
-      if (!operation && is_stopped()) {
-        break;  // what was cut off is no line of the script
+      if (operation ? !*operation : is_stopped()) {
+        break;  // at the end; what a stop cut off is no line of the script
       }
-      if (!operation) {
-        return fail(operation.error().what, outcome_of(operation.error().code));
-      }
-      if (!*operation) {
-        break;
-      }
-      if (const Outcome outcome = step(engine, std::move(**operation)); outcome != Outcome::done) {
+      const Outcome outcome = operation ? step(engine, std::move(**operation)) : refuse(operation.error());
+      if (outcome != Outcome::done) {
         return outcome;
       }
     }
-    return Outcome::done;
+    return refused_;
   }
 
   Outcome step(engine::Engine& engine, ops::Operation operation) {
     const auto start = Clock::now();
-    if (auto* expected = std::get_if<ops::Expect>(&operation);
-        expected != nullptr && !is_ring_of_header_ && !options_.checks_groups_over_other_rings) {
-      expected->betti.reset();
-      expected->torsion.reset();
+    if (auto* expected = std::get_if<ops::Expect>(&operation)) {
+      leave_out_other_groups(*expected);
     }
     const Result<engine::StepReport> report = engine.apply(std::move(operation));
     if (!report) {
-      return fail(script_.place() + report.error().what, outcome_of(report.error().code));
+      return refuse({report.error().code, script_.place() + report.error().what});
     }
     if (options_.needs_barcode && may_end_barcode(*report)) {
       if (const Result<engine::Barcode> barcode = engine.barcode(); !barcode) {
@@ -147,9 +161,7 @@ class Run {
       ++reported_;
       const engine::Homology homology = engine.homology();
       const double microseconds = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-      if (progress_ != nullptr) {
-        progress_->clear();
-      }
+      clear_progress();
       reporter_->step(engine, {*report, homology, microseconds});
     }
     if (options_.verify) {
@@ -170,12 +182,43 @@ class Run {
     return report.after.copies > report.before.copies || report.after.families > report.before.families;
   }
 
-  Outcome fail(const std::string& what, Outcome outcome) {
+  /// Drops from an expectation what holds over another ring only. Betti numbers are those of the characteristic.
+  void leave_out_other_groups(ops::Expect& expected) {
+    const bool drops = (expected.betti && !expects_betti_) || (expected.torsion && !expects_torsion_);
+    if (!expects_betti_) {
+      expected.betti.reset();
+    }
+    if (!expects_torsion_) {
+      expected.torsion.reset();
+    }
+    if (drops && options_.notes != nullptr && !std::exchange(is_noted_, true)) {
+      clear_progress();
+      *options_.notes << script_.place() << "note: this script expects groups over its own ring, " << header_ring_
+                      << "; over another one they are not checked\n";
+    }
+  }
+
+  /// Of a step that did not happen: whether the replay goes on all the same. The error has its place.
+  Outcome refuse(const Error& error) {
+    const Outcome outcome = fail(error.what, outcome_of(error.code));
+    if (!options_.keep_going || error.code == Errc::io) {
+      return outcome;
+    }
+    if (reporter_ != nullptr) {
+      const std::string place = script_.place();
+      const bool has_place = error.what.starts_with(place);
+      reporter_->refused({steps_ + 1, script_.line(), error.what.substr(has_place ? place.size() : 0)});
+    }
+    if (refused_ != Outcome::wrong_script) {
+      refused_ = outcome;
+    }
+    return Outcome::done;
+  }
+
+  void clear_progress() {
     if (progress_ != nullptr) {
       progress_->clear();
     }
-    errors_ << what << '\n';
-    return outcome;
   }
 
   ScriptReader& script_;
@@ -183,7 +226,10 @@ class Run {
   Reporter* reporter_;
   std::ostream& errors_;
   Progress* progress_;
-  bool is_ring_of_header_ = true;
+  std::string header_ring_;
+  bool expects_betti_ = true, expects_torsion_ = true;  ///< whether those of the header's ring are those of this one
+  bool is_noted_ = false;
+  Outcome refused_ = Outcome::done;  ///< the worst of the steps that were refused and passed over
   std::uint64_t steps_ = 0;
   std::uint64_t older_ = 0;  ///< of these, from the log that is gone on from
   std::uint64_t reported_ = 0;
@@ -193,7 +239,12 @@ class Run {
 
 Outcome replay(ScriptReader& script, const ReplayOptions& options, Reporter* reporter, std::ostream& errors,
                Progress* progress) {
-  return Run(script, options, reporter, errors, progress).run();
+  Run run(script, options, reporter, errors, progress);
+  try {
+    return run.run();
+  } catch (const std::bad_alloc&) {
+    return run.fail(script.place() + "out of memory; every step before this line has happened", Outcome::wrong_usage);
+  }
 }
 
 }  // namespace sesame::replay

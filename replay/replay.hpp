@@ -33,9 +33,8 @@ struct ReplayOptions {
   std::optional<std::uint64_t> report_at_most;  ///< then report as with every = 0
   bool verify = false;
   bool generators = false;
-  /// false: under a ring other than the header's, the Betti numbers and torsion of an `expect` are not checked, since
-  /// they are those of the header's ring. Cells and Euler characteristic are.
-  bool checks_groups_over_other_rings = true;
+  /// A step that is refused, or an `expect` that fails, is reported, and the replay goes on behind it.
+  bool keep_going = false;
   /// A step without which there would be a barcode is an error of the script; see Engine::barcode.
   bool needs_barcode = false;
   bool partial = false;  ///< after an error of the script or a failed `expect`, summarise what was before it
@@ -47,10 +46,14 @@ struct ReplayOptions {
   /// The log as it is so far, to be gone on from: its steps come first, neither reported nor verified, counted by
   /// `until` or written again, and its header is that of both. It has to be over the ring of the replay.
   ScriptReader* older_steps = nullptr;
+  std::ostream* notes = nullptr;  ///< what is worth to know and no error, one line each
 };
 
 /// Replays a script into a fresh engine. Reports go to `reporter` (null: none), errors to `errors` (one line each),
 /// progress to `progress` (null: none).
+///
+/// Over another ring than the header's, the Betti numbers and torsion of an `expect`, which are those over the
+/// header's, are not checked, as a line in `notes` says; cells and Euler characteristic are.
 Outcome replay(ScriptReader& script, const ReplayOptions& options, Reporter* reporter, std::ostream& errors,
                Progress* progress);
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <ostream>
+#include <string>
 
 #include "engine/engine.hpp"
 
@@ -15,6 +16,13 @@ struct ReportedStep {
   const engine::StepReport& step;
   const engine::Homology& homology;
   double microseconds;  ///< of the step and of its Betti numbers and torsion
+};
+
+/// A step that did not happen.
+struct RefusedStep {
+  std::uint64_t step;  ///< the number that it would have had
+  std::uint64_t line;  ///< of the script, counted from 1
+  std::string what;
 };
 
 /// The end of a replay.
@@ -33,6 +41,8 @@ class Reporter {
   virtual ~Reporter() = default;
 
   virtual void step(engine::Engine& engine, const ReportedStep& reported) = 0;
+  /// Of a replay that keeps going; the error itself is told elsewhere too.
+  virtual void refused(const RefusedStep& /*refused*/) {}
   virtual void summary(engine::Engine& engine, const Summary& summary) = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "replay/input_kind.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::replay {
@@ -38,47 +39,41 @@ Result<bool> wait_for(ByteSource& source, std::size_t bytes) {
   return true;
 }
 
-/// Where the line that begins there ends in the window: at a line feed, or where the input ends.
-Result<std::size_t> find_line_end(ByteSource& source, std::size_t begin) {
-  for (std::size_t searched = begin;;) {
-    const std::size_t end = source.window().find('\n', searched);
-    if (end != std::string_view::npos) return end;
-    searched = source.window().size();
-    const Result<bool> got = source.more();
-    if (!got) return got.error();
-    if (!*got) return searched;
-  }
-}
-
 }  // namespace
 
 Result<std::unique_ptr<TowerReader>> TowerReader::open(const std::string& path, TowerFormat format,
-                                                       const std::atomic<bool>* stop) {
-  Result<ByteSource> source = ByteSource::open(path, stop);
+                                                       const std::atomic<bool>* stop, std::size_t longest) {
+  Result<ByteSource> source = ByteSource::open(path, {stop});
   if (!source) return source.error();
+  return from(std::move(*source), format, longest);
+}
+
+Result<std::unique_ptr<TowerReader>> TowerReader::from(ByteSource source, TowerFormat format, std::size_t longest) {
   if (format == TowerFormat::automatic) {
-    const Result<TowerFormat> found = detect(*source);
+    const Result<TowerFormat> found = detect(source, longest);
     if (!found) return found.error();
     format = *found;
   }
-  return std::unique_ptr<TowerReader>(new TowerReader(std::move(*source), format, stop));
+  return std::unique_ptr<TowerReader>(new TowerReader(std::move(source), format, longest));
 }
 
 /// Consumes nothing, so that lines can be counted from the first.
-Result<TowerFormat> TowerReader::detect(ByteSource& source) {
+Result<TowerFormat> TowerReader::detect(ByteSource& source, std::size_t longest) {
   if (Result<bool> got = wait_for(source, word_size); !got) return got.error();
   if (source.window().substr(0, word_size).find('\0') != std::string_view::npos) return TowerFormat::phat_binary;
-  for (std::size_t begin = 0, line = 1;; ++line) {
-    const Result<std::size_t> end = find_line_end(source, begin);
+  std::size_t begin = 0;
+  for (std::uint64_t line = 1;; ++line) {
+    const Result<std::size_t> end = find_line_end(source, begin, line, longest);
     if (!end) return end.error();
     const std::string_view text = source.window().substr(begin, *end - begin);
     const LineWords words(line == 1 ? without_mark(text) : text);
     if (!words.is_done()) {
       if (const std::optional<TowerFormat> format = format_of(words)) return *format;
-      return Error{Errc::bad_input,
-                   fmt::format("{}:{}: {} starts no format that is known: a tower starts with i, c or a time, a PHAT "
-                               "matrix with one number, a GUDHI list with `0 vertex value`",
-                               source.name(), line, shown(words.word()))};
+      return Error{
+          Errc::bad_input,
+          fmt::format("{}:{}: {} starts no format that is known: a tower starts with i, c or a time, a PHAT "
+                      "matrix with one number, a GUDHI list with `0 vertex value`{}",
+                      source.name(), line, shown(words.word()), advice_on(text, source.name(), "sesame tower"))};
     }
     if (*end == source.window().size()) return TowerFormat::tower;
     begin = *end + 1;
@@ -90,10 +85,10 @@ std::string TowerReader::place() const {
                                              : fmt::format("{}:{}: ", source_.name(), line_);
 }
 
-std::unique_ptr<SourceStream> TowerReader::take_script() {
+ScriptReader TowerReader::take_script() {
   sparse::expects(format_ == TowerFormat::script && !is_done_, "a script is taken once, and from an input that is one");
   is_done_ = true;
-  return std::make_unique<SourceStream>(std::move(source_));
+  return ScriptReader(std::move(source_), longest_);
 }
 
 Result<bool> TowerReader::next(TowerOperation& into) {
@@ -128,7 +123,7 @@ Result<bool> TowerReader::read_operation(TowerOperation& into) {
 // ------------------------------------------------------------------------------------------------------------- lines
 
 Result<bool> TowerReader::read_line() {
-  const Result<std::size_t> end = find_line_end(source_, 0);
+  const Result<std::size_t> end = find_line_end(source_, 0, line_ + 1, longest_);
   if (!end) return end.error();
   const std::size_t size = source_.window().size();
   if (*end == size && (size == 0 || is_stopped())) return false;  // a line that was still being written is none

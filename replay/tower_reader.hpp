@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "replay/byte_source.hpp"
+#include "replay/line_source.hpp"
 #include "replay/line_words.hpp"
+#include "replay/script.hpp"
 #include "sparse/result.hpp"
 
 namespace sesame::replay {
@@ -61,8 +63,13 @@ class TowerReader {
  public:
   /// `path` may be "-": standard input. When `stop` is there and set, the input ends (see ByteSource).
   /// Errors: io when the input cannot be read; bad_input when an automatic format is none of those above.
+  /// In texts, a line may have that many bytes.
   static Result<std::unique_ptr<TowerReader>> open(const std::string& path, TowerFormat format = TowerFormat::automatic,
-                                                   const std::atomic<bool>* stop = nullptr);
+                                                   const std::atomic<bool>* stop = nullptr,
+                                                   std::size_t longest = longest_line);
+  /// The same for a source that is open.
+  static Result<std::unique_ptr<TowerReader>> from(ByteSource source, TowerFormat format = TowerFormat::automatic,
+                                                   std::size_t longest = longest_line);
 
   /// The next operation; false at the end, and always after an error. Requires a format other than script.
   /// Errors: bad_input, io.
@@ -79,14 +86,14 @@ class TowerReader {
   /// How many operations have been read.
   [[nodiscard]] std::uint64_t operations() const { return operations_; }
 
-  /// The whole input, for a ScriptReader. Requires the format script, and leaves nothing to this reader.
-  std::unique_ptr<SourceStream> take_script();
+  /// The whole input, as a script. Requires the format script, and leaves nothing to this reader.
+  ScriptReader take_script();
 
  private:
-  TowerReader(ByteSource source, TowerFormat format, const std::atomic<bool>* stop)
-      : source_{std::move(source)}, format_{format}, stop_{stop} {}
+  TowerReader(ByteSource source, TowerFormat format, std::size_t longest)
+      : source_{std::move(source)}, format_{format}, longest_{longest} {}
 
-  static Result<TowerFormat> detect(ByteSource& source);
+  static Result<TowerFormat> detect(ByteSource& source, std::size_t longest);
   Result<bool> read_operation(TowerOperation& into);
   Result<bool> read_tower_line(TowerOperation& into);
   Result<bool> read_phat_line(TowerOperation& into);
@@ -103,12 +110,12 @@ class TowerReader {
   Status read_time(LineWords& words, const char* what);
   Status read_optional_time(LineWords& words);
   Status check_rows(std::span<const std::uint64_t>& rows);
-  [[nodiscard]] bool is_stopped() const { return stop_ != nullptr && stop_->load(); }
+  [[nodiscard]] bool is_stopped() const { return source_.is_stopped(); }
   [[nodiscard]] Error error(const std::string& what) const { return {Errc::bad_input, place() + what}; }
 
   ByteSource source_;
   TowerFormat format_;
-  const std::atomic<bool>* stop_;
+  std::size_t longest_;                ///< that a line may be
   std::string_view text_;              ///< the line read last, in the window of the source
   std::vector<std::uint64_t> labels_;  ///< of the last operation, unless they are used where they lie
   std::uint64_t line_ = 0;             ///< see line()

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -56,13 +55,11 @@ int fail(const std::string& what, Outcome outcome) {
 }
 
 Result<PersFile> read_file(const std::string& name) {
-  std::ifstream file(name);
-  // A directory opens but cannot be read.
-  if (!file || (file.peek() == std::char_traits<char>::eof() && file.bad())) {
-    return Error{Errc::io, "sesame distance: cannot read " + name};
+  Result<replay::ByteSource> source = replay::ByteSource::open(name);
+  if (!source) {
+    return source.error();
   }
-  file.clear();
-  return replay::read_pers(file, name);
+  return replay::read_pers(std::move(*source));
 }
 
 std::vector<Bar> bars_of(const PersFile& file, int dimension) {
@@ -192,6 +189,9 @@ int run_distance(const Arguments& arguments) {
         "sesame distance: --internal-p 2 needs --wasserstein: the bottleneck distance is that of the maximum metric",
         Outcome::wrong_usage);
   }
+  if (arguments.left == "-" && arguments.right == "-") {
+    return fail("sesame distance: standard input can be one of the two barcodes, not both", Outcome::wrong_usage);
+  }
   std::vector<PersFile> files;
   for (const std::string& name : {arguments.left, arguments.right}) {
     Result<PersFile> file = read_file(name);
@@ -233,7 +233,10 @@ CLI::Validator exponent() {
 void add_distance_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("distance", "How far two barcodes are apart: bottleneck or Wasserstein");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("A", arguments->left, "A .pers file: lines [[field] dimension] birth death")->required();
+  command
+      ->add_option("A", arguments->left,
+                   "A .pers file, gzip or not: lines [[field] dimension] birth death; - for standard input")
+      ->required();
   command->add_option("B", arguments->right, "Another one")->required();
   arguments->wasserstein =
       command

@@ -1,12 +1,13 @@
 // sesame: the program. Results go to standard output, messages and progress to standard error.
+#include <fcntl.h>
+#include <gmp.h>
 #include <spdlog/cfg/env.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
-
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -46,6 +47,35 @@ void add_help_command(CLI::App& app, int& status) {
       return;
     }
     std::cout << found.front()->help(app.get_name());
+  });
+}
+
+[[noreturn]] void end_for_want_of_memory() {
+  std::cerr << "sesame: out of memory\n";
+  std::_Exit(static_cast<int>(Outcome::wrong_usage));
+}
+
+void* checked(void* memory) { return memory != nullptr ? memory : (end_for_want_of_memory(), nullptr); }
+
+std::terminate_handler default_end = nullptr;
+
+/// Where no exception can pass: in GMP, which would abort without a word of ours, and in destructors that allocate, as
+/// those of nlohmann::json do. What was written stays: logs are flushed step by step.
+void expect_memory_to_run_out_anywhere() {
+  mp_set_memory_functions(
+      [](std::size_t size) { return checked(std::malloc(size)); },
+      [](void* memory, std::size_t /*old*/, std::size_t size) { return checked(std::realloc(memory, size)); },
+      [](void* memory, std::size_t /*size*/) { std::free(memory); });
+  default_end = std::set_terminate([] {
+    try {
+      if (const std::exception_ptr error = std::current_exception()) {
+        std::rethrow_exception(error);
+      }
+    } catch (const std::bad_alloc&) {
+      end_for_want_of_memory();
+    } catch (...) {
+    }
+    default_end();
   });
 }
 
@@ -111,12 +141,13 @@ int main(int argc, char** argv) {
   keep_numbers_of_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow any more is an error of writing like any other
   std::ios::sync_with_stdio(false);
+  expect_memory_to_run_out_anywhere();
   try {
     spdlog::set_default_logger(spdlog::stderr_color_st("sesame"));
     spdlog::cfg::load_env_levels();
     return after_output(run(argc, argv));
   } catch (const std::bad_alloc&) {
-    std::cerr << "sesame: out of memory\n";
+    end_for_want_of_memory();
   } catch (const std::exception& e) {
     std::cerr << "sesame: internal error: " << e.what() << '\n';
   }

@@ -1,14 +1,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <chrono>
-#include <fstream>
+#include <filesystem>
 #include <iostream>
 #include <memory>
-#include <streambuf>
-#include <thread>
-#include <vector>
+#include <span>
 
 #include "replay/replay.hpp"
 #include "tools/commands.hpp"
@@ -21,25 +17,23 @@ namespace {
 
 using replay::Outcome;
 
-/// Standard input that ends at Ctrl-C; std::cin would go on waiting.
-class StandardInput final : public std::streambuf {
+/// What somebody types at a terminal, who is asked for it.
+class PromptedInput final : public replay::ByteInput {
  public:
-  [[nodiscard]] bool is_unreadable() const { return is_unreadable_; }
+  explicit PromptedInput(std::unique_ptr<replay::ByteInput> input) : input_{std::move(input)} {}
 
- protected:
-  int_type underflow() override {
-    const ssize_t got = stop_requested().load() ? 0 : ::read(STDIN_FILENO, buffer_.data(), buffer_.size());
-    is_unreadable_ = is_unreadable_ || (got < 0 && errno != EINTR);
-    if (got <= 0) {
-      return traits_type::eof();
+  Result<std::size_t> read(std::span<char> to) override {
+    std::cerr << "sesame> " << std::flush;
+    Result<std::size_t> got = input_->read(to);
+    if (!got || *got == 0) {
+      std::cerr << '\n';
     }
-    setg(buffer_.data(), buffer_.data(), buffer_.data() + got);
-    return traits_type::to_int_type(*gptr());
+    return got;
   }
+  [[nodiscard]] bool is_stopped() const override { return input_->is_stopped(); }
 
  private:
-  bool is_unreadable_ = false;
-  std::vector<char> buffer_ = std::vector<char>(1 << 16);
+  std::unique_ptr<replay::ByteInput> input_;
 };
 
 struct Arguments {
@@ -47,6 +41,7 @@ struct Arguments {
   std::string ring;
   std::uint64_t until = 0;
   std::uint64_t every = 0;
+  std::size_t longest_line = replay::longest_line;
   std::int64_t explicit_cones = ops::Limits{}.cells_of_explicit_cone;
   std::string log;
   LogFile::Old old_log = LogFile::Old::is_refused;
@@ -54,6 +49,7 @@ struct Arguments {
   bool generators = false;
   bool verify = false;
   bool follow = false;
+  bool keep_going = false;
   bool quiet = false;
 };
 
@@ -64,29 +60,48 @@ int wrong_usage(const std::string& what) {
   return static_cast<int>(Outcome::wrong_usage);
 }
 
-/// The number of operations of a file, when it can be counted before it is read.
-std::optional<std::uint64_t> operations_of(const Arguments& arguments) {
-  if (arguments.file == "-" || arguments.follow) {
-    return std::nullopt;
-  }
-  std::ifstream file(arguments.file);
-  if (!file) {
-    return std::nullopt;
-  }
-  const std::uint64_t operations = replay::count_operations(file);
-  return arguments.until > 0 ? std::min(operations, arguments.until) : operations;
+bool is_prompted(const Arguments& arguments) {
+  return arguments.file == "-" && !arguments.quiet && isatty(STDIN_FILENO) == 1;
 }
 
-/// Waits for a followed file to grow, until Ctrl-C.
-bool wait_for_growth() {
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  return !stop_requested().load();
+/// The number of operations of a file that can be read twice; of many, no more are counted than it takes to know that.
+std::optional<std::uint64_t> operations_of(const Arguments& arguments, bool shows_progress) {
+  std::error_code unknown;
+  if (arguments.follow || !std::filesystem::is_regular_file(arguments.file, unknown)) {
+    return std::nullopt;
+  }
+  Result<replay::ByteSource> source = replay::ByteSource::open(arguments.file, {&stop_requested()});
+  if (!source) {
+    return std::nullopt;
+  }
+  const Result<std::uint64_t> operations =
+      shows_progress ? replay::count_operations(std::move(*source))
+                     : replay::count_operations(std::move(*source), most_steps_reported_by_default + 1);
+  if (!operations) {
+    return std::nullopt;  // what is wrong, the replay will tell
+  }
+  return arguments.until > 0 ? std::min(*operations, arguments.until) : *operations;
+}
+
+Result<replay::ByteSource> open_script(const Arguments& arguments) {
+  const replay::InputOptions options{&stop_requested(), arguments.follow};
+  if (!is_prompted(arguments)) {
+    return replay::ByteSource::open(arguments.file, options);
+  }
+  Result<std::unique_ptr<replay::ByteInput>> input = replay::open_input("-", "standard input", options);
+  if (!input) {
+    return input.error();
+  }
+  return replay::ByteSource::from(std::make_unique<PromptedInput>(std::move(*input)), "standard input");
 }
 
 /// The exit status, that of the outcome unless the log could not be kept.
-int close_log(LogFile* log, const std::string& path, Outcome outcome) {
+int close_log(LogFile* log, const std::string& path, Outcome outcome, bool keeps_going) {
   if (log != nullptr) {
-    const bool is_whole = outcome == Outcome::done || outcome == Outcome::interrupted;
+    // A script without a header has no log, and no end to come to.
+    const bool passed_over = keeps_going && !log->part().empty() &&
+                             (outcome == Outcome::wrong_script || outcome == Outcome::expectation_failed);
+    const bool is_whole = outcome == Outcome::done || outcome == Outcome::interrupted || passed_over;
     if (const Status closed = log->close(is_whole); !closed) {
       return wrong_usage(closed.error().what);
     }
@@ -106,17 +121,19 @@ int run_replay(const Arguments& arguments) {
     }
     options.ring = *ring;
   }
-  std::ifstream file;
-  if (arguments.file != "-") {
-    file.open(arguments.file);
-    // A directory opens but cannot be read.
-    if (!file || (file.peek() == std::char_traits<char>::eof() && file.bad())) {
-      return wrong_usage("cannot read " + arguments.file);
-    }
-    file.clear();
+  catch_interrupt();
+  Result<replay::ByteSource> source = open_script(arguments);
+  if (!source && stop_requested().load()) {
+    return static_cast<int>(Outcome::interrupted);
+  }
+  if (!source && source.error().code == Errc::io) {
+    return wrong_usage(source.error().what);
+  }
+  if (!source) {
+    std::cerr << source.error().what << '\n';
+    return static_cast<int>(Outcome::wrong_script);
   }
   std::unique_ptr<LogFile> log;
-  std::ifstream older_log;
   std::optional<replay::ScriptReader> older_steps;
   if (!arguments.log.empty()) {
     Result<std::unique_ptr<LogFile>> opened = LogFile::open(arguments.log, arguments.old_log, {arguments.file});
@@ -126,11 +143,15 @@ int run_replay(const Arguments& arguments) {
     log = std::move(*opened);
     options.log = &log->stream();
     if (log->goes_on()) {
-      older_log.open(arguments.log);
-      options.older_steps = &older_steps.emplace(older_log, arguments.log);
+      Result<replay::ByteSource> older = replay::ByteSource::open(arguments.log, {&stop_requested()});
+      if (!older) {
+        return wrong_usage(older.error().what);
+      }
+      options.older_steps = &older_steps.emplace(std::move(*older), arguments.longest_line);
     }
   }
-  const std::optional<std::uint64_t> operations = operations_of(arguments);
+  const bool shows_progress = !arguments.quiet && isatty(STDERR_FILENO) == 1 && !is_prompted(arguments);
+  const std::optional<std::uint64_t> operations = operations_of(arguments, shows_progress);
   const std::uint64_t shown = operations.value_or(most_steps_reported_by_default);
   if (arguments.every > 0) {
     options.every = arguments.every;
@@ -147,7 +168,8 @@ int run_replay(const Arguments& arguments) {
   options.limits.cells_of_explicit_cone = arguments.explicit_cones;
   options.generators = arguments.generators;
   options.stop = &stop_requested();
-  catch_interrupt();
+  options.keep_going = arguments.keep_going || is_prompted(arguments);
+  options.notes = arguments.quiet ? nullptr : &std::cerr;
 
   std::unique_ptr<replay::Reporter> reporter;
   if (arguments.json) {
@@ -156,19 +178,12 @@ int run_replay(const Arguments& arguments) {
     reporter = replay::table_reporter(std::cout, isatty(STDOUT_FILENO) == 1);
   }
   std::unique_ptr<replay::Progress> progress;
-  if (!arguments.quiet && isatty(STDERR_FILENO) == 1) {
+  if (shows_progress) {
     progress = std::make_unique<replay::Progress>(std::cerr, operations);
   }
-  StandardInput standard_input;
-  std::istream standard_stream(&standard_input);
-  replay::ScriptReader script(arguments.file == "-" ? standard_stream : file,
-                              arguments.file == "-" ? "standard input" : arguments.file,
-                              arguments.follow ? wait_for_growth : std::function<bool()>{});
-  Outcome outcome = replay::replay(script, options, reporter.get(), std::cerr, progress.get());
-  if (standard_input.is_unreadable()) {
-    outcome = static_cast<Outcome>(wrong_usage("cannot read standard input"));
-  }
-  return close_log(log.get(), arguments.log, outcome);
+  replay::ScriptReader script(std::move(*source), arguments.longest_line);
+  const Outcome outcome = replay::replay(script, options, reporter.get(), std::cerr, progress.get());
+  return close_log(log.get(), arguments.log, outcome, options.keep_going);
 }
 
 }  // namespace
@@ -199,6 +214,11 @@ void add_replay_command(CLI::App& app, int& status) {
   CLI::Option* append = old_log("--append", LogFile::Old::goes_on,
                                 "If there is a log, take its steps first, then those of FILE, and add these to it");
   old_log("--overwrite", LogFile::Old::is_replaced, "If there is a log, replace it at the end")->excludes(append);
+  command->add_flag("--keep-going", arguments->keep_going,
+                    "After a step that is refused go on with the next one; exit status 2 at the end");
+  command->add_option("--max-line", arguments->longest_line, "Refuse lines of more bytes")
+      ->capture_default_str()
+      ->check(from_one_on());
   command->add_flag("--follow", arguments->follow, "Go on as the file grows, until Ctrl-C");
   command->add_flag("--quiet", arguments->quiet, "No table and no progress: errors only (and what --json prints)");
   command->footer(

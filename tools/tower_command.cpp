@@ -6,7 +6,6 @@
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <vector>
 
 #include "replay/barcode_drawing.hpp"
@@ -41,6 +40,7 @@ struct Arguments {
   std::string pers, csv, svg, html;
   double min_length = 0;
   std::uint64_t until = 0, every = 0;
+  std::size_t longest_line = replay::longest_line;
   bool json = false, generators = false, partial = false, quiet = false;
 };
 
@@ -112,7 +112,7 @@ class Run {
     }
     catch_interrupt();
     Result<std::unique_ptr<TowerReader>> reader =
-        TowerReader::open(arguments_.file, arguments_.format, &stop_requested());
+        TowerReader::open(arguments_.file, arguments_.format, &stop_requested(), arguments_.longest_line);
     if (!reader && stop_requested().load()) {
       return static_cast<int>(Outcome::interrupted);
     }
@@ -421,22 +421,14 @@ class Run {
     options.ring = rings_[0];
     options.every = is_integral() ? 1 : 0;
     options.stop = &stop_requested();
-    options.checks_groups_over_other_rings = false;
     options.needs_barcode = !is_integral();
     options.partial = arguments_.partial;
     if (arguments_.until > 0) {
       options.until = arguments_.until;
     }
-    const std::unique_ptr<replay::SourceStream> stream = reader_->take_script();
-    replay::ScriptReader script(*stream, source_);
-    std::ostringstream errors;
-    Outcome outcome = replay::replay(script, options, &listener, errors, progress_ ? &*progress_ : nullptr);
+    replay::ScriptReader script = reader_->take_script();
+    const Outcome outcome = replay::replay(script, options, &listener, std::cerr, progress_ ? &*progress_ : nullptr);
     progress_.reset();
-    if (const std::optional<Error>& error = stream->error(); error && !stop_requested().load()) {
-      outcome = fail(*error);  // what the script lacks behind it is no fault of the script
-    } else {
-      std::cerr << errors.str();
-    }
     if (!is_reported(outcome)) {
       return outcome;
     }
@@ -510,6 +502,9 @@ void add_tower_command(CLI::App& app, int& status) {
       });
   command->add_option("--until", arguments->until, "Stop after that many operations")->check(from_one_on());
   command->add_option("--every", arguments->every, "Report cells and Betti numbers every N operations")
+      ->check(from_one_on());
+  command->add_option("--max-line", arguments->longest_line, "Refuse lines of more bytes")
+      ->capture_default_str()
       ->check(from_one_on());
   command->add_flag("--partial", arguments->partial, "After an error, report what there was before it");
   command->add_flag("--quiet", arguments->quiet, "No table and no progress: errors only (and what --json prints)");

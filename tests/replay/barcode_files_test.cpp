@@ -50,8 +50,7 @@ std::string json(const Barcode& barcode, const Provenance& where) {
 }
 
 Result<replay::PersFile> read(const std::string& text) {
-  std::istringstream input(text);
-  return replay::read_pers(input, "b.pers");
+  return replay::read_pers(replay::ByteSource::of_text(text, "b.pers"));
 }
 
 std::vector<Bar> bars_in(const std::string& text) {

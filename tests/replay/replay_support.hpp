@@ -56,8 +56,7 @@ struct Replayed {
 /// Replays a text that errors call "script".
 inline Replayed replay_text(const std::string& text, replay::Reporter* reporter = nullptr,
                             replay::ReplayOptions options = {}) {
-  std::istringstream input(text);
-  replay::ScriptReader script(input, "script");
+  replay::ScriptReader script(replay::ByteSource::of_text(text, "script"));
   std::ostringstream errors;
   std::ostringstream log;
   options.log = &log;

@@ -2,11 +2,13 @@
 
 #include "engine/homology_tracker.hpp"
 #include "tests/replay/replay_support.hpp"
+#include "tests/support/inputs.hpp"
 #include "tests/support/structures.hpp"
 
 using namespace sesame;
 using namespace sesame::tests;
 using Catch::Contains;
+using Catch::Matchers::StartsWith;
 using replay::Outcome;
 
 namespace {
@@ -178,12 +180,23 @@ TEST_CASE("the replay is interrupted after the current step", "[replay]") {
 }
 
 TEST_CASE("an interrupt while a followed script waits leaves the unfinished line out", "[replay]") {
-  std::istringstream input(joined({header_line, triangle}) + R"({"op":)");
+  /// Sets the stop when there is nothing more to read.
+  class Stopper final : public replay::ByteInput {
+   public:
+    Stopper(std::string text, std::atomic<bool>& stop) : text_{std::move(text)}, stop_{stop} {}
+    Result<std::size_t> read(std::span<char> to) override {
+      stop_.store(text_.empty());
+      return std::exchange(text_, {}).copy(to.data(), to.size());
+    }
+    [[nodiscard]] bool is_stopped() const override { return stop_.load(); }
+
+   private:
+    std::string text_;
+    std::atomic<bool>& stop_;
+  };
   std::atomic<bool> stop{false};
-  replay::ScriptReader script(input, "script", [&] {
-    stop.store(true);
-    return false;
-  });
+  auto input = std::make_unique<Stopper>(joined({header_line, triangle}) + R"({"op":)", stop);
+  replay::ScriptReader script(replay::ByteSource::from(std::move(input), "script").value());
   replay::ReplayOptions options;
   options.stop = &stop;
   Recorder recorder;
@@ -266,8 +279,7 @@ TEST_CASE("the log of every kind of example replays to the same log", "[replay]"
 }
 
 TEST_CASE("a replay needs neither reporter nor progress", "[replay]") {
-  std::istringstream input(points_and_questions());
-  replay::ScriptReader script(input, "script");
+  replay::ScriptReader script(replay::ByteSource::of_text(points_and_questions(), "script"));
   std::ostringstream errors;
   CHECK(replay::replay(script, {}, nullptr, errors, nullptr) == Outcome::done);
   CHECK(errors.str().empty());
@@ -275,8 +287,7 @@ TEST_CASE("a replay needs neither reporter nor progress", "[replay]") {
 
 TEST_CASE("an error wipes the progress first", "[replay]") {
   std::ostringstream terminal;
-  std::istringstream input(joined({header_line, "nonsense"}));
-  replay::ScriptReader script(input, "script");
+  replay::ScriptReader script(replay::ByteSource::of_text(joined({header_line, "nonsense"}), "script"));
   replay::Progress progress(terminal, 1);
   while (terminal.str().empty()) {
     progress.update(1);
@@ -333,19 +344,106 @@ TEST_CASE("when a barcode is needed, a step that is no map forwards is refused w
   CHECK(reporter.barcode.value().value().bars.size() == 2);
 }
 
-TEST_CASE("groups that are expected over the ring of the header can be left unchecked over another one", "[replay]") {
-  const std::string script = two_points + R"({"op":"expect","betti":[5],"torsion":[[2]],"cells":[2]})"
+TEST_CASE("groups that are expected over the ring of the header are not checked over another one", "[replay]") {
+  const std::string script = two_points + R"({"op":"expect","betti":[5],"torsion":[[2]],"cells":[2],"euler":2})"
+                                          "\n"
+                                          R"({"op":"expect","betti":[5]})"
                                           "\n";
+  std::ostringstream notes;
   replay::ReplayOptions options;
-  options.checks_groups_over_other_rings = false;
-  CHECK(replay_text(script, nullptr, options).outcome == replay::Outcome::expectation_failed);
+  options.notes = &notes;
+  CHECK(replay_text(script, nullptr, options).outcome == Outcome::expectation_failed);
   options.ring = sparse::AnyRing{sparse::Integers{}};
-  CHECK(replay_text(script, nullptr, options).outcome == replay::Outcome::expectation_failed);
+  CHECK(replay_text(script, nullptr, options).outcome == Outcome::expectation_failed);
+  CHECK(notes.str().empty());
   options.ring = sparse::AnyRing{sparse::Z2{}};
-  CHECK(replay_text(script, nullptr, options).outcome == replay::Outcome::done);
-  const std::string wrong_cells = two_points + R"({"op":"expect","cells":[3]})"
-                                               "\n";
-  CHECK(replay_text(wrong_cells, nullptr, options).outcome == replay::Outcome::expectation_failed);
+  CHECK(replay_text(script, nullptr, options).outcome == Outcome::done);
+  CHECK(notes.str() ==
+        "script:4: note: this script expects groups over its own ring, Z; over another one they are not checked\n");
+  for (const std::string wrong : {R"("cells":[3])", R"("euler":3)"}) {
+    CHECK(replay_text(two_points + R"({"op":"expect",)" + wrong + "}\n", nullptr, options).outcome ==
+          Outcome::expectation_failed);
+  }
+}
+
+TEST_CASE("what is not checked over another ring is not in the log either, so that it can be replayed", "[replay]") {
+  replay::ReplayOptions options;
+  options.ring = sparse::AnyRing{sparse::Z2{}};
+  const Replayed once = replay_text(two_points + R"({"op":"expect","betti":[5]})"
+                                                 "\n",
+                                    nullptr, options);
+  CHECK(once.outcome == Outcome::done);
+  const Replayed again = replay_text(once.log);
+  CHECK(again.outcome == Outcome::done);
+  CHECK(again.log == once.log);
+}
+
+namespace {
+
+/// Notes the steps that were refused.
+class Refusals final : public Recorder {
+ public:
+  void refused(const replay::RefusedStep& step) override {
+    seen.push_back(std::to_string(step.step) + " line " + std::to_string(step.line) + ": " + step.what);
+  }
+  std::vector<std::string> seen;
+};
+
+}  // namespace
+
+TEST_CASE("a replay that keeps going reports what is refused, and nothing of it happens", "[replay]") {
+  const std::vector<std::string> refused{"no JSON", R"({"op":"insert","simplex":[1]})", R"({"op":"dance"})",
+                                         R"({"op":"undo","steps":9})"};
+  const std::string rest = R"({"op":"insert","simplex":[0,1]})"
+                           "\n";
+  replay::ReplayOptions options;
+  options.keep_going = true;
+  Refusals clean, recorder;
+  const Replayed right = replay_text(two_points + rest, &clean, options);
+  CHECK(right.outcome == Outcome::done);
+  const Replayed kept = replay_text(two_points + joined(refused) + rest, &recorder, options);
+  CHECK(kept.outcome == Outcome::wrong_script);
+  CHECK(kept.log == right.log);
+  CHECK(recorder.last.steps == 3);
+  CHECK(recorder.betti == clean.betti);
+  CHECK(clean.seen.empty());
+  REQUIRE(recorder.seen.size() == refused.size());
+  const std::vector<std::string> errors = lines_of(kept.errors);
+  REQUIRE(errors.size() == refused.size());
+  for (std::size_t k = 0; k < refused.size(); ++k) {
+    const std::string number = std::to_string(4 + k);
+    CHECK_THAT(recorder.seen[k], StartsWith("3 line " + number + ": "));
+    CHECK(errors[k] == "script:" + number + recorder.seen[k].substr(recorder.seen[k].find(": ")));
+  }
+}
+
+TEST_CASE("a failed expect is passed over too, and is what the outcome says when nothing worse happened", "[replay]") {
+  const std::string wrong = R"({"op":"expect","betti":[5]})"
+                            "\n",
+                    right = R"({"op":"expect","betti":[2]})"
+                            "\n";
+  replay::ReplayOptions options;
+  options.keep_going = true;
+  CHECK(replay_text(two_points + wrong + right, nullptr, options).outcome == Outcome::expectation_failed);
+  CHECK(replay_text(two_points + wrong + "nonsense\n" + wrong, nullptr, options).outcome == Outcome::wrong_script);
+}
+
+TEST_CASE("an input that breaks ends the replay without a summary, wherever it breaks, even one that keeps going",
+          "[replay]") {
+  const std::string text = points_and_questions();
+  for (const bool keeps_going : {false, true}) {
+    for (std::size_t broken_at = 1; broken_at <= text.size(); ++broken_at) {
+      replay::ScriptReader script(source_of({text.substr(0, broken_at)}, End::failed, "script"));
+      replay::ReplayOptions options;
+      options.keep_going = keeps_going;
+      Recorder recorder;
+      std::ostringstream errors;
+      CAPTURE(broken_at);
+      CHECK(replay::replay(script, options, &recorder, errors, nullptr) == Outcome::wrong_usage);
+      CHECK(errors.str() == "cannot read the input: it broke\n");
+      CHECK(recorder.summaries == 0);
+    }
+  }
 }
 
 TEST_CASE("a replay that is stopped before its header is complete is interrupted", "[replay]") {

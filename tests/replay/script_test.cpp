@@ -1,8 +1,7 @@
 #include "replay/script.hpp"
 
-#include <sstream>
-
 #include "tests/replay/replay_support.hpp"
+#include "tests/support/inputs.hpp"
 
 using namespace sesame;
 using namespace sesame::tests;
@@ -36,23 +35,13 @@ std::vector<std::string> read_all(ScriptReader& reader) {
 }
 
 std::vector<std::string> read_text(const std::string& text) {
-  std::istringstream input(text);
-  ScriptReader reader(input, "s.jsonl");
+  ScriptReader reader(replay::ByteSource::of_text(text, "s.jsonl"));
   return read_all(reader);
 }
 
-/// Reads what grows by the given pieces, one each time that the reader waits, and is stopped after the last.
-std::vector<std::string> read_pieces(std::vector<std::string> pieces) {
-  std::stringstream input;
-  std::size_t given = 0;
-  ScriptReader reader(input, "s.jsonl", [&] {
-    if (given == pieces.size()) {
-      return false;
-    }
-    input.clear();
-    input << pieces[given++];
-    return true;
-  });
+/// Reads what comes in these pieces, and is stopped after the last.
+std::vector<std::string> read_pieces(const std::vector<std::string>& pieces) {
+  ScriptReader reader(source_of(pieces, End::stopped, "s.jsonl"));
   return read_all(reader);
 }
 
@@ -91,8 +80,7 @@ TEST_CASE("an error says where it is, before what it is", "[replay]") {
   REQUIRE(not_json.size() == 2);
   CHECK(not_json[1].starts_with("s.jsonl:2: "));
 
-  std::istringstream input(header_line + "\n\n" + vertex_a + "\n");
-  ScriptReader reader(input, "s.jsonl");
+  ScriptReader reader(replay::ByteSource::of_text(header_line + "\n\n" + vertex_a + "\n", "s.jsonl"));
   CHECK(reader.header());
   CHECK(reader.place() == "s.jsonl:1: ");
   CHECK(reader.next());
@@ -120,7 +108,6 @@ TEST_CASE("a followed script reads the same wherever its growth pauses", "[repla
   std::vector<std::string> letters;
   for (const char letter : text) {
     letters.emplace_back(1, letter);
-    letters.emplace_back();  // nothing new this time
   }
   CHECK(read_pieces(letters) == whole);
 }
@@ -146,8 +133,7 @@ TEST_CASE("a followed script that is stopped before its header is empty", "[repl
 
 TEST_CASE("operations are counted without header, comments and blank lines", "[replay]") {
   const auto count = [](const std::string& text) {
-    std::istringstream input(text);
-    return replay::count_operations(input);
+    return replay::count_operations(replay::ByteSource::of_text(text, "s.jsonl")).value();
   };
   CHECK(count("") == 0);
   CHECK(count("# comment\n\n") == 0);
@@ -155,4 +141,91 @@ TEST_CASE("operations are counted without header, comments and blank lines", "[r
   CHECK(count(header_line + "\n" + vertex_a) == 1);
   CHECK(count("#\r\n" + header_line + "\r\n\r\n" + vertex_a + "\r\n \t\r\n# x\r\n" + vertex_b + "\r\n") == 2);
   CHECK(count("\xEF\xBB\xBF" + header_line + "\n" + vertex_a + "\nnot even JSON\n") == 2);
+}
+
+TEST_CASE("more operations than it takes to know are not counted", "[replay]") {
+  const std::string text = header_line + "\n" + vertex_a + "\n" + vertex_b + "\n";
+  const auto count = [&](std::uint64_t most) {
+    return replay::count_operations(replay::ByteSource::of_text(text, "s.jsonl"), most).value();
+  };
+  CHECK(count(1) == 1);
+  CHECK(count(2) == 2);
+  CHECK(count(3) == 2);
+  const auto broken = replay::count_operations(source_of({text}, End::failed, "s.jsonl"));
+  REQUIRE(!broken);
+  CHECK(broken.error().code == Errc::io);
+  CHECK(replay::count_operations(source_of({text}, End::failed, "s.jsonl"), 2).value() == 2);
+}
+
+TEST_CASE("an input that breaks is an error, never a shorter script, wherever it breaks", "[replay]") {
+  const std::string text = header_line + "\n# comment\n" + vertex_a + "\n\n" + vertex_b + "\n";
+  const auto whole = read_text(text);
+  for (std::size_t broken_at = 1; broken_at <= text.size(); ++broken_at) {
+    ScriptReader reader(source_of({text.substr(0, broken_at)}, End::failed, "s.jsonl"));
+    const auto seen = read_all(reader);
+    CAPTURE(broken_at);
+    REQUIRE(!seen.empty());
+    CHECK(seen.back() == "cannot read the input: it broke");
+    CHECK(std::equal(seen.begin(), seen.end() - 1, whole.begin()));
+  }
+}
+
+TEST_CASE("a line that is too long is refused, and ends the script", "[replay]") {
+  const std::string start = header_line + "\n" + vertex_a + "\n";
+  const std::string note = R"({"op":"note","text":")" + std::string(200, 'x') + "\"}";
+  const auto read_up_to = [&](std::size_t longest) {
+    ScriptReader reader(replay::ByteSource::of_text(start + note + "\n" + vertex_b, "s.jsonl"), longest);
+    return read_all(reader);
+  };
+  CHECK(read_up_to(note.size()).size() == 4);
+  const auto seen = read_up_to(note.size() - 1);
+  REQUIRE(seen.size() == 3);
+  CHECK(seen[2] == "s.jsonl:3: this line is longer than " + std::to_string(note.size() - 1) +
+                       " bytes; where such lines are meant, --max-line (replay, tower) raises the limit");
+  ScriptReader reader(replay::ByteSource::of_text(start + note + "\n" + vertex_b, "s.jsonl"), 100);
+  CHECK(reader.header());
+  CHECK(reader.next());
+  CHECK(!reader.next());
+  CHECK(reader.place() == "s.jsonl:3: ");
+  CHECK(!reader.next().value());
+}
+
+TEST_CASE("a line that is too long is refused before all of it is read", "[replay]") {
+  ScriptReader reader(
+      source_of({header_line, "\n", std::string(300'000, ' '), "behind it the input breaks"}, End::failed, "s.jsonl"),
+      100);
+  CHECK(reader.header());
+  CHECK(reader.next().error().code == Errc::bad_input);
+}
+
+TEST_CASE("data that are no text are refused by their first bytes", "[replay]") {
+  const std::string zeros(1000, '\0');
+  for (const std::string& data : {zeros, "# " + zeros, "{\"sesame\":1" + zeros, header_line + "\n" + zeros}) {
+    ScriptReader reader(source_of({data}, End::failed, "s.jsonl"));  // no more than these is asked for
+    const auto seen = read_all(reader);
+    REQUIRE(seen.size() == 1);
+    CHECK(seen[0] == "s.jsonl: a script is a text, but byte " + std::to_string(data.find('\0')) + " of this is zero");
+  }
+}
+
+TEST_CASE("an input for another command is refused with the name of that command", "[replay]") {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"i 0\ni 1\n", "sesame tower"},     {"# a tower\n\n3.5 i 0\n", "sesame tower"},
+      {"c 1 2\n", "sesame tower"},        {"0\n0\n1 0 1\n", "sesame tower"},
+      {"0 1 0.5\n", "sesame distance"},   {"OFF\n3 1 0\n", "sesame mesh"},
+      {"COFF\n3 1 0\n", "sesame import"}, {"ply\nformat ascii 1.0\n", "sesame mesh"},
+      {"solid cube\n", "sesame mesh"},    {"# Blender\nmtllib cube.mtl\nv 0 0 0\n", "sesame mesh"},
+      {"v 0 0 0\n", "sesame mesh"},
+  };
+  for (const auto& [text, command] : cases) {
+    const auto seen = read_text(text);
+    CAPTURE(text);
+    REQUIRE(seen.size() == 1);
+    CHECK(contains(seen[0], "a line should be one JSON object, {...} (it looks like "));
+    CHECK(contains(seen[0], command));
+  }
+  CHECK(!contains(read_text("nonsense\n")[0], "looks like"));
+  CHECK(!contains(read_text("{\"sesame\":9}\n")[0], "looks like"));
+  ScriptReader mesh(replay::ByteSource::of_text(std::string(100, '\0'), "cube.STL.gz"));
+  CHECK(contains(read_all(mesh)[0], "sesame mesh"));
 }

@@ -72,7 +72,7 @@ TEST_CASE("chains of sesame mesh can be asked about in the script of sesame impo
   const json object = json::parse(run({"--json", mesh_path("torus.off")}).out);
   std::stringstream script;
   REQUIRE(write_complex_script(read_fixture("torus.off"), script, {mesh_path("torus.off")}));
-  replay::ScriptReader reader{script, "script"};
+  replay::ScriptReader reader{replay::ByteSource::of_text(script.view(), "script")};
   REQUIRE(reader.header());
   engine::Engine engine;
   for (auto operation = reader.next(); operation && operation->has_value(); operation = reader.next()) {

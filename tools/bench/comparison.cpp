@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
+
+#include "replay/byte_source.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -151,11 +151,11 @@ std::string to_text(const std::vector<CountRow>& rows) {
 }
 
 Result<std::vector<CountRow>> read_counts(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) {
-    return Error{Errc::io, "cannot read " + path};
+  const Result<std::string> text = replay::read_file(path);
+  if (!text) {
+    return text.error();
   }
-  Result<std::vector<CountRow>> rows = parse_counts({std::istreambuf_iterator<char>{file}, {}});
+  Result<std::vector<CountRow>> rows = parse_counts(*text);
   if (!rows) {
     return Error{rows.error().code, path + ": " + rows.error().what};
   }

@@ -1,10 +1,9 @@
 #include "tools/bench/measurement.hpp"
 
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "replay/byte_source.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::tools {
@@ -241,11 +240,11 @@ Result<Report> parse_report(const std::string& text) {
 }
 
 Result<Report> read_report(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) {
-    return Error{Errc::io, "cannot read " + path};
+  const Result<std::string> text = replay::read_file(path);
+  if (!text) {
+    return text.error();
   }
-  Result<Report> report = parse_report({std::istreambuf_iterator<char>{file}, {}});
+  Result<Report> report = parse_report(*text);
   if (!report) {
     return Error{report.error().code, path + ": " + report.error().what};
   }

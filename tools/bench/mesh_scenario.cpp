@@ -37,7 +37,7 @@ std::vector<ops::Operation> assembly_of(const std::string& path) {
   const auto written = write_assembled_script(*mesh, text, {.source = path, .expect = false});
   sparse::expects(written.has_value(), "a mesh that was read can be assembled");
   std::vector<ops::Operation> operations;
-  replay::ScriptReader script(text, path);
+  replay::ScriptReader script(replay::ByteSource::of_text(text.view(), path));
   sparse::expects(script.header().has_value(), "a script that was written has a header");
   while (true) {
     Result<std::optional<ops::Operation>> operation = script.next();

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 
+#include "replay/byte_source.hpp"
 #include "tools/mesh/readers.hpp"
 #include "tools/mesh/text.hpp"
 #include "tools/mesh/weld.hpp"
@@ -17,7 +17,10 @@ namespace {
 
 constexpr std::string_view known_formats = "an OFF, OBJ, PLY or STL mesh is expected";
 
+/// That of `mesh.off` and of `mesh.off.gz`.
 Format format_of_extension(std::string_view name) {
+  constexpr std::string_view packed = ".gz";
+  if (name.ends_with(packed)) name.remove_suffix(packed.size());
   const auto dot = name.find_last_of("./\\");
   if (dot == std::string_view::npos || name[dot] != '.') return Format::automatic;
   const std::string extension = lower_case(name.substr(dot + 1));
@@ -94,25 +97,10 @@ Result<Mesh> parse_mesh(std::string_view bytes, std::string_view name, const Rea
   return mesh;
 }
 
-Result<Mesh> read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
-  const std::string name = path.string();
-  const Error unreadable{Errc::io, fmt::format("{}: cannot be read, give the path of a readable mesh file", name)};
-  std::error_code problem;
-  if (std::filesystem::is_directory(path, problem)) return unreadable;
-  std::ifstream file{path, std::ios::binary | std::ios::ate};
-  if (!file) return unreadable;
-  const auto size = static_cast<std::streamoff>(file.tellg());
-  std::string bytes;
-  if (size > 0) {
-    bytes.resize(static_cast<std::size_t>(size));
-    file.seekg(0);
-    if (!file.read(bytes.data(), size)) return unreadable;
-  } else {
-    // A pipe, or a file of /proc, does not tell its size.
-    file.clear();
-    bytes.assign(std::istreambuf_iterator<char>{file}, {});
-  }
-  return parse_mesh(bytes, name, options);
+Result<Mesh> read_mesh(const std::string& path, const ReadOptions& options) {
+  const auto bytes = replay::read_file(path);
+  if (!bytes) return bytes.error();
+  return parse_mesh(*bytes, path == "-" ? "standard input" : path, options);
 }
 
 }  // namespace sesame::tools

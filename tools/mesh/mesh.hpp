@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -66,12 +65,12 @@ struct ReadOptions {
   std::optional<double> weld;
 };
 
-/// Reads a mesh file. The whole file is held in memory.
+/// Reads a mesh file, gzip or not, or standard input when the path is "-". The whole file is held in memory.
 ///
 /// Ensures  every corner is the number of a point; coordinates are finite.
 /// Errors   io: the file cannot be read; bad_input: `FILE:LINE: what, and what would be right`, for binary files with
 ///          `byte N` in the place of the line. Memory stays proportional to the size of the file, whatever it claims.
-[[nodiscard]] Result<Mesh> read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
+[[nodiscard]] Result<Mesh> read_mesh(const std::string& path, const ReadOptions& options = {});
 
 /// The same for bytes in memory; `name` stands in messages and, by its extension, may tell the format.
 [[nodiscard]] Result<Mesh> parse_mesh(std::string_view bytes, std::string_view name, const ReadOptions& options = {});

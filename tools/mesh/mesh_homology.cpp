@@ -56,7 +56,8 @@ Result<std::unique_ptr<engine::Engine>> build(const Mesh& triangulated, const Me
   std::stringstream text;
   const ScriptOptions script{options.source, "Z", Polygons::fan, BuildOrder::breadth_first, false};
   if (const auto summary = write_complex_script(triangulated, text, script); !summary) return summary.error();
-  replay::ScriptReader reader{text, options.source};
+  replay::ScriptReader reader{replay::ByteSource::of_text(text.view(), options.source),
+                              std::numeric_limits<std::size_t>::max()};
   if (const auto header = reader.header(); !header) return header.error();
   auto engine = std::make_unique<engine::Engine>(options.ring);
   for (;;) {
