@@ -44,20 +44,21 @@ int run_import(const Arguments& arguments) {
     return fail("sesame import: " + opened.error().what, Outcome::wrong_usage);
   }
   std::ostream& out = **opened;
-  const ScriptOptions options{arguments.mesh.file, arguments.ring, arguments.polygons, arguments.order, true};
+  const std::string name = name_of(arguments.mesh);
+  const ScriptOptions options{name, arguments.ring, arguments.polygons, arguments.order, true};
   const Result<ScriptSummary> summary =
       arguments.assemble ? write_assembled_script(*mesh, out, options) : write_complex_script(*mesh, out, options);
   if (!summary) {
-    return fail(arguments.mesh.file + ": " + summary.error().what, Outcome::wrong_script);
+    return fail(name + ": " + summary.error().what, Outcome::wrong_script);
   }
   if (const Status written = outputs.commit(); !written) {
     return fail("sesame import: " + written.error().what, Outcome::wrong_usage);
   }
   if (!arguments.quiet) {
     for (const std::string& remark : summary->remarks) {
-      std::cerr << arguments.mesh.file << ": " << remark << '\n';
+      std::cerr << name << ": " << remark << '\n';
     }
-    std::cerr << arguments.mesh.file << ": " << counted(summary->vertices, "vertex", "vertices") << ", "
+    std::cerr << name << ": " << counted(summary->vertices, "vertex", "vertices") << ", "
               << counted(summary->edges, "edge", "edges") << ", "
               << counted(summary->triangles, "triangle", "triangles") << "; "
               << counted(summary->steps, "step", "steps") << '\n';

@@ -33,14 +33,15 @@ int run_mesh(const Arguments& arguments) {
   if (!ring) return fail("sesame mesh: --ring: " + ring.error().what, Outcome::wrong_usage);
   const Result<Mesh> mesh = read(arguments.mesh);
   if (!mesh) return refuse(mesh.error());
-  const auto found = mesh_homology(*mesh, {arguments.mesh.file, *ring, arguments.generators_limit != std::size_t{0}});
+  const std::string name = name_of(arguments.mesh);
+  const auto found = mesh_homology(*mesh, {name, *ring, arguments.generators_limit != std::size_t{0}});
   if (!found) return refuse(found.error());
   if (const std::string left_out = found->validity.left_out_faces(); !left_out.empty()) {
-    std::cerr << arguments.mesh.file << ": " << left_out << '\n';
+    std::cerr << name << ": " << left_out << '\n';
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   const auto write = arguments.json ? write_json : write_text;
-  write(std::cout, *found, {arguments.mesh.file, arguments.generators_limit, took.count()});
+  write(std::cout, *found, {name, arguments.generators_limit, took.count()});
   return 0;
 }
 

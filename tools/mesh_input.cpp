@@ -9,8 +9,11 @@
 
 namespace sesame::tools {
 
+std::string name_of(const MeshInput& input) { return input.file == "-" ? "standard input" : input.file; }
+
 void add_mesh_input(CLI::App& command, MeshInput& input) {
-  command.add_option("MESH", input.file, "The mesh file (OFF, OBJ, PLY, STL)")->required();
+  command.add_option("MESH", input.file, "The mesh file (OFF, OBJ, PLY, STL), gzip or not; - for standard input")
+      ->required();
   add_choice<Format>(command, "--format", input.format,
                      {{"auto", Format::automatic},
                       {"off", Format::off},

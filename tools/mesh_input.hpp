@@ -10,10 +10,13 @@
 namespace sesame::tools {
 
 struct MeshInput {
-  std::string file;
+  std::string file;  ///< "-": standard input
   Format format = Format::automatic;
   std::string weld;  ///< a distance, or empty
 };
+
+/// What messages, scripts and reports call the file.
+[[nodiscard]] std::string name_of(const MeshInput& input);
 
 /// Adds MESH, --format and --weld.
 void add_mesh_input(CLI::App& command, MeshInput& input);

@@ -250,6 +250,14 @@ class Inputs(Directory):
                 self.assertEqual((reader, done.returncode), (reader, 0), done.stderr)
                 self.assertEqual(len(done.stdout.splitlines()), len(plain.stdout.splitlines()), reader)
 
+    def test_a_mesh_has_a_name_wherever_it_comes_from(self):
+        mesh = (MESHES / "torus.off").read_bytes()
+        packed = self.write("ring.off.gz", gzip.compress(mesh))
+        for done, name in ((run("import", "-", input=mesh), "standard_input"), (run("import", packed), "ring")):
+            self.assertIn(f'{{"op":"complex","name":"{name}",', done.stdout)
+        done = run("mesh", "--json", "-", input=mesh)
+        self.assertEqual(json.loads(done.stdout)["mesh"], "standard input")
+
     def test_standard_input_is_one_of_two_barcodes(self):
         done = run("distance", "-", "-", input=BARS)
         self.assertEqual(done.returncode, 1)

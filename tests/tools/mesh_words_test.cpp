@@ -200,7 +200,7 @@ using Writer = Result<ScriptSummary> (*)(const Mesh&, std::ostream&, const Scrip
 engine::Homology replayed(Writer write, const Mesh& mesh, Polygons polygons, const sparse::AnyRing& ring) {
   std::stringstream text;
   REQUIRE(write(mesh, text, {.source = "words.off", .polygons = polygons}));
-  replay::ScriptReader reader{text, "words.off"};
+  replay::ScriptReader reader{replay::ByteSource::of_text(text.view(), "words.off")};
   REQUIRE(reader.header());
   engine::Engine engine{ring};
   for (auto operation = reader.next();; operation = reader.next()) {

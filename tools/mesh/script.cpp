@@ -419,6 +419,8 @@ Result<ScriptSummary> write_assembled_script(const Mesh& mesh, std::ostream& out
 
 std::string name_of_source(std::string_view path) {
   path.remove_prefix(path.find_last_of("/\\") + 1);  // npos + 1 is 0
+  constexpr std::string_view packed = ".gz";
+  if (path.ends_with(packed)) path.remove_suffix(packed.size());
   const auto dot = path.rfind('.');
   if (dot != std::string_view::npos && dot > 0) path = path.substr(0, dot);
   std::string name{path};
