@@ -167,7 +167,7 @@ void EagerEquivalence<R>::eliminate_units(std::set<Index> columns) {
 
 /// The row of the unit entry of a boundary for which fewest columns of fS change; the youngest of those.
 template <sparse::Ring R>
-std::optional<Index> EagerEquivalence<R>::best_unit(Index b) const {
+std::optional<Index> EagerEquivalence<R>::best_unit(Index b) {
   std::optional<Index> best;
   for (const auto& term : d_small_.column(b)) {
     if (ring_.is_unit(term.coefficient) && (!best || f_small_.listed(term.index) <= f_small_.listed(*best))) {

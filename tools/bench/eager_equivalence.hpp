@@ -98,7 +98,7 @@ class EagerEquivalence {
   /// Appends a generator with this boundary in B.
   void append(int degree, const Terms& boundary);
   void eliminate_units(std::set<Index> columns);
-  [[nodiscard]] std::optional<Index> best_unit(Index b) const;
+  [[nodiscard]] std::optional<Index> best_unit(Index b);
   void eliminate(Index a, Index b);
   void settle(Index b);
 

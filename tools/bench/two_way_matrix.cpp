@@ -19,7 +19,7 @@ void TwoWayMatrix<R>::add_to_column(Index j, const typename R::Element& factor,
                                     std::span<const sparse::Term<R>> terms) {
   touched_ += columns_[j].size() + terms.size();
   for (const auto& term : terms) {
-    if (ring_.is_zero(entry(term.index, j))) {
+    if (lists_rows_ && ring_.is_zero(entry(term.index, j))) {
       list(term.index, j);
     }
   }
@@ -28,6 +28,7 @@ void TwoWayMatrix<R>::add_to_column(Index j, const typename R::Element& factor,
 
 template <sparse::Ring R>
 const std::vector<sparse::Index>& TwoWayMatrix<R>::columns_with(Index row) {
+  list_all();
   if (row >= rows_.size()) {
     rows_.resize(row + 1);
   }
@@ -68,7 +69,30 @@ std::uint64_t TwoWayMatrix<R>::entries() const {
 }
 
 template <sparse::Ring R>
+std::size_t TwoWayMatrix<R>::listed(Index row) {
+  list_all();
+  return row < rows_.size() ? rows_[row].size() : 0;
+}
+
+template <sparse::Ring R>
+void TwoWayMatrix<R>::list_all() {
+  if (lists_rows_) {
+    return;
+  }
+  lists_rows_ = true;
+  for (Index j = 0; j < columns_.size(); ++j) {
+    touched_ += columns_[j].size();
+    for (const auto& term : columns_[j]) {
+      list(term.index, j);
+    }
+  }
+}
+
+template <sparse::Ring R>
 void TwoWayMatrix<R>::list(Index row, Index j) {
+  if (!lists_rows_) {
+    return;
+  }
   if (row >= rows_.size()) {
     rows_.resize(row + 1);
   }

@@ -13,6 +13,7 @@ namespace sesame::tools {
 /// A matrix whose rows can be substituted: what composing with a map that moves few generators comes to.
 ///
 /// Per row it lists the columns that may have an entry there; entries that cancel stay listed until the row is read.
+/// Before rows are asked for the first time nothing is listed.
 template <sparse::Ring R>
 class TwoWayMatrix {
  public:
@@ -31,7 +32,7 @@ class TwoWayMatrix {
   /// The columns that have an entry in this row, ascending. Cost: the columns that are listed there.
   [[nodiscard]] const std::vector<Index>& columns_with(Index row);
   /// How many columns are listed for a row: at least as many as have an entry there.
-  [[nodiscard]] std::size_t listed(Index row) const { return row < rows_.size() ? rows_[row].size() : 0; }
+  [[nodiscard]] std::size_t listed(Index row);
   /// The entry in a row of a column; zero when there is none.
   [[nodiscard]] typename R::Element entry(Index row, Index j) const;
   /// Composes with the map that sends generator `row` of the target to `by`, and every other one to itself.
@@ -45,10 +46,12 @@ class TwoWayMatrix {
 
  private:
   void list(Index row, Index j);
+  void list_all();
 
   R ring_;
   std::vector<Terms> columns_;
   std::vector<std::vector<Index>> rows_;
+  bool lists_rows_ = false;
   std::uint64_t touched_ = 0;
 };
 
