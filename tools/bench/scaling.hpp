@@ -38,7 +38,7 @@ struct Experiment {
 enum class Extent { quick, normal, large };
 
 /// Runs an experiment with one of its methods: two sizes for each power of ten, each in a process of its own, up to the
-/// largest or until a point takes more than `most_seconds`. Every answer is checked.
+/// largest or until a point takes more than `most_seconds`. Every answer in the rounds is checked.
 [[nodiscard]] Scaling run_experiment(const Experiment& experiment, const std::string& method, Extent extent,
                                      double most_seconds);
 
