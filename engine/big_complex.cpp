@@ -89,17 +89,16 @@ Index BigComplex<R>::append_copy(CellId copy) {
   const CellId first = structure_.copy(copy)->moment.created;  // of the copies of this step
   column_.clear();
   lazy_column_.clear();
-  const auto add = [&](std::span<const CellId> faces, bool negative) {
-    const std::vector<ops::FaceOperator>& operators = structure_.type(copy).faces;
-    for (std::size_t k = 0; k < faces.size(); ++k) {
-      if (faces[k] >= first && faces[k] < structure_.created() && structure_.copy(faces[k]) != nullptr) {
-        const int sign = negative ? -operators[k].sign : operators[k].sign;
-        column_.push_back({generator_of(faces[k]), ring_.from(sign)});
-      }
+  const CellId source = structure_.copy(copy)->source;
+  const auto add = [&](CellId face, int sign) {
+    if (face >= first && face < structure_.created() && structure_.copy(face) != nullptr) {
+      column_.push_back({generator_of(face), ring_.from(sign)});
     }
   };
-  add(structure_.faces_as_created(copy), false);
-  add(structure_.faces(structure_.copy(copy)->source), true);
+  for (std::uint32_t k = 0; k < structure_.type(copy).faces.size(); ++k) {
+    add(structure_.faces_as_created(copy)[k], structure_.face_sign(copy, k));
+    add(structure_.faces(source)[k], -structure_.sign_of_face(source, k));
+  }
   for (const Structure::Copy* of = window_.copy(copy); of != nullptr; of = window_.copy(of->source)) {
     if (!window_.is_lazy(of->source)) {
       follow(of->source);
@@ -114,8 +113,7 @@ template <Ring R>
 std::vector<Index> BigComplex<R>::split(Index first, std::span<const Structure::MadeMove> moves) {
   std::map<CellId, Terms<R>> gains;  // per cell: what its boundary gains
   for (const Structure::MadeMove& move : moves) {
-    const int sign = structure_.type(move.cell).faces[move.slot].sign;
-    gains[move.cell].push_back({generator_of(move.after), ring_.from(sign)});
+    gains[move.cell].push_back({generator_of(move.after), ring_.from(structure_.sign_of_face(move.cell, move.slot))});
   }
   std::map<Index, Terms<R>> changes;  // per generator
   std::unordered_map<CellId, Terms<R>> of_lazy;
@@ -136,12 +134,14 @@ std::vector<Index> BigComplex<R>::split(Index first, std::span<const Structure::
       }
     };
     window_.for_each_member(cell, [&](CellId node) {
+      const int sign = structure_.find_oriented(node).sign;
       if (window_.is_lazy(node)) {
-        of_lazy.emplace(node, gain);
+        Terms<R>& of_node = of_lazy.emplace(node, Terms<R>{}).first->second;
+        sparse::add_multiple<R>(ring_, of_node, ring_.from(sign), gain);
       } else {
-        add(generator_of(node), 1);
+        add(generator_of(node), sign);
       }
-      window_.for_each_copy_of(node, [&](CellId copy) { add(generator_of(copy), -1); });
+      window_.for_each_copy_of(node, [&](CellId copy) { add(generator_of(copy), -sign); });
     });
   }
   if (!of_lazy.empty()) {
@@ -183,6 +183,9 @@ bool BigComplex<R>::moves_wholly(CellId node, CellId copy, const MoveSet& moves)
   // A place that is glued and split again and again collects generators, or else terms in old boundaries: measured over
   // 100 to 6,000 times at one place, this is where the two cost least together.
   constexpr std::size_t most_generators = 24;
+  if (structure_.find_oriented(node).sign < 0) {
+    return false;  // the generators would become G - e
+  }
   const std::size_t most_places = most_others + 4 * moves.size();
   const auto places = window_.places_of(node, most_places);
   if (places.size() > most_places || generators_of(node).size() > most_generators) {

@@ -549,7 +549,7 @@ CellChain LiveEquivalence<R>::boundary(const CellChain& chain) const {
     const auto element = in_own_orientation(cell, coefficient);
     for (std::uint32_t k = 0; k < faces.size(); ++k) {
       if (const auto [face, sign] = structure_.find_oriented(faces[k]); face != ops::none) {
-        out.push_back({face, sign * structure_.face_sign(cell, k) > 0 ? element : ring_.negate(element)});
+        out.push_back({face, sign * structure_.sign_of_face(cell, k) > 0 ? element : ring_.negate(element)});
       }
     }
   }

@@ -18,7 +18,7 @@ Window::Window(const Structure& structure, std::vector<CellId> cells)
     for (std::uint32_t k = 0; k < nodes.size(); ++k) {
       const auto [face, sign] = structure.find_oriented(nodes[k]);
       faces_.push_back(face);
-      signs_.push_back(static_cast<std::int8_t>(sign * structure.face_sign(cell, k)));
+      signs_.push_back(static_cast<std::int8_t>(sign * structure.sign_of_face(cell, k)));
       if (face != ops::none) {
         const auto place = places_.find(face);
         sparse::expects(place != places_.end(), "each cell comes after its faces");

@@ -71,18 +71,17 @@ class Window {
     const bool is_first = this->is_first(c);
     const std::uint32_t first = is_first ? first_face_[place(c)] : 0;
     for (std::uint32_t k = 0; k < arity; ++k) {
-      const int sign = structure_->face_sign(c, k);
       CellId node = is_first ? faces_[first + k] : structure_->faces_as_created(c)[k];
-      int sign_of_node = is_first ? signs_[first + k] : sign;
+      int sign = is_first ? signs_[first + k] : structure_->face_sign(c, k);
       structure_->for_each_move_of(c, k, begin_.moves, moment.moves, [&](const MadeMove& made) {
         if (node != ops::none) {
-          visit(node, sign_of_node, made.links);
+          visit(node, sign, made.links);
         }
         node = made.after;
-        sign_of_node = sign;
+        sign = structure_->sign_after(made);
       });
       if (node != ops::none) {
-        visit(node, sign_of_node, moment.links);
+        visit(node, sign, moment.links);
       }
     }
   }

@@ -40,18 +40,12 @@ std::strong_ordering compare_labels(std::string_view a, std::string_view b) {
 
 bool is_label(std::string_view text) { return is_name(text) && text.find_first_of("{},") == std::string_view::npos; }
 
-int sign_between(std::span<const VertexId> one, std::span<const VertexId> other) {
-  std::vector<std::size_t> places;
+std::vector<std::uint8_t> places_in(std::span<const VertexId> other, std::span<const VertexId> one) {
+  std::vector<std::uint8_t> places;
   for (const VertexId v : one) {
-    places.push_back(static_cast<std::size_t>(std::find(other.begin(), other.end(), v) - other.begin()));
+    places.push_back(static_cast<std::uint8_t>(std::find(other.begin(), other.end(), v) - other.begin()));
   }
-  int sign = 1;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    for (std::size_t j = i + 1; j < places.size(); ++j) {
-      sign = places[i] > places[j] ? -sign : sign;
-    }
-  }
-  return sign;
+  return places;
 }
 
 // ------------------------------------------------------------------------------------------------------------ labels
@@ -147,7 +141,7 @@ std::optional<AbstractComplex::Named> AbstractComplex::find_named(std::string_vi
   }
   const std::uint32_t number = find_number(vertices);
   return number == none ? std::nullopt
-                        : std::optional{Named{cells_[number].id, sign_between(vertices, vertices_of(number))}};
+                        : std::optional{Named{cells_[number].id, places_in(vertices_of(number), vertices)}};
 }
 
 std::vector<CellId> AbstractComplex::star(VertexId vertex) const {

@@ -23,8 +23,8 @@ using VertexId = std::uint32_t;
 [[nodiscard]] std::strong_ordering compare_labels(std::string_view a, std::string_view b);
 /// A name without the characters { } and comma.
 [[nodiscard]] bool is_label(std::string_view text);
-/// +1 or -1: the sign of the permutation between two orders of the same vertices. Cost: their number squared.
-[[nodiscard]] int sign_between(std::span<const VertexId> one, std::span<const VertexId> other);
+/// The place of each vertex of a list in another list of the same vertices. Cost: their number squared.
+[[nodiscard]] std::vector<std::uint8_t> places_in(std::span<const VertexId> other, std::span<const VertexId> one);
 
 /// Which cells are simplices on which vertices. A collapse keeps the vertex with the larger star, whatever its label:
 /// labels point to vertices, so nothing else needs to be renamed.
@@ -54,12 +54,11 @@ class AbstractComplex {
   [[nodiscard]] std::span<const VertexId> vertices(CellId cell) const { return vertices_of(number_[cell]); }
   /// The simplex on some different vertices, in any order; or none. Cost: their number squared, on average.
   [[nodiscard]] CellId find(std::span<const VertexId> vertices) const;
-  /// What a name {a,b,...} denotes: the cell on the vertices that the labels denote, and the sign of their order, as
-  /// labels are sorted, against that of the cell. Nothing for a name of another form, and when there is no such
-  /// simplex.
+  /// What a name {a,b,...} denotes: the cell on the vertices that the labels denote, and their order, as labels are
+  /// sorted, against that of the cell. Nothing for a name of another form, and when there is no such simplex.
   struct Named {
     CellId cell;
-    int sign;
+    std::vector<std::uint8_t> places;  ///< per label as sorted: the place of its vertex in the order of the cell
   };
   [[nodiscard]] std::optional<Named> find_named(std::string_view name) const;
   /// The number of simplices that have a vertex.

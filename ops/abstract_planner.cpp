@@ -54,7 +54,9 @@ class InsertPlanner {
     plan.first = structure_.created();
     for (const Subset subset : missing_) {
       const std::vector<VertexId> vertices = chosen(vertices_, subset);
-      change.reversed.push_back(std::popcount(subset) > 1 ? add_faces(subset, vertices, plan) : 0);
+      if (std::popcount(subset) > 1) {
+        add_faces(subset, vertices, plan);
+      }
       change.vertices.insert(change.vertices.end(), vertices.begin(), vertices.end());
       plan.names += name(subset);
       const auto arity = std::popcount(subset) > 1 ? vertices.size() : 0;
@@ -93,9 +95,7 @@ class InsertPlanner {
     std::sort(missing_.begin(), missing_.end(), comes_before);
   }
 
-  /// Returns which of them have their vertices in an order opposite to that of the simplex.
-  std::uint64_t add_faces(Subset subset, const std::vector<VertexId>& vertices, Plan& plan) const {
-    std::uint64_t reversed = 0;
+  void add_faces(Subset subset, const std::vector<VertexId>& vertices, Plan& plan) const {
     std::size_t k = 0;
     for (Subset rest = subset; rest != 0; rest &= rest - 1, ++k) {
       const Subset face = subset & ~(rest & (~rest + 1));
@@ -107,14 +107,12 @@ class InsertPlanner {
       std::vector<VertexId> order = vertices;
       order.erase(order.begin() + static_cast<std::ptrdiff_t>(k));
       const CellId cell = structure_.abstract().find(order);
-      const auto own_order = structure_.abstract().vertices(cell);
-      plan.faces.push_back(cell);
-      if (!std::equal(order.begin(), order.end(), own_order.begin(), own_order.end())) {
-        plan.abstract->keeps_orders = false;
-        reversed |= std::uint64_t{sign_between(order, own_order) < 0} << k;
+      if (const OrderId of_cell = structure_.maps().order(places_in(structure_.abstract().vertices(cell), order));
+          of_cell != same_order) {
+        plan.face_orders.emplace_back(static_cast<std::uint32_t>(plan.faces.size()), of_cell);
       }
+      plan.faces.push_back(cell);
     }
-    return reversed;
   }
 
   const Structure& structure_;
@@ -153,12 +151,18 @@ class CollapsePlanner {
     return static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), v) - vertices.begin());
   }
 
-  /// If there is a vertex between the two in the order of the cell, then the edges from it to them are merged in
-  /// different orders: it need not be looked at here.
+  /// Onto the face without the vertex that goes, which itself goes where the other one is.
   void squash(CellId cell, const std::vector<VertexId>& vertices) {
-    const std::size_t low = std::min(place(vertices, change_.collapse->gone), place(vertices, change_.collapse->kept));
-    const CellId face = structure_.find(structure_.faces_as_created(cell)[low]);
-    merges_.push_back({cell, none, {face, structure_.type_id(cell), Degeneracy{1} << low}});
+    const std::size_t gone = place(vertices, change_.collapse->gone);
+    VertexMap map;  // onto the vertices of the face
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      const std::size_t at = k == gone ? place(vertices, change_.collapse->kept) : k;
+      map.push_back(static_cast<std::uint8_t>(at - (at > gone ? 1 : 0)));
+    }
+    VertexMaps& maps = structure_.maps();
+    const Value squashed = maps.value_of(none, structure_.type_id(cell), map);
+    const Value face = structure_.face_of_cell(cell, static_cast<std::uint32_t>(gone));
+    merges_.push_back({cell, none, maps.compose(squashed, face)});
   }
 
   void send(CellId cell, std::vector<VertexId> vertices) {
@@ -168,17 +172,15 @@ class CollapsePlanner {
       change_.renamed.push_back(cell);
       return;
     }
-    const auto order = complex_.vertices(other);
-    change_.keeps_orders =
-        change_.keeps_orders && std::equal(vertices.begin(), vertices.end(), order.begin(), order.end());
-    const bool reverses = sign_between(vertices, order) < 0;
+    VertexMaps& maps = structure_.maps();
+    const OrderId order = maps.order(places_in(complex_.vertices(other), vertices));
     // The cell that stands for the most stays, as ever: so paths of the union-find forest are short.
     const std::uint32_t m = structure_.members(cell);
     const std::uint32_t n = structure_.members(other);
     if (m != n ? m < n : structure_.is_older(structure_.oldest(other), structure_.oldest(cell))) {
-      merges_.push_back({cell, other, {}, reverses});
+      merges_.push_back({cell, other, {}, order});
     } else {
-      merges_.push_back({other, cell, {}, reverses});
+      merges_.push_back({other, cell, {}, maps.inverse(order)});
       change_.renamed.push_back(cell);
     }
   }
@@ -200,7 +202,7 @@ Result<BodyId> Planner::abstract_body(LabelId label) const {
                                             complex.text(label), complex.text(complex.label_of(vertex)))};
   }
   const BodyId body = structure_.body_of(complex.find({&vertex, 1}));
-  if (structure_.kind_of(body) == BodyKind::other) {
+  if (!structure_.kind_of(body).is_abstract) {
     return Error{Errc::refused,
                  fmt::format("the body \"{}\" of the vertex \"{}\" was changed by another operation: insert and "
                              "collapse work on bodies that only they have made; undo that, or use new labels",

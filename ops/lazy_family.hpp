@@ -6,27 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "ops/degeneracy.hpp"
+#include "ops/value.hpp"
 
 namespace sesame::ops {
 
-/// A cell as it was created; ids count creations from 0. The *current* cell that it is now is `Structure::find(id)`.
-using CellId = std::uint32_t;
 /// A removal of a cell in favour of another, counted from 0 in the order in which they happened.
 using LinkId = std::uint32_t;
 using BodyId = std::uint32_t;
 using FamilyId = std::uint32_t;
-inline constexpr std::uint32_t none = UINT32_MAX;
-
-/// A cell of some type with some directions of that type collapsed. In normal form the cell is a current one, so that
-/// the value is a cell itself exactly when nothing is collapsed (the Eilenberg-Zilber lemma).
-struct Value {
-  CellId cell = none;
-  TypeId type = 0;
-  Degeneracy collapsed = 0;
-  [[nodiscard]] bool is_degenerate() const { return collapsed != 0; }
-  friend bool operator==(const Value&, const Value&) = default;
-};
 
 enum class FamilyKind : std::uint8_t {
   product,             ///< cells are pairs of cells
@@ -74,16 +61,11 @@ struct LazyKey {
 struct LazyCell {
   LazyKey key;
   bool is_expanded = false;
-  std::vector<CellId> faces = {};  ///< when expanded
-  std::string name = {};           ///< when asked for
+  std::vector<CellId> faces = {};    ///< when expanded
+  std::vector<OrderId> orders = {};  ///< of the faces; empty when all are the same order
+  std::string name = {};             ///< when asked for
 };
 
-[[nodiscard]] inline std::size_t mix(std::size_t seed, std::uint64_t value) {
-  return (seed ^ value) * 0x9E37'79B9'7F4A'7C15ULL ^ (seed >> 29);
-}
-struct ValueHash {
-  std::size_t operator()(const Value& v) const { return mix(mix(v.cell, v.type), v.collapsed); }
-};
 struct LazyKeyHash {
   std::size_t operator()(const LazyKey& key) const {
     return mix(mix(ValueHash{}(key.left), ValueHash{}(key.right)),

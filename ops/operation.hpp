@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -64,7 +65,10 @@ struct MakeSuspension {
 
 /// Glues pairs of cells, and all that this entails on their faces.
 struct Identify {
+  /// For each component of the type, to which vertex of the second cell each vertex of the first is glued.
+  using Map = std::vector<std::vector<int>>;
   std::vector<std::pair<std::string, std::string>> pairs;
+  std::map<std::size_t, Map> maps = {};  ///< of those pairs, by position, that are not glued in order
 };
 
 /// Squashes a cell so that it becomes the degenerate s^i_j of its face d^i_j, and all that this entails.

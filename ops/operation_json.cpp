@@ -247,13 +247,30 @@ Operation read_suspension(Fields& in) {
   return op;
 }
 
+/// [2,0,1] for a simplex, a list of such lists for a simploid: one for each component.
+Identify::Map vertex_map(Fields& in, const Json& value) {
+  constexpr std::string_view expected = "a vertex map, such as [2,0,1], or [[1,0],[0,1]] for a simploid";
+  const auto component = [&](const Json& entries) {
+    return list(in, "pairs", entries, expected, [&](const Json& n) { return small(in, "pairs", n, 0); });
+  };
+  if (!value.is_array() || value.empty()) {
+    in.wrong("pairs", expected, value);
+  }
+  return value[0].is_array() ? list(in, "pairs", value, expected, component) : Identify::Map{component(value)};
+}
+
 Operation read_identify(Fields& in) {
   Identify op;
-  constexpr std::string_view expected = "a list of pairs of cells, [[\"a\",\"b\"],...]";
+  constexpr std::string_view expected = "a list of pairs of cells, [[\"a\",\"b\"],...] or [[\"a\",\"b\",[1,0]],...]";
+  std::size_t position = 0;
   op.pairs = list(in, "pairs", in.need("pairs"), expected, [&](const Json& pair) {
-    if (!pair.is_array() || pair.size() != 2) {
+    if (!pair.is_array() || pair.size() < 2 || pair.size() > 3) {
       in.wrong("pairs", expected, pair);
     }
+    if (pair.size() == 3) {
+      op.maps.emplace(position, vertex_map(in, pair[2]));
+    }
+    ++position;
     return std::pair{text(in, "pairs", pair[0]), text(in, "pairs", pair[1])};
   });
   return op;
@@ -624,8 +641,12 @@ struct Writer {
   }
   void operator()(const Identify& op) const {
     Json& pairs = out["pairs"] = Json::array();
-    for (const auto& [a, b] : op.pairs) {
-      pairs.push_back(Json::array({a, b}));
+    for (std::size_t k = 0; k < op.pairs.size(); ++k) {
+      Json pair = Json::array({op.pairs[k].first, op.pairs[k].second});
+      if (const auto map = op.maps.find(k); map != op.maps.end()) {
+        pair.push_back(map->second.size() == 1 ? Json(map->second[0]) : Json(map->second));
+      }
+      pairs.push_back(std::move(pair));
     }
   }
   void operator()(const MakeProduct& op) const {

@@ -18,6 +18,15 @@ void add_cell(Plan& plan, TypeId type, std::size_t first_face) {
   plan.cells.push_back({type, static_cast<std::uint32_t>(first_face), plan.names.size()});
 }
 
+void add_faces(Plan& plan, const std::vector<Incidence>& faces) {
+  for (const auto& [node, order] : faces) {
+    if (order != same_order) {
+      plan.face_orders.emplace_back(static_cast<std::uint32_t>(plan.faces.size()), order);
+    }
+    plan.faces.push_back(node);
+  }
+}
+
 /// The text form cannot say such a type, but a program can.
 bool has_bad_entry(const CellType& type) {
   return std::any_of(type.begin(), type.end(), [](int a) { return a < 1; });
@@ -207,24 +216,22 @@ Result<CellId> Planner::resolve(const std::string& name) const {
 }
 
 Status Planner::check_orders(BodyId body) const {
-  if (structure_.kind_of(body) == BodyKind::unordered) {
+  if (!structure_.kind_of(body).keeps_orders) {
     return Error{Errc::refused,
                  fmt::format("cells of the body \"{}\" have their vertices in another order than their faces, which "
-                             "comes of collapses: only insert and collapse can change it; for other operations make a "
-                             "complex of its simplices",
+                             "comes of collapses and of gluing by vertex maps: a simplicial product goes by the order "
+                             "of the vertices; a simploidal one takes all",
                              structure_.body_name(body))};
   }
   return Done{};
 }
 
-Result<CellId> Planner::resolve_to_change(const std::string& name) const {
-  Result<CellId> node = resolve(name);
-  if (node) {
-    if (const Status s = check_orders(structure_.body_of(*node)); !s) {
-      return s.error();
-    }
+Result<Value> Planner::resolve_value(const std::string& name) const {
+  const Result<CellId> node = resolve(name);
+  if (!node) {
+    return node.error();
   }
-  return node;
+  return structure_.maps().reordered(structure_.order_of_name(name), structure_.value(*node));
 }
 
 Result<BodyId> Planner::resolve_body(const std::string& name) const {
@@ -392,11 +399,6 @@ Result<std::optional<std::vector<BodyId>>> Planner::coned_bodies(const ConeBase&
   } else if (std::holds_alternative<std::monostate>(over)) {
     bodies = structure_.current_bodies();
   }
-  for (const BodyId body : bodies.value_or(std::vector<BodyId>{})) {
-    if (Status s = check_orders(body); !s) {
-      return s.error();
-    }
-  }
   return bodies;
 }
 
@@ -427,7 +429,7 @@ Result<std::vector<CellId>> Planner::closure(const std::vector<std::string>& nam
   std::unordered_set<CellId> seen;
   std::vector<CellId> pending;
   for (const std::string& name : names) {
-    const Result<CellId> node = resolve_to_change(name);
+    const Result<CellId> node = resolve(name);
     if (!node) {
       return node.error();
     }
@@ -497,23 +499,26 @@ class ConePlanner {
     add_cell(plan_, structure_.types().vertex(), plan_.faces.size());
   }
 
-  /// `name` is that of v*c. Requires: the faces of c have been added.
+  /// `name` is that of v*c, where c has its vertices in the order of its canonical name. Requires: the faces of c have
+  /// been added.
   void add(CellId c, const std::string& name) {
-    std::vector<CellId> faces;
+    std::vector<Incidence> faces;
     const TypeId type = structure_.type_id(c);
     const int p = structure_.dimension(c);
-    for (const CellId face : structure_.faces(c)) {
-      faces.push_back(coned_value(structure_.value(face)));
+    const auto arity = static_cast<std::uint32_t>(structure_.faces(c).size());
+    const Value named = structure_.value(structure_.oldest(c));
+    for (std::uint32_t k = 0; k < arity; ++k) {
+      faces.push_back(coned_value(structure_.face(named, k)));
     }
     if (p == 0) {
-      faces.push_back(apex_);
+      faces.push_back({apex_});
     } else if (by_edges_) {  // the far end, squashed to the apex
       faces.push_back(degenerate({apex_, type, (Degeneracy{1} << p) - 1}));
     }
-    faces.push_back(c);
-    cone_of_.emplace(c, next());
+    faces.push_back({c, named.order});
+    cone_of_.emplace(c, Value{next(), type, 0, structure_.maps().inverse(named.order)});
     const std::size_t first_face = plan_.faces.size();
-    plan_.faces.insert(plan_.faces.end(), faces.begin(), faces.end());
+    add_faces(plan_, faces);
     plan_.names += name;
     add_cell(plan_, structure_.types().coned(type, by_edges_), first_face);
   }
@@ -521,24 +526,25 @@ class ConePlanner {
  private:
   [[nodiscard]] CellId next() const { return plan_.first + static_cast<CellId>(plan_.cells.size()); }
   /// v*c for a value c: degenerate in the same directions; the new one comes last.
-  CellId coned_value(const Value& v) {
-    const CellId cone = cone_of_.at(v.cell);
-    return v.is_degenerate() ? degenerate({cone, structure_.types().coned(v.type, by_edges_), v.collapsed}) : cone;
+  Incidence coned_value(const Value& v) {
+    const Value base = structure_.maps().compose(v, cone_of_.at(v.cell));
+    const Value cone = structure_.maps().coned(base.cell, base, by_edges_);
+    return v.is_degenerate() ? degenerate(cone) : Incidence{cone.cell, cone.order};
   }
-  CellId degenerate(const Value& v) {
+  Incidence degenerate(const Value& v) {
     const auto [at, is_new] = degenerate_.emplace(v, next());
     if (is_new) {
       plan_.degenerate.emplace_back(static_cast<std::uint32_t>(plan_.cells.size()), v);
       add_cell(plan_, v.type, plan_.faces.size());
     }
-    return at->second;
+    return {at->second};
   }
 
   const Structure& structure_;
   bool by_edges_;
   Plan& plan_;
   CellId apex_;
-  std::unordered_map<CellId, CellId> cone_of_;
+  std::unordered_map<CellId, Value> cone_of_;  // v*c, with the order in which what is coned has the vertices of c
   std::unordered_map<Value, CellId, ValueHash> degenerate_;
 };
 
@@ -664,13 +670,13 @@ Status Planner::plan(const MakeProduct& operation, Plan& plan) {
     return left ? right.error() : left.error();
   }
   for (const auto& [body, name] : {std::pair{*left, operation.left}, std::pair{*right, operation.right}}) {
-    if (Status s = check_orders(body); !s) {
-      return s;
-    }
     if (operation.simplicial && !structure_.has_only_simplices(body)) {
       return Error{Errc::refused, fmt::format("the body \"{}\" has cells that are no simplices: a simplicial product "
                                               "needs simplices, a simploidal one takes all",
                                               name)};
+    }
+    if (Status s = operation.simplicial ? check_orders(body) : Done{}; !s) {
+      return s;
     }
   }
   NewFamily product{operation.simplicial ? FamilyKind::simplicial_product : FamilyKind::product,
@@ -734,14 +740,17 @@ void Planner::touch(CellId c) {
   }
 }
 
-CellId Planner::overlay_root(CellId c) {
-  CellId root = c;
-  for (auto at = overlay_.find(root); at != overlay_.end() && at->second.parent != root && at->second.parent != none;
-       at = overlay_.find(root)) {
-    root = at->second.parent;
-  }
-  while (c != root) {
-    c = std::exchange(overlay_.find(c)->second.parent, root);
+Value Planner::overlay_root(CellId c) {
+  const auto above = [this](CellId cell) {
+    const auto at = overlay_.find(cell);
+    return at == overlay_.end() || at->second.parent == cell || at->second.parent == none ? nullptr : &at->second;
+  };
+  Value root{c, structure_.type_id(c), 0};
+  while (Overlay* at = above(root.cell)) {
+    if (const Overlay* next = above(at->parent)) {  // paths are halved as they are gone
+      *at = {next->parent, structure_.maps().compose(at->becomes, next->becomes)};
+    }
+    root = structure_.maps().compose(root, at->becomes);
   }
   return root;
 }
@@ -749,69 +758,124 @@ CellId Planner::overlay_root(CellId c) {
 Value Planner::overlay_value(Value v) {
   v = structure_.normal_form(v);
   while (true) {
-    v.cell = overlay_root(v.cell);
+    v = structure_.maps().compose(v, overlay_root(v.cell));
     const auto at = overlay_.find(v.cell);
     if (at == overlay_.end() || at->second.parent != none) {
       return v;
     }
-    v = {at->second.becomes.cell, v.type, compose(v.collapsed, at->second.becomes.collapsed)};
+    v = structure_.maps().compose(v, at->second.becomes);
   }
 }
 
+/// Sections: choices of a vertex for each vertex of the cell underneath. Number r takes the r-th of those that go to
+/// it, or the last; so between them they take every vertex.
 void Planner::add_restrictions(const Value& one, const Value& other, std::vector<std::pair<Value, Value>>& out) const {
-  for (const int section :
-       {1, 0}) {  // vertex j + 1 goes for a collapsed direction j: the least section; j: the greatest
+  const CellType type = structure_.types().info(one.type).type;
+  const VertexMap map = structure_.maps().map_of(one);
+  std::vector<std::size_t> rank(map.size());  // among those that go to the same vertex; then from the last one
+  std::vector<std::size_t> left(map.size());
+  std::size_t most = 0;
+  std::size_t begin = 0;
+  for (const int a : type) {
+    const std::size_t end = begin + static_cast<std::size_t>(a) + 1;
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto of_k = [&](std::size_t from, std::size_t to) {
+        return static_cast<std::size_t>(std::count(map.begin() + static_cast<std::ptrdiff_t>(from),
+                                                   map.begin() + static_cast<std::ptrdiff_t>(to), map[k]));
+      };
+      rank[k] = of_k(begin, k);
+      left[k] = of_k(k + 1, end);
+      most = std::max(most, rank[k]);
+    }
+    begin = end;
+  }
+  for (std::size_t r = 0; r <= most; ++r) {
     Value a = one;
     Value b = other;
-    const CellType type = structure_.types().info(one.type).type;
-    for (int i = static_cast<int>(type.size()) - 1; i >= 0; --i) {
-      for (int j = type[static_cast<std::size_t>(i)] - 1; j >= 0; --j) {
-        if ((one.collapsed >> direction_number(type, i, j) & 1) != 0) {
-          const std::uint32_t k = face_number(structure_.types().info(a.type).type, i, j + section);
-          a = structure_.face(a, k);
-          b = structure_.face(b, k);
-        }
+    for (std::size_t k = map.size(); k-- > 0;) {  // the numbers of those before are not changed
+      if (rank[k] != r && (rank[k] > r || left[k] > 0)) {
+        a = structure_.face(a, static_cast<std::uint32_t>(k));
+        b = structure_.face(b, static_cast<std::uint32_t>(k));
       }
     }
     out.emplace_back(a, b);
   }
 }
 
-/// Congruence closure. Closing under faces needs no look at cofaces, so its cost does not depend on the object. Cells
-/// of one type have faces of the same types in the same order, so nothing below can be refused. That two degenerate
-/// values are equal says, by the Eilenberg-Zilber lemma, no more and no less than what it says along sections of each.
+void Planner::equate(const Value& cell, const Value& becomes) {
+  touch(cell.cell);
+  if (!becomes.is_degenerate()) {
+    touch(becomes.cell);
+  }
+  overlay_[cell.cell] = {becomes.is_degenerate() ? none : becomes.cell, becomes};
+}
+
+/// Congruence closure, of values as symmetric simplicial sets have them: under faces and under orders of vertices.
+/// Closing under faces needs no look at cofaces, so its cost does not depend on the object. Cells of one type have
+/// faces of the same types in the same order, so the only thing that can be refused is a cell that is itself in another
+/// order. That two degenerate values are equal says, by the Eilenberg-Zilber lemma, no more and no less than what it
+/// says along sections of each that take every vertex between them.
 Status Planner::plan_equation(std::vector<std::pair<Value, Value>> pending, Plan& plan) {
   overlay_.clear();
   touched_.clear();
+  foldings_.clear();
+  VertexMaps& maps = structure_.maps();
   while (!pending.empty()) {
     Value a = overlay_value(pending.back().first);
     Value b = overlay_value(pending.back().second);
     pending.pop_back();
-    if (a == b) {
-      continue;
-    }
-    if (a.is_degenerate() && b.is_degenerate()) {
+    if (!(a == b) && a.is_degenerate() && b.is_degenerate()) {
       add_restrictions(a, b, pending);
       add_restrictions(b, a, pending);
-      continue;
+    } else if (!(a == b)) {
+      if (a.is_degenerate() || (!b.is_degenerate() && a.cell != b.cell && structure_.is_older(a.cell, b.cell))) {
+        std::swap(a, b);
+      }
+      if (a.order != same_order) {  // written in the order of the cell
+        b = maps.reordered(maps.inverse(a.order), b);
+        a.order = same_order;
+      }
+      bool is_new = true;
+      if (a.cell == b.cell && !b.is_degenerate()) {
+        is_new = foldings_.emplace(a.cell, b.order).second;
+      } else {
+        equate(a, b);
+      }
+      const auto arity = is_new ? static_cast<std::uint32_t>(structure_.type(a.cell).faces.size()) : 0;
+      for (std::uint32_t k = 0; k < arity; ++k) {
+        pending.emplace_back(structure_.face(a, k), structure_.face(b, k));
+      }
     }
-    if (a.is_degenerate() || (!b.is_degenerate() && structure_.is_older(a.cell, b.cell))) {
-      std::swap(a, b);
-    }
-    touch(a.cell);
-    if (b.is_degenerate()) {
-      overlay_[a.cell] = {none, b};
-    } else {
-      touch(b.cell);
-      overlay_[a.cell].parent = b.cell;
-    }
-    const auto arity = static_cast<std::uint32_t>(structure_.type(a.cell).faces.size());
-    for (std::uint32_t k = 0; k < arity; ++k) {
-      pending.emplace_back(structure_.face(a, k), structure_.face(b, k));
+    if (pending.empty()) {
+      if (Status s = settle_foldings(pending); !s) {
+        return s;
+      }
     }
   }
   plan.merges = merges_of_overlay();
   return Done{};
+}
+
+Status Planner::settle_foldings(std::vector<std::pair<Value, Value>>& pending) {
+  const std::pair<CellId, OrderId>* folded = nullptr;
+  for (auto at = foldings_.begin(); at != foldings_.end();) {
+    const Value cell{at->first, structure_.type_id(at->first), 0};
+    const Value one = overlay_value(cell);
+    const Value other = overlay_value(structure_.maps().reordered(at->second, cell));
+    if (one.is_degenerate() && !(one == other)) {
+      pending.emplace_back(one, other);
+    }
+    folded = one.is_degenerate() ? folded : &*at;
+    at = one.is_degenerate() ? foldings_.erase(at) : std::next(at);
+  }
+  if (!pending.empty() || folded == nullptr) {
+    return Done{};
+  }
+  return Error{
+      Errc::refused,
+      fmt::format("this would glue \"{}\" to itself with its vertices in the order {}, and so fold it: "
+                  "subdivide the cells that are to be glued first, so that no cell meets itself",
+                  structure_.name(folded->first), fmt::join(structure_.maps().permutation(folded->second), "-"))};
 }
 
 std::vector<Merge> Planner::merges_of_overlay() {
@@ -819,11 +883,12 @@ std::vector<Merge> Planner::merges_of_overlay() {
   // union-find forest stays logarithmic without compression, which undo could not take back.
   std::unordered_map<CellId, std::vector<CellId>> classes;
   for (const CellId c : touched_) {
-    classes[overlay_root(c)].push_back(c);
+    classes[overlay_root(c).cell].push_back(c);
   }
   std::vector<Merge> merges;
+  VertexMaps& maps = structure_.maps();
   for (const CellId root : touched_) {
-    if (overlay_root(root) != root) {
+    if (overlay_root(root).cell != root) {
       continue;
     }
     std::vector<CellId>& cells = classes[root];
@@ -833,11 +898,13 @@ std::vector<Merge> Planner::merges_of_overlay() {
       return m != n ? m > n : structure_.is_older(structure_.oldest(a), structure_.oldest(b));
     };
     std::sort(cells.begin(), cells.end(), before);
+    const Value survivor = overlay_root(cells[0]);
+    const OrderId back = maps.inverse(survivor.order);
     for (std::size_t k = 1; k < cells.size(); ++k) {
-      merges.push_back({cells[k], cells[0], {}});
+      merges.push_back({cells[k], cells[0], {}, maps.compose(overlay_root(cells[k]).order, back)});
     }
     if (const Overlay& entry = overlay_.at(root); entry.parent == none) {
-      merges.push_back({cells[0], none, entry.becomes});
+      merges.push_back({cells[0], none, maps.compose(survivor, entry.becomes)});
     }
   }
   std::stable_sort(merges.begin(), merges.end(), [this](const Merge& x, const Merge& y) {
@@ -846,32 +913,66 @@ std::vector<Merge> Planner::merges_of_overlay() {
   return merges;
 }
 
+Result<OrderId> Planner::order_of(const Identify::Map& map, TypeId type) const {
+  const CellType& components = structure_.types().info(type).type;
+  const bool is_vertex = components.empty() && map == Identify::Map{{0}};
+  bool is_map = is_vertex || map.size() == components.size();
+  std::vector<std::uint8_t> permutation;
+  for (std::size_t i = 0; i < map.size() && is_map && !is_vertex; ++i) {
+    std::vector<int> sorted = map[i];
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<int> vertices(static_cast<std::size_t>(components[i]) + 1);
+    std::iota(vertices.begin(), vertices.end(), 0);
+    is_map = sorted == vertices;
+    const std::size_t before = permutation.size();
+    for (const int k : map[i]) {
+      permutation.push_back(static_cast<std::uint8_t>(before + static_cast<std::size_t>(k)));
+    }
+  }
+  if (!is_map) {
+    return bad_input(fmt::format("a vertex map of a {} {}", describe(components),
+                                 components.size() > 1 ? "has a list for each component, each a permutation of its "
+                                                         "vertices, which are counted from 0"
+                                                       : "is a permutation of its vertices, which are counted from 0"));
+  }
+  return structure_.maps().order(permutation);
+}
+
 Status Planner::plan(const Identify& operation, Plan& plan) {
   plan.clear();
   std::vector<std::pair<Value, Value>> equations;
-  for (const auto& [one, other] : operation.pairs) {
-    const Result<CellId> a = resolve_to_change(one);
-    const Result<CellId> b = resolve_to_change(other);
+  for (std::size_t k = 0; k < operation.pairs.size(); ++k) {
+    const auto& [one, other] = operation.pairs[k];
+    const Result<Value> a = resolve_value(one);
+    Result<Value> b = resolve_value(other);
     if (!a || !b) {
       return a ? b.error() : a.error();
     }
-    if (structure_.type_id(*a) != structure_.type_id(*b)) {
+    if (a->type != b->type) {
+      const TypeTable& types = structure_.types();
       return Error{Errc::refused,
                    fmt::format("\"{}\" is a {} and \"{}\" a {}: only cells of the same type can be identified", one,
-                               describe(structure_.type(*a).type), other, describe(structure_.type(*b).type))};
+                               describe(types.info(a->type).type), other, describe(types.info(b->type).type))};
     }
-    equations.emplace_back(structure_.value(*a), structure_.value(*b));
+    if (const auto map = operation.maps.find(k); map != operation.maps.end()) {
+      const Result<OrderId> order = order_of(map->second, a->type);
+      if (!order) {
+        return order.error();
+      }
+      b = structure_.maps().reordered(*order, *b);
+    }
+    equations.emplace_back(*a, *b);
   }
   return plan_equation(std::move(equations), plan);
 }
 
 Status Planner::plan(const Degenerate& operation, Plan& plan) {
   plan.clear();
-  const Result<CellId> node = resolve_to_change(operation.cell);
-  if (!node) {
-    return node.error();
+  const Result<Value> cell = resolve_value(operation.cell);
+  if (!cell) {
+    return cell.error();
   }
-  const CellType& type = structure_.type(*node).type;
+  const CellType& type = structure_.types().info(cell->type).type;
   if (type.empty()) {
     return bad_input(fmt::format("\"{}\" is a vertex, which has no face to be squashed onto", operation.cell));
   }
@@ -889,10 +990,9 @@ Status Planner::plan(const Degenerate& operation, Plan& plan) {
     return bad_input(fmt::format("\"{}\" is a {}: the index \"along\" which it is squashed should be from 0 to {}",
                                  operation.cell, describe(type), size - 1));
   }
-  const Value cell = structure_.value(*node);
-  const Value face = structure_.face(cell, face_number(type, component, operation.index));
-  const Degeneracy direction = Degeneracy{1} << direction_number(type, component, operation.index);
-  return plan_equation({{cell, {face.cell, cell.type, compose(direction, face.collapsed)}}}, plan);
+  const Value face = structure_.face(*cell, face_number(type, component, operation.index));
+  const Value squashed{none, cell->type, Degeneracy{1} << direction_number(type, component, operation.index)};
+  return plan_equation({{*cell, structure_.maps().compose(squashed, face)}}, plan);
 }
 
 // -------------------------------------------------------------------------------------------------- de-identification
@@ -940,7 +1040,7 @@ class SplitPlanner {
   }
 
   Status add_copy(const Deidentify::Split& split) {
-    const Result<CellId> node = planner_.resolve_to_change(split.cell);
+    const Result<CellId> node = planner_.resolve(split.cell);
     if (!node) {
       return node.error();
     }
@@ -959,26 +1059,30 @@ class SplitPlanner {
   }
 
   Status add_move(std::size_t split, const std::string& name, std::int64_t face) {
-    CellId cell = none;
+    Value named;  // its faces are counted in the order in which the name stands for its vertices
     if (const auto copy = copy_names_.find(name); copy != copy_names_.end()) {
-      cell = copy->second;
+      named.cell = copy->second;
     } else {
-      const Result<CellId> node = planner_.resolve_to_change(name);
-      if (!node) {
-        return node.error();
+      const Result<Value> found = planner_.resolve_value(name);
+      if (!found) {
+        return found.error();
       }
-      cell = structure_.find(*node);
-      if (cell == none) {
+      named = *found;
+      if (named.is_degenerate()) {
         return Error{Errc::refused, fmt::format("\"{}\" is degenerate: its faces cannot move", name)};
       }
     }
+    const CellId cell = named.cell;
     const CellId source = copies_[split].source;
     std::vector<Value>& faces = faces_of(cell);
     if (face < 0 || face >= static_cast<std::int64_t>(faces.size())) {
       return bad_input(
           fmt::format("\"{}\" has {} faces, counted from 0: there is no face {}", name, faces.size(), face));
     }
-    Value& value = faces[static_cast<std::size_t>(face)];
+    const auto slot = named.order == same_order
+                          ? static_cast<std::size_t>(face)
+                          : structure_.maps().permutation(named.order)[static_cast<std::size_t>(face)];
+    Value& value = faces[slot];
     if (is_copy(value.cell)) {
       return bad_input(fmt::format("face {} of \"{}\" is moved twice in this step: it can go to one copy", face, name));
     }
@@ -989,7 +1093,7 @@ class SplitPlanner {
     }
     value.cell = first_copy + static_cast<CellId>(split);
     if (!is_copy(cell)) {
-      moves_.push_back({cell, static_cast<std::uint32_t>(face), value.cell});
+      moves_.push_back({cell, static_cast<std::uint32_t>(slot), value.cell, value.order});
     }
     return Done{};
   }
@@ -999,27 +1103,19 @@ class SplitPlanner {
     const auto [at, is_new] = faces_.try_emplace(c);
     if (is_new) {
       changed_.push_back(c);
-      for (const CellId face : structure_.faces(source_of(c))) {
-        at->second.push_back(structure_.value(face));
+      const auto arity = static_cast<std::uint32_t>(structure_.faces(source_of(c)).size());
+      for (std::uint32_t k = 0; k < arity; ++k) {
+        at->second.push_back(structure_.face_of_cell(source_of(c), k));
       }
     }
     return at->second;
   }
 
   [[nodiscard]] Value face(const Value& v, std::uint32_t k) const {
-    const auto of_cell = [this](CellId c, std::uint32_t number) {
+    return structure_.maps().face(v, k, [this](CellId c, std::uint32_t number) {
       const auto changed = faces_.find(c);
-      return changed != faces_.end() ? changed->second[number] : structure_.value(structure_.faces(c)[number]);
-    };
-    if (!v.is_degenerate()) {
-      return of_cell(v.cell, k);
-    }
-    const DegenerateFace step = face_of_degenerate(structure_.types().info(v.type), v.collapsed, k);
-    if (step.of_cell == DegenerateFace::itself) {
-      return {v.cell, step.type, step.collapsed};
-    }
-    const Value under = of_cell(v.cell, step.of_cell);
-    return {under.cell, step.type, compose(step.collapsed, under.collapsed)};
+      return changed != faces_.end() ? changed->second[number] : structure_.face_of_cell(c, number);
+    });
   }
 
   Status check_laws() const {
@@ -1061,11 +1157,11 @@ class SplitPlanner {
     std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
       return structure_.dimension(copies_[a].source) < structure_.dimension(copies_[b].source);
     });
-    std::vector<std::vector<CellId>> nodes;
+    std::vector<std::vector<Incidence>> faces;
     for (const std::size_t k : order) {
-      std::vector<CellId>& faces = nodes.emplace_back();
-      for (const Value& v : faces_.at(first_copy + static_cast<CellId>(k))) {
-        faces.push_back(is_copy(v.cell) ? v.cell : structure_.node_of(v));  // this may make nodes: so ids come later
+      faces.emplace_back();
+      for (const Value& v : faces_.at(first_copy + static_cast<CellId>(k))) {  // this may make nodes: so ids come later
+        faces.back().push_back(is_copy(v.cell) ? Incidence{v.cell, v.order} : structure_.incidence_of(v));
       }
     }
     plan.first = structure_.created();
@@ -1077,15 +1173,16 @@ class SplitPlanner {
     for (std::size_t k = 0; k < order.size(); ++k) {
       const NewCopy& copy = copies_[order[k]];
       const std::size_t first_face = plan.faces.size();
-      for (const CellId face : nodes[k]) {
-        plan.faces.push_back(final_id(face));
+      for (Incidence& face : faces[k]) {
+        face.node = final_id(face.node);
       }
+      add_faces(plan, faces[k]);
       plan.names += copy.name;
       plan.sources.push_back(copy.source);
       add_cell(plan, structure_.type_id(copy.source), first_face);
     }
     for (const Move& move : moves_) {
-      plan.moves.push_back({move.cell, move.slot, final_id(move.to)});
+      plan.moves.push_back({move.cell, move.slot, final_id(move.to), move.order});
     }
   }
 

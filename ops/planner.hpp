@@ -50,9 +50,8 @@ class Planner {
   [[nodiscard]] const Limits& limits() const { return limits_; }
   /// The node that a name denotes, of a cell of the object, or unknown_name with what would be right.
   [[nodiscard]] Result<CellId> resolve(const std::string& name) const;
-  /// The same for an operation that is not insert or collapse and changes the cell's body: refused when faces there
-  /// obey the face laws up to orientations only.
-  [[nodiscard]] Result<CellId> resolve_to_change(const std::string& name) const;
+  /// What a name denotes, in normal form: its vertices in the order in which the name stands for them.
+  [[nodiscard]] Result<Value> resolve_value(const std::string& name) const;
 
  private:
   Status check_new_name(const std::string& name) const;
@@ -61,7 +60,10 @@ class Planner {
   Status check_room(std::int64_t new_cells) const;
   Status check_size(const CellType& type) const;
   Status check_standard(const CellType& type) const;
+  /// For a product that is triangulated.
   [[nodiscard]] Status check_orders(BodyId body) const;
+  /// The vertex map of a pair as an order of the vertices of a type.
+  [[nodiscard]] Result<OrderId> order_of(const Identify::Map& map, TypeId type) const;
   Status plan_standard(const std::string& name, TypeId type, Plan& plan);
 
   [[nodiscard]] Result<BodyId> resolve_body(const std::string& name) const;
@@ -87,9 +89,14 @@ class Planner {
 
   /// Makes two values of one type equal, with all that this entails, and writes the merges.
   Status plan_equation(std::vector<std::pair<Value, Value>> equations, Plan& plan);
-  CellId overlay_root(CellId c);
+  /// The cell that a class of cells goes by, with the order in which it has the vertices of c. It may be degenerate.
+  [[nodiscard]] Value overlay_root(CellId c);
   [[nodiscard]] Value overlay_value(Value v);
   void touch(CellId c);
+  /// The cell of a value becomes another value, but for the faces of the two.
+  void equate(const Value& cell, const Value& becomes);
+  /// An error when a cell would be one with itself in another order; if it is degenerate by now, an equation.
+  Status settle_foldings(std::vector<std::pair<Value, Value>>& pending);
   /// The equation of two degenerate values, restricted to sections of the degeneracies of the first.
   void add_restrictions(const Value& one, const Value& other, std::vector<std::pair<Value, Value>>& out) const;
   [[nodiscard]] std::vector<Merge> merges_of_overlay();
@@ -98,10 +105,11 @@ class Planner {
   Limits limits_;
   struct Overlay {
     CellId parent;  ///< itself, or none: it becomes degenerate
-    Value becomes;
+    Value becomes;  ///< the parent in an order, or what is degenerate
   };
-  std::unordered_map<CellId, Overlay> overlay_;  // union-find over the current cells that a step touches
-  std::vector<CellId> touched_;                  // its keys in the order in which they came
+  std::unordered_map<CellId, Overlay> overlay_;    // union-find over the current cells that a step touches
+  std::vector<CellId> touched_;                    // its keys in the order in which they came
+  std::set<std::pair<CellId, OrderId>> foldings_;  // cells that would be themselves in another order
 };
 
 }  // namespace sesame::ops

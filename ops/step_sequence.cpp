@@ -194,7 +194,7 @@ CellBasis cells_at(const Structure& structure, Moment moment) {
 
 namespace {
 
-/// The faces of an abstract simplex should be those on all but one of its vertices, with the orientation of its order.
+/// The faces of an abstract simplex should be those on all but one of its vertices, in its order.
 std::optional<std::string> broken_vertex_law(const Structure& structure, CellId cell) {
   const AbstractComplex& complex = structure.abstract();
   const auto vertices = complex.vertices(cell);
@@ -202,10 +202,9 @@ std::optional<std::string> broken_vertex_law(const Structure& structure, CellId 
   for (std::uint32_t k = 0; k < faces.size(); ++k) {
     std::vector<VertexId> opposite(vertices.begin(), vertices.end());
     opposite.erase(opposite.begin() + k);
-    const auto [face, sign] = structure.find_oriented(faces[k]);
-    const int alternating = structure.type(cell).faces[k].sign;
-    if (face == none || face != complex.find(opposite) ||
-        sign * structure.face_sign(cell, k) != alternating * sign_between(opposite, complex.vertices(face))) {
+    const Value face = structure.face_of_cell(cell, k);
+    if (face.is_degenerate() || face.cell != complex.find(opposite) ||
+        face.order != structure.maps().order(places_in(complex.vertices(face.cell), opposite))) {
       return fmt::format("face {} of {} is not the simplex opposite to its vertex {}", k, structure.name(cell), k);
     }
   }
@@ -217,12 +216,9 @@ std::optional<std::string> broken_vertex_law(const Structure& structure, CellId 
 std::optional<std::string> first_broken_face_law(const Structure& structure, const CellBasis& basis) {
   for (const auto& cells : basis.cells()) {
     for (const CellId c : cells) {
-      const BodyKind kind = structure.kind_of(structure.body_of(c));
-      if (auto broken = kind == BodyKind::other ? std::nullopt : broken_vertex_law(structure, c)) {
+      const bool is_abstract = structure.kind_of(structure.body_of(c)).is_abstract;
+      if (auto broken = is_abstract ? broken_vertex_law(structure, c) : std::nullopt) {
         return broken;
-      }
-      if (kind == BodyKind::unordered) {
-        continue;
       }
       const Value cell = structure.value(c);
       for (const FaceLaw& law : structure.type(c).laws) {
@@ -247,9 +243,9 @@ ChainComplex<R> chain_complex(const Structure& structure, const CellBasis& basis
       Terms<R> terms;
       const auto arity = static_cast<std::uint32_t>(structure.type(cell).faces.size());
       for (std::uint32_t k = 0; k < arity; ++k) {
-        const auto [face, sign] = structure.find_oriented_at(structure.face_at(cell, k, moment), moment.links);
+        const auto [face, sign] = structure.oriented_face_at(cell, k, moment);
         if (face != none && basis.contains(face)) {
-          terms.push_back({basis.index(face), ring.from(sign * structure.face_sign(cell, k))});
+          terms.push_back({basis.index(face), ring.from(sign)});
         }
       }
       sparse::normalize(ring, terms);

@@ -16,6 +16,7 @@ using sparse::expects;
 void Plan::clear() {
   cells.clear();
   faces.clear();
+  face_orders.clear();
   first = none;
   names.clear();
   aliases.clear();
@@ -30,7 +31,10 @@ void Plan::clear() {
   joined_bodies.clear();
 }
 
-Structure::Structure() : types_{std::make_unique<TypeTable>()}, nodes_{std::make_unique<Nodes>()} {}
+Structure::Structure()
+    : types_{std::make_unique<TypeTable>()},
+      maps_{std::make_unique<VertexMaps>(*types_)},
+      nodes_{std::make_unique<Nodes>()} {}
 Structure::~Structure() = default;
 
 // ------------------------------------------------------------------------------------------------------------- cells
@@ -39,7 +43,11 @@ std::span<const CellId> Structure::faces_as_created(CellId c) const {
   if (!families_.empty() && nodes_->lazy[c] != none) {
     LazyCell& lazy = nodes_->lazy_cells[nodes_->lazy[c]];
     if (!lazy.is_expanded) {
-      lazy.faces = faces_of_lazy(lazy.key);
+      for (const Incidence& face : faces_of_lazy(lazy.key)) {
+        lazy.faces.push_back(face.node);
+        lazy.orders.push_back(face.order);
+        has_orders_ = has_orders_ || face.order != same_order;
+      }
       lazy.is_expanded = true;
       nodes_->expanded.push_back(c);
     }
@@ -57,10 +65,25 @@ std::span<const CellId> Structure::faces(CellId c) const {
   return faces_as_created(c);
 }
 
-CellId Structure::face_at(CellId c, std::uint32_t k, const Moment& moment) const {
-  CellId face = faces_as_created(c)[k];
-  for_each_move_of(c, k, 0, moment.moves, [&face](const MadeMove& made) { face = made.after; });
-  return face;
+OrderId Structure::known_order_as_created(CellId c, std::uint32_t k) const {
+  if (!families_.empty() && nodes_->lazy[c] != none) {
+    (void)faces_as_created(c);
+    return nodes_->lazy_cells[nodes_->lazy[c]].orders[k];
+  }
+  const auto at = face_orders_.find(nodes_->first_face[c] + k);
+  return at == face_orders_.end() ? same_order : at->second;
+}
+
+OrderId Structure::known_order_of_face(CellId c, std::uint32_t k) const {
+  if (const auto moved = moved_.empty() ? moved_.end() : moved_.find(c); moved != moved_.end()) {
+    return moved->second.orders[k];
+  }
+  return known_order_as_created(c, k);
+}
+
+OrderId Structure::order_of(LinkId link) const {
+  const auto at = link_orders_.empty() ? link_orders_.end() : link_orders_.find(link);
+  return at == link_orders_.end() ? same_order : at->second;
 }
 
 CellId Structure::find_at(CellId c, LinkId links) const {
@@ -79,9 +102,15 @@ Structure::Oriented Structure::find_oriented_at(CellId c, LinkId links) const {
   return {find_at(c, links), sign};
 }
 
-bool Structure::is_face_reversed(CellId c, std::uint32_t k) const {
-  const auto at = reversed_faces_.find(c);
-  return at != reversed_faces_.end() && (at->second >> k & 1) != 0;
+Structure::Oriented Structure::oriented_face_at(CellId c, std::uint32_t k, const Moment& moment) const {
+  CellId node = faces_as_created(c)[k];
+  int sign = face_sign(c, k);
+  for_each_move_of(c, k, 0, moment.moves, [&](const MadeMove& made) {
+    node = made.after;
+    sign = sign_after(made);
+  });
+  const Oriented face = find_oriented_at(node, moment.links);
+  return {face.cell, sign * face.sign};
 }
 
 CellId Structure::last_root(CellId c) const {
@@ -105,39 +134,50 @@ bool Structure::was_current(CellId c, const Moment& moment) const {
 
 Value Structure::value(CellId c) const { return normal_form({c, nodes_->type[c], 0}); }
 
+/// Along the path of the forest: to a current cell, or to one that has become degenerate.
+void Structure::advance_to_root(Value& v) const {
+  if (link_orders_.empty()) {
+    v.cell = last_root(v.cell);
+    return;
+  }
+  for (CellId parent = nodes_->parent[v.cell]; parent != v.cell && parent != none; parent = nodes_->parent[v.cell]) {
+    if (const OrderId order = order_of(nodes_->link_of[v.cell]); order != same_order) {
+      v = maps_->compose(v, {parent, nodes_->type[parent], 0, order});
+    }
+    v.cell = parent;
+  }
+}
+
 Value Structure::normal_form(Value v) const {
-  v.cell = last_root(v.cell);
+  advance_to_root(v);
   while (nodes_->parent[v.cell] == none) {
-    const Value& becomes = nodes_->squashed.at(v.cell);
-    v.collapsed = compose(v.collapsed, becomes.collapsed);
-    v.cell = last_root(becomes.cell);
+    v = maps_->compose(v, nodes_->squashed.at(v.cell));
+    advance_to_root(v);
   }
   return v;
 }
 
-Value Structure::face(const Value& v, std::uint32_t k) const {
-  if (!v.is_degenerate()) {
-    return value(faces(v.cell)[k]);
-  }
-  const DegenerateFace step = face_of_degenerate(types_->info(v.type), v.collapsed, k);
-  if (step.of_cell == DegenerateFace::itself) {
-    return {v.cell, step.type, step.collapsed};
-  }
-  const Value under = value(faces(v.cell)[step.of_cell]);
-  return {under.cell, step.type, compose(step.collapsed, under.collapsed)};
+Value Structure::face_of_cell(CellId c, std::uint32_t k) const {
+  const Value node = value(faces(c)[k]);
+  const OrderId order = order_of_face(c, k);
+  return order == same_order ? node : maps_->reordered(order, node);
 }
 
-CellId Structure::node_of(const Value& v) const {
+Value Structure::face(const Value& v, std::uint32_t k) const {
+  return maps_->face(v, k, [this](CellId c, std::uint32_t number) { return face_of_cell(c, number); });
+}
+
+Incidence Structure::incidence_of(const Value& v) const {
   if (!v.is_degenerate()) {
-    return v.cell;
+    return {v.cell, v.order};
   }
   if (const auto known = nodes_->degenerate_index.find(v); known != nodes_->degenerate_index.end()) {
-    return known->second;
+    return {known->second};
   }
   const CellId node = add_node(v.type, none, none, nodes_->body[v.cell]);
   squash(node, v);
   nodes_->degenerate_index.emplace(v, node);
-  return node;
+  return {node};
 }
 
 std::span<const std::uint64_t> Structure::counts() const {
@@ -292,7 +332,7 @@ void Structure::add_lazy_cofaces(const LazyKey& key, CellId cell, std::vector<Ce
 
 // -------------------------------------------------------------------------------------------------------- lazy cells
 
-CellId Structure::lazy_cell(FamilyId family, LazyPart part, const Value& left, const Value& right) const {
+Incidence Structure::lazy_face(FamilyId family, LazyPart part, const Value& left, const Value& right) const {
   const LazyFamily& f = families_[family];
   LazyKey key{family, part, left, right};
   Value made;  // the value that the cell has: collapsed directions of its own
@@ -306,17 +346,13 @@ CellId Structure::lazy_cell(FamilyId family, LazyPart part, const Value& left, c
     made.cell = type;  // for now: the type of the cell underneath
   } else {
     key.left = {left.cell, nodes_->type[left.cell], 0};
-    made.type = left.type;
-    made.collapsed = left.collapsed;
+    made = left;
     made.cell = key.left.type;
     if (part == LazyPart::pair) {
       key.right = {right.cell, nodes_->type[right.cell], 0};
-      made.type = types_->product(left.type, right.type);
-      made.collapsed |= right.collapsed << types_->info(left.type).dimension;
-      made.cell = types_->product(key.left.type, key.right.type);
+      made = maps_->product(types_->product(key.left.type, key.right.type), left, right);
     } else if (part == LazyPart::coned) {
-      made.type = types_->coned(left.type, f.by_edges);
-      made.cell = types_->coned(key.left.type, f.by_edges);
+      made = maps_->coned(types_->coned(key.left.type, f.by_edges), left, f.by_edges);
     }
   }
   const TypeId type = std::exchange(made.cell, none);
@@ -328,43 +364,43 @@ CellId Structure::lazy_cell(FamilyId family, LazyPart part, const Value& left, c
     nodes_->lazy_index.emplace(key, made.cell);
     nodes_->lazy_made[family].push_back(made.cell);
   }
-  return made.is_degenerate() ? node_of(normal_form(made)) : made.cell;
+  return made.is_degenerate() ? incidence_of(normal_form(made)) : Incidence{made.cell, made.order};
 }
 
-std::vector<CellId> Structure::faces_of_lazy(const LazyKey& key) const {
+std::vector<Incidence> Structure::faces_of_lazy(const LazyKey& key) const {
   const LazyFamily& family = families_[key.family];
   const auto arity = [this](const Value& v) { return static_cast<std::uint32_t>(types_->info(v.type).faces.size()); };
-  std::vector<CellId> faces;
+  std::vector<Incidence> faces;
   switch (key.part) {
     case LazyPart::pair:
       if (family.kind == FamilyKind::simplicial_product) {
         for (std::uint32_t k = 0; k < arity(key.left); ++k) {
-          faces.push_back(lazy_cell(key.family, key.part, face(key.left, k), face(key.right, k)));
+          faces.push_back(lazy_face(key.family, key.part, face(key.left, k), face(key.right, k)));
         }
         break;
       }
       for (std::uint32_t k = 0; k < arity(key.left); ++k) {
-        faces.push_back(lazy_cell(key.family, key.part, face(key.left, k), key.right));
+        faces.push_back(lazy_face(key.family, key.part, face(key.left, k), key.right));
       }
       for (std::uint32_t k = 0; k < arity(key.right); ++k) {
-        faces.push_back(lazy_cell(key.family, key.part, key.left, face(key.right, k)));
+        faces.push_back(lazy_face(key.family, key.part, key.left, face(key.right, k)));
       }
       break;
     case LazyPart::base:
       for (std::uint32_t k = 0; k < arity(key.left); ++k) {
-        faces.push_back(lazy_cell(key.family, key.part, face(key.left, k)));
+        faces.push_back(lazy_face(key.family, key.part, face(key.left, k)));
       }
       break;
     case LazyPart::coned:
       for (std::uint32_t k = 0; k < arity(key.left); ++k) {
-        faces.push_back(lazy_cell(key.family, key.part, face(key.left, k)));
+        faces.push_back(lazy_face(key.family, key.part, face(key.left, k)));
       }
       if (const int p = dimension(key.left.cell); p == 0) {
-        faces.push_back(family.apex);
+        faces.push_back({family.apex});
       } else if (family.by_edges) {
-        faces.push_back(node_of(normal_form({family.apex, key.left.type, (Degeneracy{1} << p) - 1})));
+        faces.push_back(incidence_of(normal_form({family.apex, key.left.type, (Degeneracy{1} << p) - 1})));
       }
-      faces.push_back(lazy_cell(key.family, LazyPart::base, key.left));
+      faces.push_back(lazy_face(key.family, LazyPart::base, key.left));
       break;
   }
   return faces;
@@ -491,14 +527,14 @@ void for_each_prefix(std::string_view name, Visit visit) {
 }  // namespace
 
 /// The node of a name, whatever has become of its body.
-std::optional<CellId> Structure::lookup_any(std::string_view name) const {
+std::optional<Incidence> Structure::lookup_any(std::string_view name) const {
   if (const NameTable::Name* found = names_.find(name); found != nullptr && found->cell != none) {
-    return found->cell;
+    return Incidence{found->cell};
   }
   if (const auto named = abstract_.find_named(name)) {
-    return named->cell;
+    return Incidence{named->cell, maps_->order(named->places)};
   }
-  std::optional<CellId> cell;
+  std::optional<Incidence> cell;
   if (families_.empty()) {
     return cell;
   }
@@ -510,7 +546,7 @@ std::optional<CellId> Structure::lookup_any(std::string_view name) const {
     const LazyFamily& family = families_[at->second];
     if (rest.front() == '*' && family.kind == FamilyKind::cone) {
       if (const auto base = lookup_in(rest.substr(1), family.bodies)) {
-        cell = lazy_cell(at->second, LazyPart::coned, *base);
+        cell = lazy_face(at->second, LazyPart::coned, *base);
       }
     } else if (rest.front() == '.' && family.kind != FamilyKind::cone && rest.back() == ')') {
       cell = lookup_pair(at->second, rest.substr(2, rest.size() - 3));
@@ -520,7 +556,7 @@ std::optional<CellId> Structure::lookup_any(std::string_view name) const {
 }
 
 /// The cell of a product whose name has "left|right" in its parentheses.
-std::optional<CellId> Structure::lookup_pair(FamilyId id, std::string_view inside) const {
+std::optional<Incidence> Structure::lookup_pair(FamilyId id, std::string_view inside) const {
   const LazyFamily& family = families_[id];
   const bool is_simplicial = family.kind == FamilyKind::simplicial_product;
   const auto part = [&](std::string_view text, BodyId body) -> std::optional<Value> {
@@ -538,7 +574,7 @@ std::optional<CellId> Structure::lookup_pair(FamilyId id, std::string_view insid
       if (n > largest_dimension || split->second >> n != 0) {
         return std::nullopt;
       }
-      *found = {found->cell, types_->simplex(n), compose(split->second, found->collapsed)};
+      *found = maps_->compose({none, types_->simplex(n), split->second}, *found);
     }
     return found;
   };
@@ -546,7 +582,7 @@ std::optional<CellId> Structure::lookup_pair(FamilyId id, std::string_view insid
     const auto left = part(inside.substr(0, k), family.bodies[0]);
     const auto right = left ? part(inside.substr(k + 1), family.bodies[1]) : std::nullopt;
     if (right && (!is_simplicial || left->type == right->type)) {
-      return lazy_cell(id, LazyPart::pair, *left, *right);
+      return lazy_face(id, LazyPart::pair, *left, *right);
     }
   }
   return std::nullopt;
@@ -554,11 +590,11 @@ std::optional<CellId> Structure::lookup_pair(FamilyId id, std::string_view insid
 
 /// What a name denotes among the cells of some frozen bodies.
 std::optional<Value> Structure::lookup_in(std::string_view name, std::span<const BodyId> bodies) const {
-  const auto node = lookup_any(name);
-  if (!node) {
+  const auto found = lookup_any(name);
+  if (!found) {
     return std::nullopt;
   }
-  for (Value v = value(*node);;) {
+  for (Value v = maps_->reordered(found->order, value(found->node));;) {
     const BodyId body = body_of(v.cell);
     if (std::find(bodies.begin(), bodies.end(), body) != bodies.end()) {
       return v;
@@ -567,29 +603,40 @@ std::optional<Value> Structure::lookup_in(std::string_view name, std::span<const
     if (family == none || families_[family].kind != FamilyKind::cone) {
       return std::nullopt;
     }
-    v = value(lazy_cell(family, LazyPart::base, v));
+    const Incidence base = lazy_face(family, LazyPart::base, v);
+    v = maps_->reordered(base.order, value(base.node));
   }
 }
 
-std::optional<CellId> Structure::lookup(std::string_view name) const {
-  auto node = lookup_any(name);
-  while (node && is_consumed(*node)) {
-    const FamilyId family = consumed_by(nodes_->body[*node]);
+std::optional<Incidence> Structure::lookup_in_order(std::string_view name) const {
+  auto found = lookup_any(name);
+  while (found && is_consumed(found->node)) {
+    const FamilyId family = consumed_by(nodes_->body[found->node]);
     if (families_[family].kind != FamilyKind::cone) {
       break;
     }
-    node = lazy_cell(family, LazyPart::base, value(*node));
+    found = lazy_face(family, LazyPart::base, maps_->reordered(found->order, value(found->node)));
   }
-  return node;
+  return found;
 }
 
 bool Structure::is_name_taken(std::string_view name) const {
   return names_.find(name) != nullptr || ((!families_.empty() || !abstract_.empty()) && lookup_any(name).has_value());
 }
 
-int Structure::sign_of_name(std::string_view name) const {
-  const auto named = names_.find(name) == nullptr ? abstract_.find_named(name) : std::nullopt;
-  return named ? named->sign : 1;
+OrderId Structure::order_of_name(std::string_view name) const {
+  const auto found = abstract_.empty() && !has_orders_ ? std::nullopt : lookup_in_order(name);
+  return found ? found->order : same_order;
+}
+
+/// A cell that is written out was given its name as it was made; that of a lazy one has the names of others in it.
+int Structure::sign_of_own_name(CellId node) const {
+  const LazyCell* lazy = lazy_of(node);
+  if (lazy == nullptr) {
+    return 1;
+  }
+  const int left = sign_of_name(lazy->key.left.cell);
+  return lazy->key.part == LazyPart::pair ? left * sign_of_name(lazy->key.right.cell) : left;
 }
 
 bool Structure::is_prefix_taken(std::string_view prefix) const {
@@ -728,7 +775,7 @@ void Structure::apply(const Plan& plan) {
     bodies_.emplace_back();
     bodies_.back().name = none;
     bodies_.back().parent = bodies_.back().oldest = new_body;
-    bodies_.back().kind = plan.abstract ? BodyKind::ordered : BodyKind::other;
+    bodies_.back().kind = {plan.abstract.has_value(), true};
   }
   add_cells(plan, new_body);
   if (plan.family) {
@@ -756,6 +803,29 @@ void Structure::apply(const Plan& plan) {
   } else if (!abstract_.empty()) {
     leave_abstract(plan);
   }
+  if (has_orders_) {
+    note_orders(plan, first);
+  }
+}
+
+/// Bodies where a cell and its faces do not have their vertices in the same order any more.
+void Structure::note_orders(const Plan& plan, CellId first) {
+  const auto lower = [this](BodyId body) { lower_kind(body, {kind_of(body).is_abstract, false}); };
+  if (!plan.face_orders.empty()) {
+    lower(body_of(first));
+  }
+  for (const Merge& merge : plan.merges) {
+    if (merge.order != same_order || (merge.survivor == none && merge.becomes.order != same_order)) {
+      lower(body_of(merge.removed));
+    }
+  }
+  if (plan.family) {
+    for (const BodyId body : plan.family->bodies) {
+      if (!kind_of(body).keeps_orders) {
+        lower(static_cast<BodyId>(bodies_.size()) - 1);
+      }
+    }
+  }
 }
 
 void Structure::change_abstract(const Plan& plan, CellId first) {
@@ -778,14 +848,11 @@ void Structure::change_abstract(const Plan& plan, CellId first) {
     }
     abstract_.join_labels(collapse->from, collapse->to, collapse->kept);
   }
-  if (!change.keeps_orders) {
-    lower_kind(body_of(change.collapse ? plan.merges.front().removed : first), BodyKind::unordered);
-  }
 }
 
 /// The bodies that another operation changes are no abstract complexes any more.
 void Structure::leave_abstract(const Plan& plan) {
-  const auto leave = [this](BodyId body) { lower_kind(find_body(body), BodyKind::other); };
+  const auto leave = [this](BodyId body) { lower_kind(body, {false, kind_of(body).keeps_orders}); };
   for (const Merge& merge : plan.merges) {
     leave(body_of(merge.removed));
   }
@@ -806,7 +873,8 @@ void Structure::leave_abstract(const Plan& plan) {
 }
 
 void Structure::lower_kind(BodyId body, BodyKind kind) {
-  if (bodies_[body].kind < kind) {
+  body = find_body(body);
+  if (!(bodies_[body].kind == kind)) {
     kind_changes_.push_back({body, bodies_[body].kind, static_cast<std::uint32_t>(body_links_.size())});
     bodies_[body].kind = kind;
   }
@@ -851,10 +919,11 @@ void Structure::unsquash(CellId node) const {
 void Structure::add_cells(const Plan& plan, BodyId new_body) {
   std::size_t name_begin = 0;
   auto next_degenerate = plan.degenerate.begin();
+  auto next_order = plan.face_orders.begin();
   for (std::size_t k = 0; k < plan.cells.size(); ++k) {
     const Plan::NewCell& cell = plan.cells[k];
     if (next_degenerate != plan.degenerate.end() && next_degenerate->first == k) {
-      (void)node_of(next_degenerate->second);
+      (void)incidence_of(next_degenerate->second);
       ++next_degenerate;
       continue;
     }
@@ -862,12 +931,14 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
     const CellId source = plan.sources.empty() ? none : plan.sources[k];
     const BodyId body = source != none ? body_of(source) : new_body != none ? new_body : plan.into_body.value();
     const CellId id = add_node(cell.type, names_.size(), none, body);
-    if (plan.abstract && plan.abstract->reversed[k] != 0) {
-      reversed_faces_.emplace(id, plan.abstract->reversed[k]);
-    }
     for (std::size_t f = 0; f < type.faces.size(); ++f) {
       const CellId face = plan.faces[cell.first_face + f];
       const auto entry = static_cast<std::uint32_t>(nodes_->faces.size());
+      if (next_order != plan.face_orders.end() && next_order->first == cell.first_face + f) {
+        face_orders_.emplace(entry, next_order->second);
+        has_orders_ = true;
+        ++next_order;
+      }
       nodes_->faces.push_back(face);
       nodes_->next_incidence.push_back(std::exchange(nodes_->first_incidence[face], entry));
     }
@@ -939,14 +1010,19 @@ void Structure::undo_last_family() {
 }
 
 void Structure::link(const Merge& merge) {
-  const auto& [removed, survivor, becomes, reverses] = merge;
+  const auto& [removed, survivor, becomes, order] = merge;
   expects(is_current(removed) && removed != survivor && (survivor == none || is_current(survivor)),
           "a merge joins two current cells");
   Nodes& n = *nodes_;
   n.link_of[removed] = links();
   count(removed, -1);
+  const bool reverses = maps_->sign(order) < 0;
   reverses_.push_back(reverses);
   reversals_ += reverses ? 1 : 0;
+  has_orders_ = has_orders_ || order != same_order || becomes.order != same_order;
+  if (order != same_order) {
+    link_orders_.emplace(links(), order);
+  }
   if (survivor == none) {
     links_.push_back({removed, none, none, created()});
     squash(removed, becomes);
@@ -965,6 +1041,7 @@ void Structure::undo_last_link() {
   Nodes& n = *nodes_;
   const Link link = links_.back();
   links_.pop_back();
+  link_orders_.erase(links());
   reversals_ -= reverses_.back() ? 1 : 0;
   reverses_.pop_back();
   const CellId survivor = n.parent[link.removed];
@@ -986,9 +1063,15 @@ void Structure::make_move(const Move& move) {
   if (moved.faces.empty()) {
     const auto faces = faces_as_created(move.cell);
     moved.faces.assign(faces.begin(), faces.end());
+    for (std::uint32_t k = 0; k < faces.size(); ++k) {
+      moved.orders.push_back(order_as_created(move.cell, k));
+    }
   }
   moved.history.push_back(number);
-  moves_.push_back({move.cell, move.slot, std::exchange(moved.faces[move.slot], move.to), move.to, links()});
+  has_orders_ = has_orders_ || move.order != same_order;
+  const OrderId order_before = std::exchange(moved.orders[move.slot], move.order);
+  moves_.push_back({move.cell, move.slot, std::exchange(moved.faces[move.slot], move.to), move.to, links(),
+                    order_before, move.order});
   moved_onto_[move.to].push_back(number);
 }
 
@@ -996,6 +1079,7 @@ void Structure::undo_last_move() {
   const MadeMove& made = moves_.back();
   const auto moved = moved_.find(made.cell);
   moved->second.faces[made.slot] = made.before;
+  moved->second.orders[made.slot] = made.order_before;
   moved->second.history.pop_back();
   if (moved->second.history.empty()) {
     moved_.erase(moved);
@@ -1018,7 +1102,8 @@ void Structure::join_bodies(BodyId a, BodyId b) {
     std::swap(a, b);
   }
   body_links_.push_back({b, bodies_[a].oldest, created(), links(), bodies_[a].kind});
-  bodies_[a].kind = std::max(bodies_[a].kind, bodies_[b].kind);
+  bodies_[a].kind = {bodies_[a].kind.is_abstract && bodies_[b].kind.is_abstract,
+                     bodies_[a].kind.keeps_orders && bodies_[b].kind.keeps_orders};
   bodies_[b].parent = a;
   bodies_[a].children.push_back(b);
   bodies_[a].size += bodies_[b].size;
@@ -1082,10 +1167,10 @@ void Structure::drop_last_node() {
     unsquash(c);
   } else {
     count(c, -1);
-    if (!reversed_faces_.empty()) {
-      reversed_faces_.erase(c);
-    }
     while (n.faces.size() > n.first_face[c]) {
+      if (!face_orders_.empty()) {
+        face_orders_.erase(n.faces.size() - 1);
+      }
       n.first_incidence[n.faces.back()] = n.next_incidence.back();
       n.faces.pop_back();
       n.next_incidence.pop_back();
@@ -1116,6 +1201,7 @@ void Structure::truncate(const StructureMark& mark) {
   while (nodes_->expanded.size() > mark.expansions) {
     LazyCell& lazy = nodes_->lazy_cells[nodes_->lazy[nodes_->expanded.back()]];
     lazy.faces.clear();
+    lazy.orders.clear();
     lazy.is_expanded = false;
     nodes_->expanded.pop_back();
   }

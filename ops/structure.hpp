@@ -24,21 +24,28 @@
 
 namespace sesame::ops {
 
-/// `removed` becomes the cell `survivor`: two current cells of one type whose boundaries agree by then. Or, with
-/// survivor = none, it becomes degenerate: the value `becomes`, whose boundary is 0 by then. A merge that `reverses`
-/// makes it the survivor with the opposite orientation: boundaries agree up to the sign.
+/// A node as a face: vertex k of the face is vertex order(k) of the node.
+struct Incidence {
+  CellId node;
+  OrderId order = same_order;
+};
+
+/// `removed` becomes the cell `survivor`, vertex k of it vertex order(k): two current cells of one type whose
+/// boundaries agree by then, up to the sign of the order. Or, with survivor = none, it becomes degenerate: the value
+/// `becomes`, whose boundary is 0 by then.
 struct Merge {
   CellId removed;
   CellId survivor;
   Value becomes;
-  bool reverses = false;
+  OrderId order = same_order;
 };
 
-/// Face number `slot` of a current cell becomes the cell `to`.
+/// Face number `slot` of a current cell becomes the cell `to`, in an order.
 struct Move {
   CellId cell;
   std::uint32_t slot;
   CellId to;
+  OrderId order;
 };
 
 /// What an insertion or a collapse changes in the abstract simplicial complexes.
@@ -50,18 +57,15 @@ struct AbstractChange {
   std::vector<std::string> labels;  ///< of new vertices, whose numbers follow those in use
   /// The vertices of the new cells in their orders, one cell after the other.
   std::vector<VertexId> vertices;
-  /// Per new cell: bit k is set when face k has the opposite orientation, since its vertices are in another order.
-  std::vector<std::uint64_t> reversed;
   std::optional<Collapse> collapse;
   std::vector<CellId> renamed;  ///< cells that have the vertex `gone` and will have `kept` in its place
-  bool keeps_orders = true;     ///< else some cell and its face will not have their vertices in the same order
 };
 
-/// Whether a body is an abstract simplicial complex, made by insertions and collapses only.
-enum class BodyKind : std::uint8_t {
-  ordered,    ///< it is, and each face of a cell has its vertices in the order of the cell: faces obey the face laws
-  unordered,  ///< it is, but they obey them up to orientations only: a sign for each incidence
-  other,      ///< it is not
+/// What is known of all cells of a body.
+struct BodyKind {
+  bool is_abstract = false;  ///< it is an abstract simplicial complex, made by insertions and collapses only
+  bool keeps_orders = true;  ///< faces have their vertices in the order of the cells whose faces they are
+  friend bool operator==(const BodyKind&, const BodyKind&) = default;
 };
 
 /// What an operation would do, as a value: worked out by the planner without touching the structure, then applied
@@ -74,7 +78,8 @@ struct Plan {
   };
   std::vector<NewCell> cells;
   std::vector<CellId> faces;
-  CellId first = none;  ///< the id of the first new cell
+  std::vector<std::pair<std::uint32_t, OrderId>> face_orders;  ///< of those faces, by position, that have another order
+  CellId first = none;                                         ///< the id of the first new cell
   std::string names;
   std::vector<std::pair<std::string, CellId>> aliases;  ///< further names of new cells
   std::vector<Merge> merges;  ///< by dimension, so that boundaries agree when their turn comes
@@ -133,6 +138,8 @@ class Structure {
 
   // ---- cells
   [[nodiscard]] TypeTable& types() const { return *types_; }
+  /// The arithmetic of values, and all orders of vertices that there are.
+  [[nodiscard]] VertexMaps& maps() const { return *maps_; }
   /// The number of nodes ever created (and not undone), lazy ones counted when they were asked for.
   [[nodiscard]] CellId created() const { return static_cast<CellId>(nodes_->type.size()); }
   [[nodiscard]] TypeId type_id(CellId c) const { return nodes_->type[c]; }
@@ -142,8 +149,13 @@ class Structure {
   [[nodiscard]] std::span<const CellId> faces_as_created(CellId c) const;
   /// The nodes that the faces are now: those given at creation, but for the incidences that have moved since.
   [[nodiscard]] std::span<const CellId> faces(CellId c) const;
-  /// The node that face k was at a moment.
-  [[nodiscard]] CellId face_at(CellId c, std::uint32_t k, const Moment& moment) const;
+  /// The order in which face k has the vertices of the node faces_as_created(c)[k], or faces(c)[k].
+  [[nodiscard]] OrderId order_as_created(CellId c, std::uint32_t k) const {
+    return has_orders_ ? known_order_as_created(c, k) : same_order;
+  }
+  [[nodiscard]] OrderId order_of_face(CellId c, std::uint32_t k) const {
+    return has_orders_ ? known_order_of_face(c, k) : same_order;
+  }
   /// The current cell that c is now, or none when it is degenerate.
   [[nodiscard]] CellId find(CellId c) const {
     const std::vector<CellId>& parent = nodes_->parent;
@@ -161,19 +173,27 @@ class Structure {
   };
   [[nodiscard]] Oriented find_oriented(CellId c) const { return find_oriented_at(c, links()); }
   [[nodiscard]] Oriented find_oriented_at(CellId c, LinkId links) const;
-  /// The sign of face k, as created, in the boundary of c.
+  /// The sign of the node faces_as_created(c)[k], or faces(c)[k], in the boundary of c.
   [[nodiscard]] int face_sign(CellId c, std::uint32_t k) const {
     const int sign = type(c).faces[k].sign;
-    return !reversed_faces_.empty() && is_face_reversed(c, k) ? -sign : sign;
+    return has_orders_ ? sign * maps_->sign(known_order_as_created(c, k)) : sign;
   }
-  /// The normal form of what c is now. (In an unordered body only the cell of a degenerate value has a meaning.)
+  [[nodiscard]] int sign_of_face(CellId c, std::uint32_t k) const {
+    const int sign = type(c).faces[k].sign;
+    return has_orders_ ? sign * maps_->sign(known_order_of_face(c, k)) : sign;
+  }
+  /// The cell that face k of c was at a moment, or none, with its sign in the boundary of c.
+  [[nodiscard]] Oriented oriented_face_at(CellId c, std::uint32_t k, const Moment& moment) const;
+  /// The normal form of what c is now.
   [[nodiscard]] Value value(CellId c) const;
   /// The same for a value whose cell is any node.
   [[nodiscard]] Value normal_form(Value v) const;
   /// Face k of a value in normal form, in normal form. Cost O(dimension), amortised.
   [[nodiscard]] Value face(const Value& v, std::uint32_t k) const;
-  /// The node of a value: a cell itself, or a node that is degenerate from the start.
-  [[nodiscard]] CellId node_of(const Value& v) const;
+  /// Face k of a cell, in normal form.
+  [[nodiscard]] Value face_of_cell(CellId c, std::uint32_t k) const;
+  /// A value in normal form as a face: a cell in an order, or a node that is degenerate from the start.
+  [[nodiscard]] Incidence incidence_of(const Value& v) const;
   [[nodiscard]] bool is_current(CellId c) const { return nodes_->parent[c] == c; }
   /// The number of current cells of each dimension, up to the largest that has one.
   [[nodiscard]] std::span<const std::uint64_t> counts() const;
@@ -188,6 +208,8 @@ class Structure {
   [[nodiscard]] CellId removed(LinkId link) const { return links_[link].removed; }
   /// -1 when the removed cell became the other one with the opposite orientation.
   [[nodiscard]] int sign_of(LinkId link) const { return reverses_[link] ? -1 : 1; }
+  /// Vertex k of the removed cell became vertex order(k) of the other one.
+  [[nodiscard]] OrderId order_of(LinkId link) const;
   /// What c was removed in favour of: a node, or none when it became degenerate; c itself when it is current.
   [[nodiscard]] CellId parent(CellId c) const { return nodes_->parent[c]; }
   /// The link by which c was removed, or `none`.
@@ -224,8 +246,13 @@ class Structure {
     std::uint32_t slot;
     CellId before, after;
     LinkId links;
+    OrderId order_before, order_after;
   };
   [[nodiscard]] std::span<const MadeMove> moves() const { return moves_; }
+  /// The sign of the face in the boundary of the cell after a move.
+  [[nodiscard]] int sign_after(const MadeMove& made) const {
+    return type(made.cell).faces[made.slot].sign * maps_->sign(made.order_after);
+  }
   /// Calls visit(move) for the moves of face k of a cell whose numbers are in [first, last), in order.
   template <class Visit>
   void for_each_move_of(CellId c, std::uint32_t k, std::uint32_t first, std::uint32_t last, Visit&& visit) const;
@@ -243,17 +270,22 @@ class Structure {
 
   // ---- names
   /// The node of a name, or empty. Cells of bodies that a cone was taken over are those of the cone.
-  [[nodiscard]] std::optional<CellId> lookup(std::string_view name) const;
+  [[nodiscard]] std::optional<CellId> lookup(std::string_view name) const {
+    const auto named = lookup_in_order(name);
+    return named ? std::optional{named->node} : std::nullopt;
+  }
   /// The canonical name of the cell that c is now: that of its oldest member.
   [[nodiscard]] std::string_view name(CellId c) const { return own_name(oldest(c)); }
   /// The sign with which the canonical name of a current cell denotes it: a name stands for the orientation that the
   /// cell had which it was made for.
   [[nodiscard]] int sign_of_name(CellId current) const {
-    return reversals_ == 0 ? 1 : find_oriented(oldest(current)).sign;
+    return reversals_ == 0 ? 1 : find_oriented(oldest(current)).sign * sign_of_own_name(oldest(current));
   }
-  /// The sign with which any name denotes the node that `lookup` finds: -1 when it lists the labels of an abstract
-  /// simplex and those, sorted, are in an order opposite to that of the node's vertices.
-  [[nodiscard]] int sign_of_name(std::string_view name) const;
+  /// The order in which any name has the vertices of the node that `lookup` finds: another one when it lists the labels
+  /// of an abstract simplex and those, sorted, are not in the order of the node's vertices; or has such a name in it.
+  [[nodiscard]] OrderId order_of_name(std::string_view name) const;
+  /// The sign with which it denotes that node.
+  [[nodiscard]] int sign_of_name(std::string_view name) const { return maps_->sign(order_of_name(name)); }
   /// The name that c was created with.
   [[nodiscard]] std::string_view own_name(CellId c) const;
   /// The oldest member of the class of c: of the cell that it is now, or was last before it became degenerate.
@@ -299,8 +331,12 @@ class Structure {
   [[nodiscard]] const LazyCell* lazy_of(CellId c) const {
     return families_.empty() || nodes_->lazy[c] == none ? nullptr : &nodes_->lazy_cells[nodes_->lazy[c]];
   }
-  /// The node of a lazy cell, made if need be; of a degenerate one too. The parts are values in normal form.
-  [[nodiscard]] CellId lazy_cell(FamilyId family, LazyPart part, const Value& left, const Value& right = {}) const;
+  /// A lazy cell, made if need be, as a face: of a degenerate one the node. The parts are values in normal form.
+  [[nodiscard]] Incidence lazy_face(FamilyId family, LazyPart part, const Value& left, const Value& right = {}) const;
+  /// Its node.
+  [[nodiscard]] CellId lazy_cell(FamilyId family, LazyPart part, const Value& left, const Value& right = {}) const {
+    return lazy_face(family, part, left, right).node;
+  }
   /// Makes all lazy cells of the object: for looking at the whole of it. Cost: the cells of all families.
   void make_all_lazy_cells() const;
 
@@ -352,7 +388,7 @@ class Structure {
     FamilyId family = none;             ///< that it was made as
     FamilyId consumed_by = none;
     std::uint64_t simploids = 0;  ///< of those counted, the ones of a type longer than one
-    BodyKind kind = BodyKind::other;
+    BodyKind kind;
   };
   struct BodyLink {
     BodyId child, oldest_before;
@@ -382,19 +418,24 @@ class Structure {
   void join_bodies(BodyId a, BodyId b);
   void change_abstract(const Plan& plan, CellId first);
   void leave_abstract(const Plan& plan);
+  void note_orders(const Plan& plan, CellId first);
   void lower_kind(BodyId body, BodyKind kind);
   void undo_last_kind_change();
-  [[nodiscard]] bool is_face_reversed(CellId c, std::uint32_t k) const;
+  [[nodiscard]] OrderId known_order_as_created(CellId c, std::uint32_t k) const;
+  [[nodiscard]] OrderId known_order_of_face(CellId c, std::uint32_t k) const;
   void count(CellId c, int change);
   static void add_counts(std::span<const std::uint64_t> from, std::vector<std::uint64_t>& to, bool subtract);
   void add_name(std::string_view text, CellId cell, BodyId body);
   [[nodiscard]] CellId last_root(CellId c) const;
+  void advance_to_root(Value& v) const;
   [[nodiscard]] int compare_age(CellId a, CellId b) const;
-  [[nodiscard]] std::vector<CellId> faces_of_lazy(const LazyKey& key) const;
+  [[nodiscard]] std::vector<Incidence> faces_of_lazy(const LazyKey& key) const;
   void make_all_cells_of(FamilyId family) const;
-  [[nodiscard]] std::optional<CellId> lookup_any(std::string_view name) const;
+  [[nodiscard]] std::optional<Incidence> lookup_in_order(std::string_view name) const;
+  [[nodiscard]] std::optional<Incidence> lookup_any(std::string_view name) const;
+  [[nodiscard]] int sign_of_own_name(CellId node) const;
   [[nodiscard]] std::optional<Value> lookup_in(std::string_view name, std::span<const BodyId> bodies) const;
-  [[nodiscard]] std::optional<CellId> lookup_pair(FamilyId family, std::string_view inside) const;
+  [[nodiscard]] std::optional<Incidence> lookup_pair(FamilyId family, std::string_view inside) const;
   [[nodiscard]] std::string lazy_name(const LazyKey& key) const;
   [[nodiscard]] CellId owner_of(std::uint32_t entry) const;
   void add_cofaces(CellId current, std::vector<CellId>& out) const;
@@ -402,10 +443,12 @@ class Structure {
   void add_lazy_cofaces(const LazyKey& key, CellId cell, std::vector<CellId>& out) const;
 
   std::unique_ptr<TypeTable> types_;  // behind a pointer: planning interns types, and that changes no state
+  std::unique_ptr<VertexMaps> maps_;  // likewise
   std::unique_ptr<Nodes> nodes_;
   std::vector<Link> links_;
-  std::vector<bool> reverses_;  ///< per link
-  LinkId reversals_ = 0;        ///< links that do
+  std::vector<bool> reverses_;                       ///< per link
+  LinkId reversals_ = 0;                             ///< links that do
+  std::unordered_map<LinkId, OrderId> link_orders_;  ///< of links in another order
   std::vector<std::uint64_t> counts_;
 
   std::vector<Copy> copies_;
@@ -414,6 +457,7 @@ class Structure {
   std::vector<MadeMove> moves_;
   struct MovedFaces {
     std::vector<CellId> faces;           ///< as they are now
+    std::vector<OrderId> orders;         ///< of these
     std::vector<std::uint32_t> history;  ///< numbers in moves_
   };
   std::unordered_map<CellId, MovedFaces> moved_;                       ///< cells that have moved incidences
@@ -426,7 +470,9 @@ class Structure {
   std::vector<BodyLink> body_links_;
   std::vector<KindChange> kind_changes_;
   AbstractComplex abstract_;
-  std::unordered_map<CellId, std::uint64_t> reversed_faces_;  ///< of cells that have some, as bits
+  /// Orders of faces as created, where not the same: by place in the list of all faces.
+  std::unordered_map<std::uint64_t, OrderId> face_orders_;
+  mutable bool has_orders_ = false;  ///< some face or link has, or had, another order
   std::deque<LazyFamily> families_;
   std::unordered_map<std::string, FamilyId> family_names_;
 };

@@ -92,12 +92,12 @@ TEST_CASE("a label is a name without braces and commas", "[ops]") {
   }
 }
 
-TEST_CASE("the sign between two orders is that of the permutation", "[ops]") {
-  CHECK(sign_between(Vertices{5}, Vertices{5}) == 1);
-  CHECK(sign_between(Vertices{5, 7}, Vertices{7, 5}) == -1);
-  CHECK(sign_between(Vertices{1, 2, 3}, Vertices{2, 3, 1}) == 1);
-  CHECK(sign_between(Vertices{1, 2, 3, 4}, Vertices{2, 3, 4, 1}) == -1);
-  CHECK(sign_between(Vertices{}, Vertices{}) == 1);
+TEST_CASE("the places of vertices in another order are those where the other order has them", "[ops]") {
+  using Places = std::vector<std::uint8_t>;
+  CHECK(places_in(Vertices{5}, Vertices{5}) == Places{0});
+  CHECK(places_in(Vertices{5, 7}, Vertices{7, 5}) == Places{1, 0});
+  CHECK(places_in(Vertices{1, 2, 3}, Vertices{2, 3, 1}) == Places{1, 2, 0});
+  CHECK(places_in(Vertices{}, Vertices{}).empty());
 }
 
 TEST_CASE("random changes do to stars and names what they do to sets of labels, and can be taken back", "[ops]") {
@@ -143,8 +143,8 @@ TEST_CASE("names that are no list of known labels, or repeat a vertex, denote no
   complex.add(1, Vertices{b});
   complex.add(2, Vertices{b, a});
   CHECK(complex.find_named("{a,b}").value().cell == 2);
-  CHECK(complex.find_named("{a,b}").value().sign == -1);
-  CHECK(complex.find_named("{b,a}").value().sign == -1);  // sorted all the same
+  CHECK(complex.find_named("{a,b}").value().places == std::vector<std::uint8_t>{1, 0});
+  CHECK(complex.find_named("{b,a}").value().places == std::vector<std::uint8_t>{1, 0});  // sorted all the same
   for (const std::string name :
        {"", "{}", "{", "}", "a", "{a", "a}", "{a,}", "{,a}", "{a,a}", "{a,c}", "{a,b,}", "[a]"}) {
     CAPTURE(name);

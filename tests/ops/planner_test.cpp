@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "ops/step_sequence.hpp"
 #include "tests/support/random_steps.hpp"
 #include "tests/support/structures.hpp"
 
@@ -362,6 +363,64 @@ TEST_CASE("a suspension is refused when its names would be given twice, or its b
               R"({"op":"product","name":"Q","left":"P","right":"P"})"});
   CHECK_THAT(what(R"({"op":"suspend","apexes":["n","s"],"over":"Q"})"),
              Contains("cells; the limit is 100 cells a step"));
+}
+
+// ------------------------------------------------------------------------------------------------------ vertex maps
+
+TEST_CASE("vertex k of the first cell is glued to vertex map[k] of the second", "[ops]") {
+  Workshop shop;
+  shop.build({R"({"op":"simplex","name":"a","dim":2})", R"({"op":"simplex","name":"b","dim":2})",
+              R"({"op":"identify","pairs":[["a","b",[2,0,1]]]})"});
+  for (const auto& [one, other] : std::vector<std::pair<std::string, std::string>>{
+           {"a.0", "b.2"}, {"a.1", "b.0"}, {"a.2", "b.1"}, {"a.0-1", "b.0-2"}, {"a.1-2", "b.0-1"}, {"a.0-2", "b.1-2"}}) {
+    CHECK(shop.cell(one) == shop.cell(other));
+  }
+  const Structure& s = shop.structure();
+  CHECK(s.find_oriented(*s.lookup("a.0-1")).sign * s.find_oriented(*s.lookup("b.0-2")).sign == -1);
+  CHECK(s.find_oriented(*s.lookup("a.1-2")).sign * s.find_oriented(*s.lookup("b.0-1")).sign == 1);
+  CHECK(first_broken_face_law(s, cells_at(s, now(s))).value_or("") == "");
+}
+
+TEST_CASE("a simploid has a vertex map for each component", "[ops]") {
+  Workshop shop;
+  shop.build({R"({"op":"simploid","name":"p","type":[1,1]})", R"({"op":"simploid","name":"q","type":[1,1]})",
+              R"({"op":"identify","pairs":[["p","q",[[1,0],[0,1]]]]})"});
+  CHECK(shop.cell("p.0x0-1") == shop.cell("q.1x0-1"));
+  CHECK(shop.cell("p.0-1x0") == shop.cell("q.0-1x0"));
+  CHECK(shop.cell("p.1x1") == shop.cell("q.0x1"));
+  CHECK(counts(shop) == Counts{4, 4, 1});
+}
+
+TEST_CASE("a gluing that folds a cell is refused, and the cell named", "[ops]") {
+  Workshop shop;
+  shop.build({R"({"op":"simplex","name":"t","dim":2})", R"({"op":"simplex","name":"u","dim":2})",
+              R"({"op":"simplex","name":"e","dim":1})", R"({"op":"degenerate","cell":"e","along":0})"});
+  const auto what = [&shop](const std::string& pairs) {
+    const Error error = refused(shop, R"({"op":"identify","pairs":)" + pairs + "}");
+    CHECK(error.code == Errc::refused);
+    return error.what;
+  };
+  CHECK_THAT(what(R"([["t.0-1","t.0-1",[1,0]]])"), Contains("\"t.0-1\" to itself with its vertices in the order 1-0"));
+  CHECK_THAT(what(R"([["t","t",[1,2,0]]])"), Contains("\"t\" to itself"));
+  CHECK_THAT(what(R"([["t","u"],["t","u",[1,0,2]]])"), Contains("\"t") && Contains("to itself"));
+  CHECK_THAT(what(R"([["t.0-1","u.0-1"],["u.0-1","t.1-2"],["t.0-1","t.1-2",[1,0]]])"), Contains("order 1-0"));
+  shop.build({R"({"op":"identify","pairs":[["t.0-1","t.0-1",[1,0]],["t.0-1","e"]]})"});  // it becomes degenerate
+  CHECK(shop.structure().find(*shop.structure().lookup("t.0-1")) == none);
+  CHECK(shop.structure().find(*shop.structure().lookup("t")) != none);
+}
+
+TEST_CASE("a vertex map is a permutation of the vertices of the type", "[ops]") {
+  Workshop shop;
+  shop.build({R"({"op":"simplex","name":"t","dim":2})", R"({"op":"simploid","name":"q","type":[1,1]})"});
+  for (const std::string pair :
+       {R"(["t.0-1","t.1-2",[1]])", R"(["t.0-1","t.1-2",[0,0]])", R"(["t.0-1","t.1-2",[0,1,2]])",
+        R"(["t.0-1","t.1-2",[[0,1],[0,1]]])", R"(["q","q",[0,1]])", R"(["t.0","t.1",[1]])"}) {
+    CAPTURE(pair);
+    const Error error = refused(shop, R"({"op":"identify","pairs":[)" + pair + "]}");
+    CHECK(error.code == Errc::bad_input);
+    CHECK_THAT(error.what, Contains("permutation of its vertices"));
+  }
+  CHECK(shop.apply(operation(R"({"op":"identify","pairs":[["t.0","t.1",[0]]]})")));
 }
 
 // -------------------------------------------------------------------------------------------------- identification

@@ -545,7 +545,7 @@ TEST_CASE("what cells, and which faces, there were can be said of every past mom
       if (s.was_current(c, moment)) {
         std::vector<CellId>& faces = found[label(s, c)];
         for (std::uint32_t f = 0; f < s.type(c).faces.size(); ++f) {
-          faces.push_back(s.find_at(s.face_at(c, f, moment), moment.links));
+          faces.push_back(s.oriented_face_at(c, f, moment).cell);
         }
       }
     }

@@ -12,14 +12,14 @@ Covered: simplex, simploid, complex, cone, suspend, identify, degenerate, deiden
 undo, note.
 Exit status as `sesame replay`: 0 done, 1 wrong usage or unreadable file, 2 the script is wrong, 3 an expect failed.
 
-A *value* is a cell that may be degenerate: a pair (y, shape). The shape has one entry for each component of the type
-and in it one for each direction, from a vertex to the next: True where the direction is collapsed. The cell y is not
-degenerate, and its type is what the uncollapsed directions leave (a component without any vanishes). By the
-Eilenberg-Zilber lemma there is exactly one such pair for each cell, degenerate or not. Faces of cells are values.
+A *value* is a cell with its vertices in some order, or a degenerate cell: a pair (y, shape). The shape has one entry for
+each component of the type, and in it says of each vertex to which vertex of y it goes. The cell y is not degenerate; a
+component of which all vertices go to one is none of y. By the Eilenberg-Zilber lemma there is exactly one such pair for
+each cell in each order, and for each degenerate one, as long as no cell is itself in another order: a gluing that would
+make one so is refused. Faces of cells are values.
 
 A simplex of an abstract complex is the frozenset of the labels that its vertices have now. The order in which its
-canonical name lists them, each as the label that it has become, is its orientation. While all simplices of a body and
-their faces agree about that order the body is like any other; otherwise signs are worked out from the orders.
+canonical name lists them, each as the label that it has become, is that of its vertices.
 """
 
 import collections
@@ -231,79 +231,85 @@ def slot_number(kind, i, j):
 
 
 def whole(kind):
-    """The shape without collapsed directions."""
-    return tuple((False,) * a for a in kind)
+    """The shape of a cell itself."""
+    return tuple(tuple(range(a + 1)) for a in kind)
 
 
 def squashed(kind):
-    """The shape with collapsed directions only."""
-    return tuple((True,) * a for a in kind)
+    """The shape that sends everything to one vertex."""
+    return tuple((0,) * (a + 1) for a in kind)
 
 
 def type_of(shape):
-    return tuple(len(part) for part in shape)
+    return tuple(len(part) - 1 for part in shape)
 
 
 def is_degenerate(value):
-    return any(any(part) for part in value[1])
+    return any(len(set(part)) < len(part) for part in value[1])
+
+
+def is_monotone(shape):
+    return all(part == tuple(sorted(part)) for part in shape)
+
+
+def orientation(shape):
+    """The sign of a shape that is a permutation in every component."""
+    return math.prod(sign_between(part, sorted(part)) for part in shape)
 
 
 def fill(outer, inner):
     """The shape of a value (y, outer) when y itself is a value of the shape inner."""
-    entries = iter([collapsed for part in inner for collapsed in part])
-    filled = tuple(tuple(collapsed or next(entries) for collapsed in part) for part in outer)
+    entries = iter(inner)
+    filled = tuple(part if max(part) == 0 else tuple(map(next(entries).__getitem__, part)) for part in outer)
     assert next(entries, None) is None
     return filled
+
+
+def reordered(shape, order):
+    """The shape whose vertex k is vertex order[k] of another one, in every component."""
+    return tuple(tuple(part[k] for k in places) for part, places in zip(shape, order))
+
+
+def inverse(order):
+    return tuple(tuple(map(part.index, range(len(part)))) for part in order)
 
 
 def face_of(value, i, j, faces_of):
     """d^i_j of a value; faces_of gives the faces (values) of a nondegenerate cell."""
     cell, shape = value
     part = shape[i]
-    if j == 0:
-        rest, loses = part[1:], not part[0]
-    elif j == len(part):
-        rest, loses = part[:-1], not part[-1]
-    else:  # two directions become one, which is collapsed if both were
-        rest = part[: j - 1] + (part[j - 1] and part[j],) + part[j + 1:]
-        loses = not part[j - 1] and not part[j]
-    after = shape[:i] + ((rest,) if rest else ()) + shape[i + 1:]
+    vertex, rest = part[j], part[:j] + part[j + 1:]
+    loses = vertex not in rest
+    if loses:
+        rest = tuple(v - (v > vertex) for v in rest)
+    after = shape[:i] + ((rest,) if len(rest) > 1 else ()) + shape[i + 1:]
     if not loses:
         return cell, after
-    left = [sum(not collapsed for collapsed in p) for p in shape]
-    vertex = sum(not collapsed for collapsed in part[:j])  # the vertex of the nondegenerate cell onto which j goes
-    inner_cell, inner = faces_of(cell)[sum(n + 1 for n in left[:i] if n) + vertex]
+    inner_cell, inner = faces_of(cell)[sum(max(p) + 1 for p in shape[:i] if max(p)) + vertex]
     return inner_cell, fill(after, inner)
 
 
 def collapse(value, i, j, vanished):
-    """s^i_j of a value: a new collapsed direction j in component i, which is a new one if it had vanished."""
+    """s^i_j of a value: vertex j of component i twice, of a new one if it had vanished."""
     cell, shape = value
     if vanished:
-        return cell, shape[:i] + ((True,),) + shape[i:]
-    return cell, shape[:i] + (shape[i][:j] + (True,) + shape[i][j:],) + shape[i + 1:]
+        return cell, shape[:i] + ((0, 0),) + shape[i:]
+    return cell, shape[:i] + (shape[i][:j + 1] + shape[i][j:],) + shape[i + 1:]
 
 
 def restrict(value, kept, faces_of):
     """The face of a value on the listed vertices, one list for each component."""
     for i in reversed(range(len(kept))):
-        for j in reversed(range(len(value[1][i]) + 1)):
+        for j in reversed(range(len(value[1][i]))):
             if j not in kept[i]:
                 value = face_of(value, i, j, faces_of)
     return value
 
 
 def sections(shape):
-    """Every choice of one vertex from each set of vertices that the collapsed directions make one."""
-    choices = []
-    for part in shape:
-        runs = [[0]]
-        for j, collapsed in enumerate(part):
-            if collapsed:
-                runs[-1].append(j + 1)
-            else:
-                runs.append([j + 1])
-        choices.append(list(itertools.product(*runs)))
+    """Every choice of one vertex from each set of vertices that are sent to one."""
+    choices = [list(itertools.product(*([j for j, v in enumerate(part) if v == image] for image in sorted(set(part)))))
+               for part in shape]
     return itertools.product(*choices)
 
 
@@ -335,8 +341,8 @@ class State:
         self.consumed = set()  # numbers of bodies
         self.labels = {}  # of a vertex of an abstract complex, as inserted -> the label that the vertex has now
         self.orders = {}  # frozenset of labels -> tuple of them; a simplex is a name as well: its frozenset
-        self.abstract = {}  # number of an abstract body, of its root -> whether orders agree
-        self.for_a_change = False  # names are looked up by an operation that wants cells whose orders agree
+        self.abstract = set()  # numbers of abstract bodies, of their roots
+        self.disordered = set()  # numbers of bodies where cells and faces have come to order their vertices differently
 
     def copy(self):
         other = State()
@@ -348,7 +354,8 @@ class State:
         other.consumed = set(self.consumed)
         other.labels = dict(self.labels)
         other.orders = dict(self.orders)
-        other.abstract = dict(self.abstract)
+        other.abstract = set(self.abstract)
+        other.disordered = set(self.disordered)
         return other
 
     # -- reading
@@ -364,7 +371,6 @@ class State:
         body = self.body_root(self.bodies[name])
         if body in self.consumed:
             raise ScriptError(f'the body "{name}" is a factor of a product now')
-        self.check_orders(body)
         return body
 
     def cells_of_body(self, body):
@@ -374,13 +380,15 @@ class State:
         """What a name denotes; it may be degenerate."""
         if not isinstance(name, str):
             raise ScriptError("a cell's name must be a string")
-        key = name if name in self.names else frozenset(self.listed(name))
+        listed = self.listed(name)
+        key = name if name in self.names else frozenset(listed)
         if key not in self.names:
             raise ScriptError(f'no cell is called "{name}"')
         if self.names[key] is None:
             raise ScriptError(f'"{name}" is a cell of a factor of a product')
-        self.check_orders(self.body_root(self.cells[self.names[key][0]].body))
-        return self.names[key]
+        if key == name or len(listed) == 1:
+            return self.names[key]
+        return self.names[key][0], fill((places(listed, self.orders[key]),), self.names[key][1])
 
     def listed(self, name):
         """The labels that a name {a,b,...} lists, sorted, as what they have become; empty when they are none."""
@@ -390,12 +398,7 @@ class State:
 
     def sign(self, name):
         """The orientation that a name stands for, against that of the cell."""
-        listed = self.listed(name)
-        return sign_between(listed, self.orders[frozenset(listed)]) if frozenset(listed) in self.orders else 1
-
-    def check_orders(self, body):
-        if self.for_a_change and self.abstract.get(body) is False:
-            raise ScriptError("the orders of vertices of this body do not agree")
+        return orientation(self.value(name)[1])
 
     def find(self, name):
         """The number of a cell that is not degenerate."""
@@ -437,22 +440,19 @@ class State:
                             if self.body_root(self.cells[number].body) == body), key=lambda entry: entry[1]))
 
     def faces_by_order(self, order):
-        """(number, sign) of the faces of a simplex with this order: what is opposite to each of its vertices."""
+        """The faces of a simplex with this order, values: what is opposite to each of its vertices."""
         for k in range(len(order) if len(order) > 1 else 0):
             rest = order[:k] + order[k + 1:]
             key = frozenset(rest)
-            yield self.names[key][0], sign_between(rest, self.orders[key])
+            yield self.names[key][0], ((places(rest, self.orders[key]),) if len(rest) > 1 else ())
 
     def boundary(self, number):
         """Sum of (-1)^(j + a_1 + ... + a_{i-1}) d^i_j as {cell: coefficient}; degenerate faces count as 0."""
-        if self.abstract.get(self.body_root(self.cells[number].body)) is False:
-            key = next(key for key in self.orders if self.names[key] == self.plain(number))
-            return {c: sign * (-1) ** k for k, (c, sign) in enumerate(self.faces_by_order(self.orders[key]))}
         kind = self.cells[number].kind
         chain = {}
         for (i, j), face in zip(face_slots(kind), self.faces(number)):
             if not is_degenerate(face):
-                sign = -1 if (j + sum(kind[:i])) % 2 else 1
+                sign = orientation(face[1]) * (-1) ** (j + sum(kind[:i]))
                 chain[face[0]] = chain.get(face[0], 0) + sign
         return {c: v for c, v in chain.items() if v}
 
@@ -470,8 +470,6 @@ class State:
     def broken_law(self):
         """The first cell that breaks a face law, as a sentence, or None."""
         for c in self.alive():
-            if self.abstract.get(self.body_root(self.cells[c].body)) is False:
-                continue
             problem = broken_law(self.cells[c].kind, self.faces(c), self.faces)
             if problem:
                 return f'"{self.cells[c].name}" breaks the face law {problem}'
@@ -493,9 +491,10 @@ class State:
         a, b = sorted((self.body_root(a), self.body_root(b)))
         if a != b:
             self.body_merged_into[b] = a
-            kinds = [self.abstract.pop(body, None) for body in (a, b)]
-            if None not in kinds:
-                self.abstract[a] = all(kinds)
+            are_abstract = {a, b} <= self.abstract
+            self.abstract -= {a, b}
+            self.abstract |= {a} if are_abstract else set()
+            self.disordered |= {a} if b in self.disordered else set()
 
     def add(self, name, kind, faces, body, body_name=None):
         self.check_free(name, body_name)
@@ -511,6 +510,7 @@ class State:
         Whatever is done to one side, a face or a restriction, is done to the other, until nothing new follows.
         """
         became = {}  # number -> value
+        folded = {}  # number -> orders in which the cell would be itself
 
         def now(value):
             while value[0] in became:
@@ -518,9 +518,15 @@ class State:
                 value = other, fill(value[1], inner)
             return value
 
+        def settled():
+            """Equations of cells that were folded before they became degenerate."""
+            for c in [c for c in folded if is_degenerate(now(self.plain(c)))]:
+                for order in folded.pop(c):
+                    yield self.plain(c), (c, order)
+
         asserted = []
         pending = list(equations)
-        while pending:
+        while pending or (pending := list(settled())):
             asserted.append(pending.pop())
             left, right = map(now, asserted[-1])
             if left == right:
@@ -536,9 +542,20 @@ class State:
             if is_degenerate(left) or (not is_degenerate(right) and left[0] < right[0]):
                 left, right = right, left
             # The left one goes: it is no degenerate cell, and the younger of two that are not.
-            became[left[0]] = right
+            left, right = self.plain(left[0]), (right[0], reordered(right[1], inverse(left[1])))
+            if left[0] == right[0]:
+                if right[1] in folded.setdefault(left[0], set()):
+                    continue
+                folded[left[0]].add(right[1])
+                asserted.pop()
+            else:
+                became[left[0]] = right
+                if not is_monotone(right[1]):
+                    self.disordered.add(self.body_root(self.cells[left[0]].body))
             for i, j in face_slots(type_of(left[1])):
                 pending.append((self.face(left, i, j), self.face(right, i, j)))
+        if folded:
+            raise ScriptError("a cell would be glued to itself in another order of its vertices")
         assert all(now(left) == now(right) for left, right in asserted)
         self.cells = {c: cell._replace(faces=tuple(map(now, cell.faces)))
                       for c, cell in self.cells.items() if c not in became}
@@ -730,8 +747,6 @@ def op_complex(state, step, _prime):
 
 def cells_to_cone(state, over):
     if over is None:
-        for body in state.abstract:
-            state.check_orders(body)
         return state.alive()
     if isinstance(over, str):
         return state.cells_of_body(state.find_body(over))
@@ -759,11 +774,12 @@ def add_cone(state, apex, base, simplicial, body):
     tip = state.add(apex, (), [], body, apex)
     coned = {}
 
-    def cone_of(value):  # one more direction, uncollapsed: of the only component, or a component of its own
+    def cone_of(value):  # one more vertex, the last: of the only component, or of a component of its own
         cell, shape = value
         if simplicial:
-            return coned[cell], (sum(shape, ()) + (False,),)
-        return coned[cell], shape + ((False,),)
+            part = shape[0] if shape else (0,)
+            return coned[cell], (part + (max(part) + 1,),)
+        return coned[cell], shape + ((0, 1),)
 
     for c in sorted(base, key=lambda c: (state.dim(c), c)):
         kind = state.cells[c].kind
@@ -799,15 +815,34 @@ def op_suspend(state, step, _prime):
     add_cones(state, [check_name(apex, "an apex") for apex in step["apexes"]], read_over(step))
 
 
+def read_vertex_map(entries, kind):
+    """A permutation of the vertices for each component; that of a simplex may stand alone."""
+    if not isinstance(entries, list) or not entries:
+        raise ScriptError("a vertex map must be a list of vertices, or a list of such lists")
+    if not isinstance(entries[0], list):
+        entries = [entries]
+    if kind == () and entries == [[0]]:
+        return ()
+    if [sorted(part) if isinstance(part, list) and all(map(is_integer, part)) else None for part in entries] != [
+            list(range(a + 1)) for a in kind]:
+        raise ScriptError("a vertex map must have a permutation of the vertices for each component")
+    return tuple(map(tuple, entries))
+
+
 def op_identify(state, step, _prime):
     fields(step, ("pairs",))
     if not isinstance(step["pairs"], list):
         raise ScriptError("pairs must be a list")
     equations = []
     for pair in step["pairs"]:
-        if not isinstance(pair, list) or len(pair) != 2:
-            raise ScriptError("a pair must be a list of two cells")
-        equations.append((state.value(pair[0]), state.value(pair[1])))
+        if not isinstance(pair, list) or len(pair) not in (2, 3):
+            raise ScriptError("a pair must be a list of two cells, and perhaps a vertex map")
+        left, right = state.value(pair[0]), state.value(pair[1])
+        if type_of(left[1]) != type_of(right[1]):
+            raise ScriptError(f'"{pair[0]}" and "{pair[1]}" have different types')
+        if len(pair) == 3:
+            right = right[0], reordered(right[1], read_vertex_map(pair[2], type_of(right[1])))
+        equations.append((left, right))
     state.equate(equations)
 
 
@@ -841,6 +876,12 @@ def read_split(state, entry):
     return state.find(entry["cell"]), check_name(entry["as"], "as"), entry["moves"]
 
 
+def slot_in_order(shape, number):
+    """The number of a face of a cell, counted as a name for it has its vertices."""
+    i, j = face_slots(type_of(shape))[number]
+    return slot_number(type_of(shape), i, shape[i][j])
+
+
 def op_deidentify(state, step, _prime):
     fields(step, ("split",))
     if not isinstance(step["split"], list):
@@ -855,14 +896,16 @@ def op_deidentify(state, step, _prime):
             cell, number = state.find(move[0]), move[1]
             if not 0 <= number < len(state.faces(cell)):
                 raise ScriptError(f'"{move[0]}" has no face {number}')
-            if state.faces(cell)[number] != state.plain(x):
+            number = slot_in_order(state.value(move[0])[1], number)
+            face = state.faces(cell)[number]
+            if face[0] != x or is_degenerate(face):
                 raise ScriptError(f'face {number} of "{move[0]}" is not "{state.cells[x].name}"')
             if (cell, number) in moved:
                 raise ScriptError(f'face {number} of "{move[0]}" is moved twice')
             moved[cell, number] = twin
     for (cell, number), twin in moved.items():
         faces = list(state.faces(cell))
-        faces[number] = state.plain(twin)
+        faces[number] = twin, faces[number][1]
         state.cells[cell] = state.cells[cell]._replace(faces=tuple(faces))
     problem = state.broken_law()
     if problem:
@@ -895,13 +938,20 @@ def disjoint_masks(p, q):
 def simplicial_product(state, first, second):
     """The same of the triangulated product. A key is (a, collapsed directions, b, collapsed directions)."""
 
+    def directions(shape):
+        """Per step from a vertex to the next, whether it is collapsed."""
+        return [x == y for part in shape for x, y in zip(part, part[1:])]
+
+    def monotone(collapsed):
+        return tuple(itertools.accumulate((not c for c in collapsed), initial=0))
+
     def value_of_pair(left, right):
         """Directions that are collapsed on both sides are collapsed in the pair."""
         (a, mine), (b, other) = left, right
-        both = [(x, y) for x, y in zip(sum(mine, ()), sum(other, ()))]
-        common = tuple(x and y for x, y in both)
+        both = list(zip(directions(mine), directions(other)))
         kept = [pair for pair in both if pair != (True, True)]
-        return (a, tuple(x for x, _ in kept), b, tuple(y for _, y in kept)), (common,) if common else ()
+        common = (monotone([x and y for x, y in both]),) if both else ()
+        return (a, tuple(x for x, _ in kept), b, tuple(y for _, y in kept)), common
 
     def label(mine, other):
         suffix = [("^" + ",".join(map(str, mask)) if mask else "") for mask in (mine, other)]
@@ -912,7 +962,8 @@ def simplicial_product(state, first, second):
             for n, mine, other in disjoint_masks(state.dim(a), state.dim(b)):
                 left = tuple(k in mine for k in range(n))
                 right = tuple(k in other for k in range(n))
-                below = [value_of_pair(state.face((a, (left,)), 0, k), state.face((b, (right,)), 0, k))
+                sides = (a, (monotone(left),)), (b, (monotone(right),))
+                below = [value_of_pair(state.face(sides[0], 0, k), state.face(sides[1], 0, k))
                          for k in range(n + 1)] if n else []
                 yield (a, left, b, right), (n,) if n else (), below, label(mine, other)
 
@@ -925,6 +976,8 @@ def op_product(state, step, _prime):
     bodies = [state.find_body(step["left"]), state.find_body(step["right"])]
     first, second = map(state.cells_of_body, bodies)
     if kind == "simplicial":
+        if not state.disordered.isdisjoint(bodies):
+            raise ScriptError("the vertices of a factor are not in the same order in cells and their faces")
         for c in first + second:
             if len(state.cells[c].kind) > 1:
                 raise ScriptError(f'"{state.cells[c].name}" is not a simplex; the product must be simploidal')
@@ -932,8 +985,8 @@ def op_product(state, step, _prime):
     aliases = {c: [] for c in first + second}
     for alias, value in state.names.items():
         if value and value[0] in aliases and not is_degenerate(value) and isinstance(alias, str):
-            aliases[value[0]].append(alias)
-    canonical = {c: state.cells[c].name for c in aliases}
+            aliases[value[0]].append((alias, value[1]))
+    canonical = {c: (state.cells[c].name, whole(state.cells[c].kind)) for c in aliases}
     for alias, value in state.names.items():
         if value and value[0] in aliases:
             state.names[alias] = None
@@ -941,17 +994,21 @@ def op_product(state, step, _prime):
         del state.cells[c]
     state.consumed.update(bodies)
     body = state.new_body(name)
+    if not state.disordered.isdisjoint(bodies):
+        state.disordered.add(body)
     numbers = {key: state.created + n for n, (key, _, _, _) in enumerate(made)}
     for key, own_kind, below, label in made:
         a, b = key[0], key[len(key) // 2]
         faces = [(numbers[other], shape) for other, shape in below]
-        state.add(f"{name}.{label(canonical[a], canonical[b])}", own_kind, faces, body)
+        state.add(f"{name}.{label(canonical[a][0], canonical[b][0])}", own_kind, faces, body)
     for key, _, _, label in made:
         a, b = key[0], key[len(key) // 2]
         for pair in itertools.product(aliases[a], aliases[b]):
             if pair != (canonical[a], canonical[b]):
-                state.check_free(f"{name}.{label(*pair)}")
-                state.names[f"{name}.{label(*pair)}"] = state.plain(numbers[key])
+                alias = f"{name}.{label(pair[0][0], pair[1][0])}"
+                state.check_free(alias)
+                cell = state.plain(numbers[key])
+                state.names[alias] = cell if kind == "simplicial" else (cell[0], pair[0][1] + pair[1][1])
 
 
 def label_key(label):
@@ -960,9 +1017,13 @@ def label_key(label):
     return (0, int(label), b"") if is_number else (1, 0, label.encode("utf-8"))
 
 
+def places(one, other):
+    return tuple(map(list(other).index, one))
+
+
 def sign_between(one, other):
-    places = [other.index(x) for x in one]
-    return (-1) ** sum(a > b for k, a in enumerate(places) for b in places[k + 1:])
+    at = places(one, other)
+    return (-1) ** sum(a > b for k, a in enumerate(at) for b in at[k + 1:])
 
 
 def read_label(value):
@@ -986,10 +1047,9 @@ def usable_body(state, label):
 
 
 def refresh_faces(state, body):
-    """Writes the faces of the simplices out, as for other cells, while their orders agree; then they have none."""
+    """Writes the faces of the simplices out, as for other cells."""
     for key, number in state.simplices_of(body).items():
-        faces = state.faces_by_order(state.orders[key]) if state.abstract[body] else ()
-        faces = tuple(state.plain(face) for face, _ in faces)
+        faces = tuple(state.faces_by_order(state.orders[key]))
         state.cells[number] = state.cells[number]._replace(faces=faces)
 
 
@@ -1014,7 +1074,7 @@ def op_insert(state, step, _prime):
             state.merge_bodies(body, other)
     else:
         body = state.new_body(first)
-        state.abstract[body] = True
+        state.abstract.add(body)
     for face in missing:
         number = state.add("{" + ",".join(face) + "}", (len(face) - 1,) if len(face) > 1 else (), (), body, first)
         state.orders[frozenset(face)] = face
@@ -1022,7 +1082,7 @@ def op_insert(state, step, _prime):
         for k in range(len(face) if len(face) > 1 else 0):
             rest = face[:k] + face[k + 1:]
             if state.orders[frozenset(rest)] != rest:
-                state.abstract[body] = False
+                state.disordered.add(body)
     state.labels.update((label, label) for label in labels)
     refresh_faces(state, body)
 
@@ -1043,18 +1103,18 @@ def op_collapse(state, step, _prime):
         order, number = state.orders.pop(key), state.names.pop(key)[0]
         image = key - {u} | {v}
         if v in key:
-            low, high = sorted((order.index(u), order.index(v)))
-            state.abstract[body] = state.abstract[body] and high == low + 1
-            became[number] = state.names[image][0], (tuple(k == low for k in range(len(order) - 1)),)
+            onto = tuple(v if label == u else label for label in order)
+            became[number] = state.names[image][0], (places(onto, state.orders[image]),)
             continue
         order = tuple(v if label == u else label for label in order)
         if image in state.orders:
-            state.abstract[body] = state.abstract[body] and order == state.orders[image]
-            other = state.names[image][0]
+            there, other = state.orders[image], state.names[image][0]
+            gone = number, order
             if number > other:
-                order = state.orders[image]
-            became[max(number, other)] = state.plain(min(number, other))
-            number = min(number, other)
+                number, order = other, there
+            else:
+                gone = other, there
+            became[gone[0]] = number, ((places(gone[1], order),) if len(order) > 1 else ())
         state.orders[image] = order
         state.names[image] = state.plain(number)
 
@@ -1065,7 +1125,9 @@ def op_collapse(state, step, _prime):
         return value
 
     state.names = {name: value and now(value) for name, value in state.names.items()}
-    for number in became:
+    for number, value in became.items():
+        if not is_monotone(value[1]):
+            state.disordered.add(body)
         del state.cells[number]
     state.labels = {label: v if at == u else at for label, at in state.labels.items()}
     refresh_faces(state, body)
@@ -1076,7 +1138,7 @@ def leave_abstract(before, after):
     for body in list(after.abstract):
         was = {c: cell for c, cell in before.cells.items() if after.body_root(cell.body) == body}
         if body in after.consumed or was != {c: after.cells[c] for c in after.cells_of_body(body)}:
-            del after.abstract[body]
+            after.abstract.discard(body)
 
 
 def trimmed(values, empty):
@@ -1140,11 +1202,9 @@ OPERATIONS = {
 def carried_out(state, step, prime):
     """The state after a step, and the answer to it."""
     after = state.copy()
-    after.for_a_change = step["op"] not in ("insert", "collapse", "class")
     answer = OPERATIONS[step["op"]](after, step, prime)
-    if after.for_a_change:
+    if step["op"] not in ("insert", "collapse"):
         leave_abstract(state, after)
-    after.for_a_change = False
     return after, answer
 
 

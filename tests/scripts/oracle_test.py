@@ -131,7 +131,7 @@ def all_values(state, largest):
     found_values = set()
     while layer:
         found_values |= layer
-        layer = {higher for value in layer if sum(map(len, value[1])) < largest for higher in degeneracies(value)}
+        layer = {higher for value in layer if sum(oracle.type_of(value[1])) < largest for higher in degeneracies(value)}
     return found_values
 
 
@@ -140,7 +140,7 @@ def degeneracies(value):
     for i in range(len(shape) + 1):
         yield oracle.collapse(value, i, 0, True)
     for i, part in enumerate(shape):
-        for j in range(len(part) + 1):
+        for j in range(len(part)):
             yield oracle.collapse(value, i, j, False)
 
 
@@ -161,7 +161,7 @@ def naive_quotient(state, equations, largest):
         parent[root(left)] = root(right)
         pending += [(state.face(left, i, j), state.face(right, i, j))
                     for i, j in oracle.face_slots(oracle.type_of(left[1]))]
-        if sum(map(len, left[1])) < largest:
+        if sum(oracle.type_of(left[1])) < largest:
             pending += zip(degeneracies(left), degeneracies(right))
     return {value: root(value) for value in parent}
 
@@ -263,6 +263,7 @@ class OperationsTest(unittest.TestCase):
             if len(sides[0]) * len(sides[1]) > 100:
                 continue
             simplices = all(len(state.cells[c].kind) <= 1 for side in sides for c in side)
+            simplices = simplices and state.disordered.isdisjoint(map(state.find_body, pair))
             expected = kunneth(*(homology_of(state, side) for side in sides))
             for kind in ("simploidal", "simplicial")[: 2 if simplices else 1]:
                 after = state.copy()
@@ -291,7 +292,7 @@ class OperationsTest(unittest.TestCase):
         self.assertEqual(found(twin), ([5, 8, 5, 1], [1], []))
         state = twin.state
         self.assertEqual(state.cells[state.find("v*q")].kind, (1, 1, 1))
-        ends = ((state.find("v"), ((True,), (True,))), state.plain(state.find("q")))
+        ends = ((state.find("v"), ((0, 0), (0, 0))), state.plain(state.find("q")))
         self.assertEqual(state.faces(state.find("v*q"))[4:], ends)
         self.assertIsNone(state.broken_law())
 
@@ -323,7 +324,7 @@ class OperationsTest(unittest.TestCase):
     def test_a_triangle_with_one_edge_squashed_has_two_edges(self):
         twin = run(simplex("t", 2), squash("t.0-1", 0))
         self.assertEqual(found(twin), ([2, 2, 1], [1], []))
-        self.assertEqual(twin.state.value("t.0-1"), (twin.state.find("t.1"), ((True,),)))
+        self.assertEqual(twin.state.value("t.0-1"), (twin.state.find("t.1"), ((0, 0),)))
         self.assertEqual(twin.apply({"op": "class", "chain": [[1, "t.0-1"]]})["class"], {"cycle": True, "zero": True})
 
     def test_a_triangle_with_its_boundary_squashed_is_a_sphere(self):
@@ -333,7 +334,7 @@ class OperationsTest(unittest.TestCase):
     def test_a_cell_glued_to_a_degenerate_one_is_squashed_as_that_is(self):
         twin = run(simplex("t", 2), simplex("u", 2), squash("t", 1), glue(("u", "t")))
         self.assertEqual(found(twin), ([2, 1], [1], []))
-        self.assertEqual(twin.state.value("u"), (twin.state.find("t.0-1"), ((False, True),)))
+        self.assertEqual(twin.state.value("u"), (twin.state.find("t.0-1"), ((0, 1, 1),)))
         square = run(("simploid", {"name": "q", "type": [1, 1]}), squash("q", [2, 0]), squash("q.0x0-1", 0))
         self.assertEqual(found(square), ([2, 1], [1], []))
 
@@ -432,7 +433,7 @@ class OperationsTest(unittest.TestCase):
                 after = writer.oracle.state
                 self.assertEqual(*(oracle.summary(state, 0) for state in (before, after)), seed)
                 compared += 1
-        self.assertGreater(compared, 20)
+        self.assertGreater(compared, 10)
 
     def test_a_complex_torn_apart_is_a_heap_of_standard_simploids(self):
         for seed in range(15):
@@ -476,7 +477,7 @@ class OperationsTest(unittest.TestCase):
                    ("collapse", {"from": "c", "to": "a"}))
         chain = oracle.read_chain(twin.state, [[1, "{a,b}"], [1, "{b,c}"]], 0)
         self.assertEqual({c: v for c, v in chain.items() if v}, {})
-        self.assertEqual(list(twin.state.abstract.values()), [False])
+        self.assertEqual((len(twin.state.abstract), twin.state.disordered), (1, twin.state.abstract))
 
     def test_boundaries_of_boundaries_are_zero_in_random_abstract_complexes(self):
         unordered = 0
@@ -486,8 +487,17 @@ class OperationsTest(unittest.TestCase):
             state = writer.oracle.state
             for c in state.alive():
                 self.assertEqual(oracle.boundary_of_chain(state, state.boundary(c), 0), {})
-            unordered += False in state.abstract.values()
+            unordered += bool(state.disordered)
         self.assertGreater(unordered, 4)
+
+    def test_a_gluing_that_folds_a_cell_is_refused(self):
+        base = (simplex("t", 2), simplex("e", 1), squash("e", 0))
+        for pairs in ([["t.0-1", "t.0-1", [1, 0]]], [["t", "t", [1, 2, 0]]],
+                      [["t.0-1", "t.1-2"], ["t.0-1", "t.1-2", [1, 0]]], [["t.0-1", "t.1-2", [0, 0]]]):
+            with self.assertRaises(oracle.ScriptError):
+                run(*base, ("identify", {"pairs": pairs}))
+        twin = run(*base, ("identify", {"pairs": [["t.0-1", "t.0-1", [1, 0]], ["t.0-1", "e"]]}))
+        self.assertEqual(found(twin)[0], [2, 2, 1])
 
     def test_a_collapse_is_what_it_does_to_sets_of_labels(self):
         for seed in range(15):

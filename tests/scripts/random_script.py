@@ -33,6 +33,8 @@ TYPES = [[1], [2], [3], [1, 1], [1, 1, 1], [2, 1], [1, 2]]
 
 
 class Writer:
+    vertex_maps = 0.15  # how many pairs have one
+
     def __init__(self, seed, ring):
         self.random = random.Random(seed)
         self.oracle = oracle.Oracle(oracle.parse_ring(ring))
@@ -64,8 +66,8 @@ class Writer:
         state = self.oracle.state
         if self.random.random() < 0.7:
             return state.cells[cell].name
-        plain = state.plain(cell)
-        return self.random.choice([name for name, value in state.names.items() if value == plain])
+        return self.random.choice([name for name, value in state.names.items() if isinstance(name, str)
+                                   and value and value[0] == cell and not oracle.is_degenerate(value)])
 
     # -- steps
 
@@ -125,7 +127,14 @@ class Writer:
             if a == b and self.random.random() < 0.9 and len(members) > 1:
                 a, b = self.random.sample(members, 2)
             pairs.append([self.name_of(a), self.name_of(b)])
+            if self.random.random() < self.vertex_maps:
+                pairs[-1].append(self.vertex_map(kind))
         return self.attempt({"op": "identify", "pairs": pairs})
+
+    def vertex_map(self, kind):
+        """A random one, in any form."""
+        parts = [self.random.sample(range(a + 1), a + 1) for a in kind or (0,)]
+        return parts[0] if len(parts) == 1 and self.random.random() < 0.8 else parts
 
     def cone(self):
         state = self.oracle.state
@@ -156,7 +165,9 @@ class Writer:
         return all(len(kind) <= 1 for kind in kinds) and self.attempt(step)
 
     def chain_terms(self, chain):
+        """A name may stand for the opposite orientation."""
         terms = [[v, self.name_of(c)] for c, v in sorted(chain.items())]
+        terms = [[v * self.oracle.state.sign(name), name] for v, name in terms]
         self.random.shuffle(terms)
         return terms
 
@@ -259,6 +270,9 @@ class Writer:
             {"op": "cone", "apex": "fresh", "over": "nobody"},
             {"op": "suspend", "apexes": ["fresh", "fresh"]},
             {"op": "suspend", "apexes": ["fresh", name]},
+            {"op": "identify", "pairs": [[name, name, [1]]]},
+            {"op": "identify", "pairs": [[name, name, []]]},
+            {"op": "identify", "pairs": [[name, name, 0]]},
             {"op": "undo", "steps": len(self.oracle.history) + 1},
             {"op": "frobnicate"},
             {"op": "note", "text": "a", "txt": "b"},
@@ -601,23 +615,11 @@ class WriterOfAbstract(WriterOfAll):
         state = self.oracle.state
         if self.random.random() < 0.4:
             return state.cells[cell].name
-        plain = state.plain(cell)
-        names = [name for name, value in state.names.items() if value == plain and isinstance(name, str)]
+        names = [name for name, value in state.names.items() if isinstance(name, str)
+                 and value and value[0] == cell and not oracle.is_degenerate(value)]
         names += ["{" + ",".join(sorted(key, key=oracle.label_key)) + "}" for key in state.orders
-                  if state.names[key] == plain]
+                  if state.names[key] and state.names[key][0] == cell and not oracle.is_degenerate(state.names[key])]
         return self.random.choice(names)
-
-    def chain_terms(self, chain):
-        """A name may stand for the opposite orientation."""
-        terms = [[v, self.name_of(c)] for c, v in sorted(chain.items())]
-        terms = [[v * self.oracle.state.sign(name), name] for v, name in terms]
-        self.random.shuffle(terms)
-        return terms
-
-    def some_cells(self, count):
-        state = self.oracle.state
-        alive = [c for c in state.alive() if state.abstract.get(state.body_root(state.cells[c].body)) is not False]
-        return self.random.sample(alive, min(len(alive), count))
 
     def wrong_steps(self):
         state = self.oracle.state
@@ -632,13 +634,6 @@ class WriterOfAbstract(WriterOfAll):
         for label in self.random.sample(dead, min(len(dead), 2)) + left[:2]:
             steps.append({"op": "insert", "simplex": [label, "fresh"]})
             steps.append({"op": "collapse", "from": label, "to": known[0] if known else "0"})
-        for body, orders_agree in state.abstract.items():
-            if not orders_agree:
-                cell = state.cells[state.cells_of_body(body)[0]].name
-                steps.append({"op": "degenerate", "cell": cell, "along": 0})
-                steps.append({"op": "cone", "apex": "fresh", "over": [cell]})
-                steps.append({"op": "cone", "apex": "fresh"})
-                steps.append({"op": "identify", "pairs": [[cell, cell]]})
         return steps
 
 

@@ -67,11 +67,11 @@ def tear_out(state, top, fresh):
     Of a face of other cells, a copy becomes that. Nothing is done when some face of a face is degenerate: no splitting
     makes it otherwise.
     """
-    cells = {}
+    cells, shapes = {}, {}
     for subsets, value in corners(state, top):
         if oracle.is_degenerate(value):
             return []
-        cells[subsets] = value[0]
+        cells[subsets], shapes[subsets] = value
     used_by = users(state)
     keeps = set()  # the corners that stay what they are
     kept = set()
@@ -91,7 +91,8 @@ def tear_out(state, top, fresh):
                 for j in range(len(part)):
                     below = subsets[:i] + (part[:j] + part[j + 1:],) + subsets[i + 1:]
                     if below not in keeps:
-                        moves.setdefault(below, []).append((name, number))
+                        slot = oracle.slot_in_order(shapes[subsets], number)
+                        moves.setdefault(below, []).append((name, slot))
                     number += 1
     return entries(state, copies, moves)
 
@@ -109,7 +110,7 @@ def link_classes(state, x):
             return state.faces(x)
         marked = []
         for number, face in enumerate(state.faces(cell)):
-            if face == state.plain(x):
+            if face[0] == x and not oracle.is_degenerate(face):
                 own[cell, number] = face = ((cell, number), face[1])
                 classes.setdefault(face[0], face[0])
             marked.append(face)
@@ -164,7 +165,8 @@ class Gluing:
                 continue
             owner = copies[t][1] if t in copies else state.cells[value[0]].name
             faces = state.faces(value[0])
-            if number < len(faces) and faces[number] == state.plain(copies[name][0]) and (owner, number) not in seen:
+            face = faces[number] if number < len(faces) else (None, ())
+            if face[0] == copies[name][0] and not oracle.is_degenerate(face) and (owner, number) not in seen:
                 seen.add((owner, number))
                 moves.setdefault(name, []).append((owner, number))
         return entries(state, copies, moves)

@@ -183,9 +183,9 @@ auto EagerMethod<R>::boundary(CellId cell, const ops::Moment& moment) const -> T
   Terms terms;
   const auto arity = static_cast<std::uint32_t>(structure.type(cell).faces.size());
   for (std::uint32_t k = 0; k < arity; ++k) {
-    const auto [face, sign] = structure.find_oriented_at(structure.face_at(cell, k, moment), moment.links);
+    const auto [face, sign] = structure.oriented_face_at(cell, k, moment);
     if (face != ops::none) {
-      terms.push_back({face, ring_.from(sign * structure.face_sign(cell, k))});
+      terms.push_back({face, ring_.from(sign)});
     }
   }
   sparse::normalize(ring_, terms);
