@@ -473,6 +473,10 @@ Header read_header(const Json& object) {
 /// without a word. Its cost is that of the text, n log n for an object with n fields.
 class LineParser final : public nlohmann::json_sax<Json> {
  public:
+  LineParser(const LineParser&) = delete;
+  LineParser& operator=(const LineParser&) = delete;
+  ~LineParser() override = default;
+
   /// Throws Wrong.
   static Json parse(std::string_view line) {
     LineParser parser;
@@ -509,6 +513,8 @@ class LineParser final : public nlohmann::json_sax<Json> {
   }
 
  private:
+  LineParser() = default;
+
   /// Puts a value at the end of what is open.
   Json& place(Json value) {
     if (open_.empty()) {

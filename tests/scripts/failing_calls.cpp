@@ -11,9 +11,11 @@
 #include <cstdlib>
 
 // The C library's own, under names that are not the ones replaced below.
-extern "C" void* __libc_malloc(std::size_t size);                 // NOLINT(bugprone-reserved-identifier)
-extern "C" void* __libc_realloc(void* memory, std::size_t size);  // NOLINT(bugprone-reserved-identifier)
-extern "C" ssize_t __read(int file, void* to, std::size_t size);  // NOLINT(bugprone-reserved-identifier)
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
+extern "C" void* __libc_malloc(std::size_t size);
+extern "C" void* __libc_realloc(void* memory, std::size_t size);
+extern "C" ssize_t __read(int file, void* to, std::size_t size);
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 
 namespace {
 
@@ -40,6 +42,7 @@ bool fails_now() {
 
 }  // namespace
 
+// NOLINTBEGIN(readability-inconsistent-declaration-parameter-name): the headers have reserved names
 extern "C" {
 
 ssize_t read(int file, void* to, std::size_t size) {
@@ -69,3 +72,4 @@ void* realloc(void* memory, std::size_t size) {
 }
 
 }  // extern "C"
+// NOLINTEND(readability-inconsistent-declaration-parameter-name)
