@@ -506,7 +506,7 @@ class ConePlanner {
     const TypeId type = structure_.type_id(c);
     const int p = structure_.dimension(c);
     const auto arity = static_cast<std::uint32_t>(structure_.faces(c).size());
-    const Value named = structure_.value(structure_.oldest(c));
+    const Value named = structure_.named_value(c);
     for (std::uint32_t k = 0; k < arity; ++k) {
       faces.push_back(coned_value(structure_.face(named, k)));
     }
@@ -1031,6 +1031,7 @@ class SplitPlanner {
   struct NewCopy {
     CellId source;
     const std::string& name;
+    OrderId order;  // in which the name of the cell that is split has its vertices; that of the copy has them so too
   };
 
   [[nodiscard]] static bool is_copy(CellId c) { return c >= first_copy; }
@@ -1040,12 +1041,11 @@ class SplitPlanner {
   }
 
   Status add_copy(const Deidentify::Split& split) {
-    const Result<CellId> node = planner_.resolve(split.cell);
-    if (!node) {
-      return node.error();
+    const Result<Value> named = planner_.resolve_value(split.cell);
+    if (!named) {
+      return named.error();
     }
-    const CellId cell = structure_.find(*node);
-    if (cell == none) {
+    if (named->is_degenerate()) {
       return Error{Errc::refused,
                    fmt::format("\"{}\" is degenerate: only a cell that is not can be split", split.cell)};
     }
@@ -1053,7 +1053,7 @@ class SplitPlanner {
     if (!copy_names_.emplace(split.copy, id).second) {
       return bad_input(fmt::format("the name \"{}\" is given to two copies: names are unique", split.copy));
     }
-    copies_.push_back({cell, split.copy});
+    copies_.push_back({named->cell, split.copy, named->order});
     faces_of(id);
     return Done{};
   }
@@ -1062,6 +1062,7 @@ class SplitPlanner {
     Value named;  // its faces are counted in the order in which the name stands for its vertices
     if (const auto copy = copy_names_.find(name); copy != copy_names_.end()) {
       named.cell = copy->second;
+      named.order = copies_[copy->second - first_copy].order;
     } else {
       const Result<Value> found = planner_.resolve_value(name);
       if (!found) {
@@ -1179,6 +1180,9 @@ class SplitPlanner {
       add_faces(plan, faces[k]);
       plan.names += copy.name;
       plan.sources.push_back(copy.source);
+      if (copy.order != same_order) {
+        plan.name_orders.emplace_back(static_cast<std::uint32_t>(k), copy.order);
+      }
       add_cell(plan, structure_.type_id(copy.source), first_face);
     }
     for (const Move& move : moves_) {

@@ -23,6 +23,7 @@ void Plan::clear() {
   merges.clear();
   degenerate.clear();
   sources.clear();
+  name_orders.clear();
   moves.clear();
   family.reset();
   abstract.reset();
@@ -529,7 +530,7 @@ void for_each_prefix(std::string_view name, Visit visit) {
 /// The node of a name, whatever has become of its body.
 std::optional<Incidence> Structure::lookup_any(std::string_view name) const {
   if (const NameTable::Name* found = names_.find(name); found != nullptr && found->cell != none) {
-    return Incidence{found->cell};
+    return Incidence{found->cell, order_of_own_name(found->cell)};
   }
   if (const auto named = abstract_.find_named(name)) {
     return Incidence{named->cell, maps_->order(named->places)};
@@ -629,14 +630,30 @@ OrderId Structure::order_of_name(std::string_view name) const {
   return found ? found->order : same_order;
 }
 
-/// A cell that is written out was given its name as it was made; that of a lazy one has the names of others in it.
-int Structure::sign_of_own_name(CellId node) const {
+Value Structure::named_value(CellId current) const {
+  const CellId node = oldest(current);
+  return maps_->reordered(order_of_own_name(node), value(node));
+}
+
+/// The name of a lazy cell has the names of others in it.
+OrderId Structure::order_of_own_name(CellId node) const {
   const LazyCell* lazy = lazy_of(node);
   if (lazy == nullptr) {
-    return 1;
+    const auto at = name_orders_.empty() ? name_orders_.end() : name_orders_.find(node);
+    return at == name_orders_.end() ? same_order : at->second;
   }
-  const int left = sign_of_name(lazy->key.left.cell);
-  return lazy->key.part == LazyPart::pair ? left * sign_of_name(lazy->key.right.cell) : left;
+  const Value left = named_value(lazy->key.left.cell);
+  switch (lazy->key.part) {
+    case LazyPart::base:
+      return left.order;
+    case LazyPart::coned:
+      return maps_->coned(none, left, families_[lazy->key.family].by_edges).order;
+    case LazyPart::pair:
+      break;
+  }
+  return families_[lazy->key.family].kind == FamilyKind::product
+             ? maps_->product(none, left, named_value(lazy->key.right.cell)).order
+             : same_order;
 }
 
 bool Structure::is_prefix_taken(std::string_view prefix) const {
@@ -920,6 +937,7 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
   std::size_t name_begin = 0;
   auto next_degenerate = plan.degenerate.begin();
   auto next_order = plan.face_orders.begin();
+  auto next_name = plan.name_orders.begin();
   for (std::size_t k = 0; k < plan.cells.size(); ++k) {
     const Plan::NewCell& cell = plan.cells[k];
     if (next_degenerate != plan.degenerate.end() && next_degenerate->first == k) {
@@ -952,6 +970,10 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
     name_begin = cell.name_end;
     count(id, 1);
     if (source != none) {
+      if (next_name != plan.name_orders.end() && next_name->first == k) {
+        name_orders_.emplace(id, next_name->second);
+        ++next_name;
+      }
       bodies_[body].made.push_back({id, id + 1});
       copy_index_.emplace(id, copies());
       copies_.push_back({id,
@@ -1183,6 +1205,7 @@ void Structure::drop_last_node() {
       }
       copy_index_.erase(at);
       copies_.pop_back();
+      name_orders_.erase(c);
     }
   }
   for (auto* column : {&n.type, &n.first_incidence, &n.parent, &n.oldest, &n.size, &n.link_of, &n.last_child, &n.name,

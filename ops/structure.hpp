@@ -85,12 +85,14 @@ struct Plan {
   std::vector<Merge> merges;  ///< by dimension, so that boundaries agree when their turn comes
   std::vector<std::pair<std::uint32_t, Value>> degenerate;  ///< new cells, by position, that are degenerate: no names
   std::vector<CellId> sources;                              ///< empty, or per new cell: the cell that it is a copy of
-  std::vector<Move> moves;                                  ///< incidences that go to a copy
-  std::optional<NewFamily> family;                          ///< bodies become a product or a cone
-  std::optional<AbstractChange> abstract;                   ///< of an insertion or a collapse
-  std::optional<std::string> new_body;                      ///< the new cells make a body of this name
-  std::optional<BodyId> into_body;                          ///< the new cells join this body
-  std::vector<BodyId> joined_bodies;                        ///< become one with `into_body` (the older name stays)
+  /// Copies, by position, whose names stand for their vertices in another order: that of the name of the cell split.
+  std::vector<std::pair<std::uint32_t, OrderId>> name_orders;
+  std::vector<Move> moves;                 ///< incidences that go to a copy
+  std::optional<NewFamily> family;         ///< bodies become a product or a cone
+  std::optional<AbstractChange> abstract;  ///< of an insertion or a collapse
+  std::optional<std::string> new_body;     ///< the new cells make a body of this name
+  std::optional<BodyId> into_body;         ///< the new cells join this body
+  std::vector<BodyId> joined_bodies;       ///< become one with `into_body` (the older name stays)
 
   void clear();
   [[nodiscard]] bool changes_nothing() const { return cells.empty() && merges.empty() && !family; }
@@ -279,8 +281,10 @@ class Structure {
   /// The sign with which the canonical name of a current cell denotes it: a name stands for the orientation that the
   /// cell had which it was made for.
   [[nodiscard]] int sign_of_name(CellId current) const {
-    return reversals_ == 0 ? 1 : find_oriented(oldest(current)).sign * sign_of_own_name(oldest(current));
+    return has_orders_ ? maps_->sign(named_value(current).order) : 1;
   }
+  /// A current cell with its vertices in the order in which its canonical name stands for them.
+  [[nodiscard]] Value named_value(CellId current) const;
   /// The order in which any name has the vertices of the node that `lookup` finds: another one when it lists the labels
   /// of an abstract simplex and those, sorted, are not in the order of the node's vertices; or has such a name in it.
   [[nodiscard]] OrderId order_of_name(std::string_view name) const;
@@ -433,7 +437,7 @@ class Structure {
   void make_all_cells_of(FamilyId family) const;
   [[nodiscard]] std::optional<Incidence> lookup_in_order(std::string_view name) const;
   [[nodiscard]] std::optional<Incidence> lookup_any(std::string_view name) const;
-  [[nodiscard]] int sign_of_own_name(CellId node) const;
+  [[nodiscard]] OrderId order_of_own_name(CellId node) const;
   [[nodiscard]] std::optional<Value> lookup_in(std::string_view name, std::span<const BodyId> bodies) const;
   [[nodiscard]] std::optional<Incidence> lookup_pair(FamilyId family, std::string_view inside) const;
   [[nodiscard]] std::string lazy_name(const LazyKey& key) const;
@@ -472,7 +476,8 @@ class Structure {
   AbstractComplex abstract_;
   /// Orders of faces as created, where not the same: by place in the list of all faces.
   std::unordered_map<std::uint64_t, OrderId> face_orders_;
-  mutable bool has_orders_ = false;  ///< some face or link has, or had, another order
+  std::unordered_map<CellId, OrderId> name_orders_;  ///< of copies, as in Plan
+  mutable bool has_orders_ = false;                  ///< some face or link has, or had, another order
   std::deque<LazyFamily> families_;
   std::unordered_map<std::string, FamilyId> family_names_;
 };

@@ -873,7 +873,8 @@ def read_split(state, entry):
             raise ScriptError(f'an entry of split needs the field "{field}"')
     if not isinstance(entry["moves"], list):
         raise ScriptError("moves must be a list of [cell, face number]")
-    return state.find(entry["cell"]), check_name(entry["as"], "as"), entry["moves"]
+    state.find(entry["cell"])
+    return state.value(entry["cell"]), check_name(entry["as"], "as"), entry["moves"]
 
 
 def slot_in_order(shape, number):
@@ -887,9 +888,12 @@ def op_deidentify(state, step, _prime):
     if not isinstance(step["split"], list):
         raise ScriptError("split must be a list")
     splits = [read_split(state, entry) for entry in step["split"]]
-    copies = [state.add(name, *state.cells[x][1:]) for x, name, _ in splits]
+    copies = []  # with their vertices in the order of the name of the cell that is split
+    for value, name, _ in splits:
+        faces = [state.face(value, i, j) for i, j in face_slots(type_of(value[1]))]
+        copies.append(state.add(name, type_of(value[1]), faces, state.cells[value[0]].body))
     moved = {}  # (cell, face number) -> the copy that the face becomes
-    for (x, _, moves), twin in zip(splits, copies):
+    for ((x, order), _, moves), twin in zip(splits, copies):
         for move in moves:
             if not isinstance(move, list) or len(move) != 2 or not is_integer(move[1]):
                 raise ScriptError("a move must be [cell, face number]")
@@ -902,10 +906,10 @@ def op_deidentify(state, step, _prime):
                 raise ScriptError(f'face {number} of "{move[0]}" is not "{state.cells[x].name}"')
             if (cell, number) in moved:
                 raise ScriptError(f'face {number} of "{move[0]}" is moved twice')
-            moved[cell, number] = twin
-    for (cell, number), twin in moved.items():
+            moved[cell, number] = twin, fill(face[1], inverse(order))
+    for (cell, number), face in moved.items():
         faces = list(state.faces(cell))
-        faces[number] = twin, faces[number][1]
+        faces[number] = face
         state.cells[cell] = state.cells[cell]._replace(faces=tuple(faces))
     problem = state.broken_law()
     if problem:
