@@ -1,5 +1,6 @@
 #include "engine/engine.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -87,6 +88,24 @@ std::uint64_t total(std::span<const std::uint64_t> counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
+/// "cells made: 7; bodies made: 1": what has changed, for an undo what is as it was before.
+std::string description(const StepReport& report, const ops::StructureMark& before, const ops::StructureMark& after) {
+  std::string text = report.steps_undone > 0 ? fmt::format("steps taken back: {}", report.steps_undone) : "";
+  const auto add = [&text](const char* what, const char* undone, std::uint64_t from, std::uint64_t to) {
+    if (from != to) {
+      text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", from < to ? what : undone,
+                          from < to ? to - from : from - to);
+    }
+  };
+  add("cells made", "cells gone", report.before.created, report.after.created);
+  add("cells merged or squashed", "cells separate again", report.before.links, report.after.links);
+  add("incidences moved", "incidences moved back", report.before.moves, report.after.moves);
+  add("products and large cones", "products and large cones gone", report.before.families, report.after.families);
+  add("bodies made", "bodies gone", before.bodies, after.bodies);
+  add("bodies joined to others", "bodies apart again", before.body_links, after.body_links);
+  return text.empty() ? "nothing changed" : text;
+}
+
 }  // namespace
 
 Engine::Engine(sparse::AnyRing ring, ops::Limits limits, const RebasePolicy& rebases)
@@ -99,13 +118,14 @@ Engine::~Engine() = default;
 Result<StepReport> Engine::apply(ops::Operation operation) {
   sparse::expects(!is_broken_, "a step was cut off by an exception: the log is intact, make a new engine from it");
   is_broken_ = true;  // until this has come to its end
+  const ops::StructureMark before = structure_.mark();
   Result<StepReport> result = carry_out(operation);
   if (result) {
     log_.push_back(std::move(operation));
   }
   is_broken_ = false;
   if (result) {
-    notify(*result);
+    notify(*result, before);
   }
   return result;
 }
@@ -278,9 +298,10 @@ void Engine::push_history() {
   equivalences_.push_mark();
 }
 
-void Engine::notify(const StepReport& report) const {
-  spdlog::debug("step {} ({}): {} cells created, {} removed", report.step, report.op, report.after.created,
-                report.after.links);
+void Engine::notify(const StepReport& report, const ops::StructureMark& before) const {
+  if (spdlog::should_log(spdlog::level::debug)) {
+    spdlog::debug("step {} ({}): {}", report.step, report.op, description(report, before, structure_.mark()));
+  }
   for (const Observer& observer : observers_) {
     observer(log_.back(), report);
   }

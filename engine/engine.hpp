@@ -145,7 +145,7 @@ class Engine {
   Status check(const ops::Expect& expected);
   Result<StepReport> take_back(const ops::Undo& operation);
   StepReport begin_report(const ops::Operation& operation) const;
-  void notify(const StepReport& report) const;
+  void notify(const StepReport& report, const ops::StructureMark& before) const;
   void push_history();
 
   sparse::AnyRing ring_;

@@ -143,6 +143,20 @@ class Replay(unittest.TestCase):
                       for line in done.stdout.splitlines()] for done in (first, again)]
             self.assertEqual(strip[0], strip[1])
 
+    def test_the_debug_lines_say_what_each_step_did(self):
+        done = run("replay", "--quiet", "-", text=HEADER + "".join(line + "\n" for line in (
+            '{"op":"simplex","name":"t","dim":2}', '{"op":"simplex","name":"u","dim":2}',
+            '{"op":"identify","pairs":[["t.0-1","u.0-1"]]}', '{"op":"note","text":"hello"}',
+            '{"op":"undo","steps":2}', '{"op":"product","name":"P","left":"t","right":"u"}')),
+                   env={**os.environ, "SPDLOG_LEVEL": "debug"})
+        self.assertEqual([line.split("] ")[-1] for line in done.stderr.splitlines()],
+                         ["step 1 (simplex): cells made: 7; bodies made: 1",
+                          "step 2 (simplex): cells made: 7; bodies made: 1",
+                          "step 3 (identify): cells merged or squashed: 3; bodies joined to others: 1",
+                          "step 4 (note): nothing changed",
+                          "step 5 (undo): steps taken back: 2; cells separate again: 3; bodies apart again: 1",
+                          "step 6 (product): products and large cones: 1; bodies made: 1"])
+
     def test_deep_nesting_is_an_error_and_no_crash(self):
         for text in ('{"sesame":' + "[" * 300000 + "]" * 300000 + "}\n",
                      HEADER + '{"op":"note","text":' + "[" * 300000 + "]" * 300000 + "}\n"):
