@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/lazy_maps.hpp"
+#include "engine/saturating.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::engine {
@@ -481,6 +482,35 @@ void BigComplex<R>::add_f(Index generator, const typename R::Element& factor, Te
       add_difference(origin_[e]);
     }
   }
+}
+
+template <Ring R>
+std::uint64_t BigComplex<R>::terms_of_f(Index generator) const {
+  const std::uint32_t origin = origin_[generator];
+  std::uint64_t terms = 0;
+  if (const auto part = lazy_part_.empty() ? lazy_part_.end() : lazy_part_.find(generator); part != lazy_part_.end()) {
+    for (const auto& [cell, coefficient] : part->second) {
+      terms = saturating_sum(terms, lazy_maps_->terms_of_K(cell));
+    }
+  }
+  if ((origin & removal) != 0) {
+    return terms;
+  }
+  if ((origin & pair) != 0) {
+    return saturating_sum(terms, lazy_maps_->terms_of_G(origin & ~pair, generator));
+  }
+  const auto shifts = shifts_.empty() ? shifts_.end() : shifts_.find(generator);
+  const std::size_t differences = 1 + (shifts == shifts_.end() ? 0 : shifts->second.size());
+  return saturating_sum(terms, 2 * differences - (window_.copy(origin) == nullptr ? 1 : 0));
+}
+
+template <Ring R>
+std::uint64_t BigComplex<R>::terms_of_f(std::span<const sparse::Term<R>> chain) const {
+  std::uint64_t terms = 0;
+  for (const auto& term : chain) {
+    terms = saturating_sum(terms, terms_of_f(term.index));
+  }
+  return terms;
 }
 
 template <Ring R>

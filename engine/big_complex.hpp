@@ -123,6 +123,8 @@ class BigComplex {
   void add_as_now(std::span<const sparse::Term<R>> nodes, Terms<R>& out) const;
   /// f of a chain of B, as a chain of current cells (indices are cell ids), in normal form.
   [[nodiscard]] Terms<R> f(std::span<const sparse::Term<R>> chain) const;
+  /// How many terms `f` adds up, without writing out more than the factors of lazy families.
+  [[nodiscard]] std::uint64_t terms_of_f(std::span<const sparse::Term<R>> chain) const;
   /// h of a generator, in normal form. Requires: there are no lazy families.
   [[nodiscard]] Terms<R> h(Index generator) const;
 
@@ -131,6 +133,7 @@ class BigComplex {
   static constexpr std::uint32_t pair = 0x4000'0000U;     ///< mark of a pair, with its family
 
   Index append(std::uint32_t origin, int degree);
+  [[nodiscard]] std::uint64_t terms_of_f(Index generator) const;
   void append_first_cells();
   /// The generator made for a node, or none.
   [[nodiscard]] Index generator_of(CellId node) const {

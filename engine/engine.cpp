@@ -307,6 +307,24 @@ void Engine::notify(const StepReport& report, const ops::StructureMark& before) 
   }
 }
 
+void Engine::visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit) {
+  HomologyTracker& tracker = equivalences_.now();
+  if (structure_.families() == 0) {
+    tracker.visit_generators(degree, most_terms, visit);
+    return;
+  }
+  const ops::StructureMark mark = structure_.mark();
+  tracker.push_mark();
+  tracker.visit_generators(degree, most_terms, [&](Generator generator) {
+    const bool goes_on = visit(std::move(generator));
+    structure_.truncate(mark);
+    tracker.undo_to_mark();
+    tracker.push_mark();
+    return goes_on;
+  });
+  tracker.undo_to_mark();
+}
+
 std::int64_t Engine::euler_characteristic() const {
   std::int64_t sum = 0;
   std::int64_t sign = 1;

@@ -105,6 +105,9 @@ class Engine {
   [[nodiscard]] Result<CellChain> chain(const std::vector<std::pair<Integer, std::string>>& terms) const;
   /// The generators of H_p: torsion by increasing order, then the free ones. Cost: their expansion.
   [[nodiscard]] std::vector<Generator> generators(int degree) { return equivalences_.now().generators(degree); }
+  /// The generators of H_p one after another, as HomologyTracker::visit_generators. The cells of products and cones
+  /// that are written out for one are forgotten before the next, so memory is that of one; chains are not to be kept.
+  void visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit);
   [[nodiscard]] ClassAnswer classify(const CellChain& chain) { return equivalences_.now().classify(chain); }
   /// F, G, K and the boundaries, applied to chains: see HomologyTracker.
   [[nodiscard]] HomologyTracker& maps() { return equivalences_.now(); }

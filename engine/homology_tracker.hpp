@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/saturating.hpp"
 #include "ops/step_sequence.hpp"
 #include "ops/structure.hpp"
 #include "sparse/ring.hpp"
@@ -47,7 +49,12 @@ struct Generator {
   Integer order;  ///< 0: free
   CellChain cycle;
   CellChain bounding;  ///< for order t > 0: its boundary is t * cycle; empty for a free generator
+  /// Of a chain that was not written out (it is empty then): a number of terms that it does not exceed; else 0.
+  std::uint64_t terms_of_cycle = 0, terms_of_bounding = 0;
 };
+
+/// Takes a generator; whether it wants the next.
+using GeneratorVisitor = std::function<bool(Generator)>;
 
 /// The answer to "what class is this chain in?".
 struct ClassAnswer {
@@ -128,8 +135,19 @@ class HomologyTracker {
   [[nodiscard]] virtual Homology homology(std::size_t dimensions) = 0;
   /// The number of small generators of a body: a product has as many as those of its factors multiplied.
   [[nodiscard]] virtual std::uint64_t small_of(ops::BodyId body) const = 0;
-  /// The generators of H_p: those of finite order by increasing order, then the free ones.
-  [[nodiscard]] virtual std::vector<Generator> generators(int degree) = 0;
+  /// The generators of H_p one after another: those of finite order by increasing order, then the free ones. Each is
+  /// worked out when it is its turn. A chain for which more than `most_terms` terms would have to be added up is not
+  /// written out.
+  virtual void visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit) = 0;
+  /// All of them.
+  [[nodiscard]] std::vector<Generator> generators(int degree) {
+    std::vector<Generator> all;
+    visit_generators(degree, uncountable, [&all](Generator generator) {
+      all.push_back(std::move(generator));
+      return true;
+    });
+    return all;
+  }
   [[nodiscard]] virtual ClassAnswer classify(const CellChain& chain) = 0;
 
   /// F: C -> S, G: S -> C, K: C -> C of degree 1, with d K + K d = 1 - G F; and the boundaries of C and S.

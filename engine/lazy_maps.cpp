@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engine/saturating.hpp"
+
 namespace sesame::engine {
 
 using ops::FamilyId;
@@ -266,6 +268,39 @@ void LazyMaps<R>::add_G(FamilyId id, Index generator, const Element& factor, Ter
   add_pairs(id, left, right, factor, out);
 }
 
+template <Ring R>
+std::uint64_t LazyMaps<R>::cells_of_pair(FamilyId family, int p, int q) const {
+  if (structure_.family(family).kind != FamilyKind::simplicial_product) {
+    return 1;
+  }
+  std::uint64_t shuffles = 1;
+  for (int k = 1; k <= q; ++k) {  // the binomial coefficients of p + k over k
+    const std::uint64_t product = saturating_product(shuffles, static_cast<std::uint64_t>(p + k));
+    if (product == uncountable) {
+      return product;
+    }
+    shuffles = product / static_cast<std::uint64_t>(k);
+  }
+  return shuffles;
+}
+
+template <Ring R>
+std::uint64_t LazyMaps<R>::terms_of_lift(Symbol symbol) {
+  const auto known = lifts_.find(symbol);
+  return known != lifts_.end() ? known->second.size()
+                               : big_.terms_of_f(rewriter_.lift(Terms<R>{{symbol, ring_.one()}}));
+}
+
+template <Ring R>
+std::uint64_t LazyMaps<R>::terms_of_G(FamilyId id, Index generator) {
+  const Family& family = this->family(id);
+  const std::uint32_t place = family.places[generator - family.first];
+  const Symbol left = family.left[place / family.right.size()];
+  const Symbol right = family.right[place % family.right.size()];
+  return saturating_product(cells_of_pair(id, rewriter_.degree(left), rewriter_.degree(right)),
+                            saturating_product(terms_of_lift(left), terms_of_lift(right)));
+}
+
 // ------------------------------------------------------------------------------------------------------------------- K
 
 template <Ring R>
@@ -314,6 +349,40 @@ void LazyMaps<R>::add_K(CellId cell, const Element& factor, Terms<R>& out) {
       }
       break;
   }
+}
+
+template <Ring R>
+std::uint64_t LazyMaps<R>::terms_of_K_of_product(FamilyId family, CellId left, CellId right) {
+  const int p = structure_.dimension(left);
+  const int q = structure_.dimension(right);
+  const std::uint64_t of_right = homotopy_of(right).K.size();
+  const Homotopy& of_left = homotopy_of(left);
+  const std::uint64_t first = saturating_product(of_left.K.size(), cells_of_pair(family, p + 1, q));
+  const std::uint64_t second = saturating_product(of_left.GF.size(), of_right);
+  return saturating_sum(first, saturating_product(second, cells_of_pair(family, p, q + 1)));
+}
+
+template <Ring R>
+std::uint64_t LazyMaps<R>::terms_of_K(CellId cell) {
+  const ops::LazyKey key = structure_.lazy_of(cell)->key;
+  const int n = structure_.dimension(cell);
+  switch (structure_.family(key.family).kind) {
+    case FamilyKind::cone:
+      return key.part == LazyPart::base ? 1 : 0;
+    case FamilyKind::product:
+      return terms_of_K_of_product(key.family, key.left.cell, key.right.cell);
+    case FamilyKind::simplicial_product:
+      break;
+  }
+  std::uint64_t terms = terms_.shih(n).size();
+  for (const auto& [front, back] : reductions::alexander_whitney(n)) {
+    const Value a = restrict(key.left, front);
+    const Value b = restrict(key.right, back);
+    if (!a.is_degenerate() && !b.is_degenerate()) {
+      terms = saturating_sum(terms, terms_of_K_of_product(key.family, a.cell, b.cell));
+    }
+  }
+  return terms;
 }
 
 // --------------------------------------------------------------------------------------------------- de-identification

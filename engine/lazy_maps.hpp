@@ -44,6 +44,10 @@ class LazyMaps {
   void add_G(ops::FamilyId family, Index generator, const Element& factor, Terms<R>& out);
   void add_K(CellId cell, const Element& factor, Terms<R>& out);
 
+  /// How many terms add_G and add_K add, without adding them; of the factors K is written out, G is not.
+  [[nodiscard]] std::uint64_t terms_of_G(ops::FamilyId family, Index generator);
+  [[nodiscard]] std::uint64_t terms_of_K(CellId cell);
+
   /// K of the lazy cells in g of a current cell, times a factor, in current cells (not in normal form): the part of K
   /// of that cell that no lift has.
   void add_K_of_lazy_part(CellId cell, const Element& factor, Terms<R>& out);
@@ -82,6 +86,10 @@ class LazyMaps {
   const Terms<R>& F_of(CellId cell);
   const Homotopy& homotopy_of(CellId cell);
   const Terms<R>& G_of(Symbol symbol);
+  [[nodiscard]] std::uint64_t terms_of_lift(Symbol symbol);
+  [[nodiscard]] std::uint64_t terms_of_K_of_product(ops::FamilyId family, CellId left, CellId right);
+  /// Of how many cells the tensor product of a p-cell and a q-cell is the sum.
+  [[nodiscard]] std::uint64_t cells_of_pair(ops::FamilyId family, int p, int q) const;
   void add_tensor(const Family& family, const Terms<R>& left, const Terms<R>& right, const Element& factor,
                   Terms<R>& out) const;
   void add_pairs(ops::FamilyId family, const Terms<R>& left, const Terms<R>& right, const Element& factor,

@@ -368,7 +368,7 @@ Terms<R> LiveEquivalence<R>::Group::coordinates(const R& ring, const Terms<R>& c
 }
 
 template <Ring R>
-std::vector<Generator> LiveEquivalence<R>::generators(int degree) {
+void LiveEquivalence<R>::visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit) {
   const Group h = group(degree);
   const auto in_columns = [&h](Terms<R> terms) {
     for (Term<R>& term : terms) {
@@ -376,9 +376,16 @@ std::vector<Generator> LiveEquivalence<R>::generators(int degree) {
     }
     return terms;
   };
-  const auto cells_of = [&](int p, const Terms<R>& chain_of_s) { return to_cells(p, rewriter_.lift(chain_of_s)); };
-  std::vector<Generator> finite;
-  std::vector<Generator> infinite;
+  const auto write_out = [&](int p, const Terms<R>& chain_of_s, CellChain& chain, std::uint64_t& terms) {
+    const Terms<R> lift = rewriter_.lift(chain_of_s);
+    terms = most_terms == uncountable ? 0 : big_.terms_of_f(lift);
+    if (terms > most_terms) {
+      chain.degree = p;
+    } else {
+      terms = 0;
+      chain = to_cells(p, lift);
+    }
+  };
   for (Index k = 0; k < h.cycles(); ++k) {
     const bool has_order = k < h.smith.factors.size();
     if (has_order && ring_.is_unit(h.smith.factors[k])) {
@@ -386,18 +393,23 @@ std::vector<Generator> LiveEquivalence<R>::generators(int degree) {
     }
     Generator generator;
     generator.degree = degree;
-    generator.cycle = cells_of(degree, h.in_symbols(ring_, h.smith.left_inverse.column(k)));
+    write_out(degree, h.in_symbols(ring_, h.smith.left_inverse.column(k)), generator.cycle, generator.terms_of_cycle);
     if (has_order) {
       generator.order = ring_.to_integer(h.smith.factors[k]);
-      generator.bounding = cells_of(degree + 1, in_columns(h.smith.right.column(k)));
+      write_out(degree + 1, in_columns(h.smith.right.column(k)), generator.bounding, generator.terms_of_bounding);
     }
-    (has_order ? finite : infinite).push_back(std::move(generator));
+    if (!visit(std::move(generator))) {
+      return;
+    }
   }
   for (const Symbol x : h.free) {
-    infinite.push_back({degree, 0, cells_of(degree, unit(ring_, x)), {}});
+    Generator generator;
+    generator.degree = degree;
+    write_out(degree, unit(ring_, x), generator.cycle, generator.terms_of_cycle);
+    if (!visit(std::move(generator))) {
+      return;
+    }
   }
-  std::move(infinite.begin(), infinite.end(), std::back_inserter(finite));
-  return finite;
 }
 
 template <Ring R>

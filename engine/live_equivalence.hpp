@@ -29,7 +29,7 @@ class LiveEquivalence final : public HomologyTracker {
 
   [[nodiscard]] Homology homology(std::size_t dimensions) override;
   [[nodiscard]] std::uint64_t small_of(ops::BodyId body) const override;
-  [[nodiscard]] std::vector<Generator> generators(int degree) override;
+  void visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit) override;
   [[nodiscard]] ClassAnswer classify(const CellChain& chain) override;
   [[nodiscard]] SmallChain apply_F(const CellChain& chain) override;
   [[nodiscard]] CellChain apply_G(const SmallChain& chain) override;

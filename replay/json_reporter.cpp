@@ -1,6 +1,8 @@
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "replay/reporter.hpp"
+#include "replay/text_buffer.hpp"
 
 namespace sesame::replay {
 namespace {
@@ -50,20 +52,30 @@ Json answer(const engine::ClassAnswer& found, const ops::Structure& structure) {
   return out;
 }
 
-Json generators(engine::Engine& engine) {
-  Json out = Json::array();
-  for (int p = 0; p < static_cast<int>(engine.cells().size()); ++p) {
-    for (const engine::Generator& generator : engine.generators(p)) {
-      Json item{{"dim", generator.degree},
-                {"order", number(generator.order)},
-                {"chain", chain(generator.cycle, engine.structure())}};
-      if (!generator.order.is_zero()) {
-        item["bounds"] = chain(generator.bounding, engine.structure());
-      }
-      out.push_back(std::move(item));
-    }
+/// A member `name`, or `name_of_length` when the chain is too long.
+void add_chain(TextBuffer& text, const char* name, const char* name_of_length, const CellChain& chain,
+               const std::optional<ChainLength>& length, const ops::Structure& structure) {
+  if (length) {
+    text.add(",\"").add(name_of_length).add(length->is_exact ? "\":" : "_at_most\":").add_integer(length->terms);
+    return;
   }
-  return out;
+  text.add(",\"").add(name).add("\":[");
+  bool is_first = true;
+  for (const auto& [coefficient, cell] : chain.terms) {
+    text.add(is_first ? "" : ",").add(Json::array({number(coefficient), structure.name(cell)}).dump());
+    is_first = false;
+  }
+  text.add(']');
+}
+
+void add_generator(TextBuffer& text, const engine::Generator& generator, const GeneratorOptions& options,
+                   const ops::Structure& structure) {
+  text.add(R"({"dim":)").add_integer(generator.degree).add(R"(,"order":)").add(number(generator.order).dump());
+  add_chain(text, "chain", "terms", generator.cycle, length_of_cycle(generator, options), structure);
+  if (!generator.order.is_zero()) {
+    add_chain(text, "bounds", "bounds_terms", generator.bounding, length_of_bounding(generator, options), structure);
+  }
+  text.add('}');
 }
 
 class JsonReporter final : public Reporter {
@@ -98,16 +110,40 @@ class JsonReporter final : public Reporter {
                 {"betti", homology.betti},
                 {"torsion", torsion(homology.torsion)},
                 {"seconds", summary.seconds}};
-    if (summary.interrupted) {
-      object["interrupted"] = true;
+    bool is_interrupted = summary.interrupted;
+    std::string text = object.dump();
+    text.pop_back();  // the brace
+    out_ << text;
+    if (summary.generators != nullptr) {
+      is_interrupted = !generators(engine, summary) || is_interrupted;
     }
-    if (summary.with_generators) {
-      object["generators"] = generators(engine);
-    }
-    out_ << object.dump() << '\n' << std::flush;
+    out_ << (is_interrupted ? R"(,"interrupted":true})" : "}") << '\n' << std::flush;
   }
 
  private:
+  /// Writes them one after another. Whether these are all.
+  bool generators(engine::Engine& engine, const Summary& summary) {
+    TextBuffer text(out_);
+    text.add(R"(,"generators":[)");
+    bool goes_on = true;
+    bool is_first = true;
+    for (int p = 0; goes_on && p < static_cast<int>(engine.cells().size()); ++p) {
+      if (!summary.generators->wants(p)) {
+        continue;
+      }
+      visit_generators(engine, p, *summary.generators, [&](const engine::Generator& generator) {
+        goes_on = !summary.is_stopped() && out_;
+        if (goes_on) {
+          text.add(std::exchange(is_first, false) ? "" : ",");
+          add_generator(text, generator, *summary.generators, engine.structure());
+        }
+        return goes_on;
+      });
+    }
+    text.add(']');
+    return goes_on;
+  }
+
   std::ostream& out_;
 };
 

@@ -64,7 +64,13 @@ class Run {
     clear_progress();
     if (reporter_ != nullptr) {
       const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-      reporter_->summary(engine, {steps_, seconds, options_.generators, outcome == Outcome::interrupted});
+      const bool is_interrupted = outcome == Outcome::interrupted;
+      // What was interrupted once writes its generators, since a second interrupt ends it at once.
+      reporter_->summary(engine, {steps_, seconds, options_.generators ? &*options_.generators : nullptr,
+                                  is_interrupted, is_interrupted ? nullptr : options_.stop});
+      if (outcome == Outcome::done && is_stopped()) {
+        outcome = Outcome::interrupted;
+      }
     }
     return outcome;
   }
@@ -105,6 +111,9 @@ class Run {
     }
     while (!is_stopped()) {
       Result<std::optional<ops::Operation>> operation = older.next();
+      if (!operation && is_stopped()) {
+        break;
+      }
       if (!operation) {
         return fail(operation.error().what, outcome_of(operation.error().code));
       }

@@ -32,7 +32,7 @@ struct ReplayOptions {
   std::uint64_t every = 1;                      ///< report every so many steps; 0: none but answers to `class`
   std::optional<std::uint64_t> report_at_most;  ///< then report as with every = 0
   bool verify = false;
-  bool generators = false;
+  std::optional<GeneratorOptions> generators;  ///< those to be written at the end
   /// A step that is refused, or an `expect` that fails, is reported, and the replay goes on behind it.
   bool keep_going = false;
   /// A step without which there would be a barcode is an error of the script; see Engine::barcode.

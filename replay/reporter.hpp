@@ -2,12 +2,14 @@
 /// Where a replay's reports go: a table for people, JSON Lines for programs.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <ostream>
 #include <string>
 
 #include "engine/engine.hpp"
+#include "replay/generators.hpp"
 
 namespace sesame::replay {
 
@@ -29,8 +31,11 @@ struct RefusedStep {
 struct Summary {
   std::uint64_t steps = 0;
   double seconds = 0;
-  bool with_generators = false;
+  const GeneratorOptions* generators = nullptr;  ///< which are to be written; null: none
   bool interrupted = false;
+  const std::atomic<bool>* stop = nullptr;  ///< set from outside: no more generators after the one at hand
+
+  [[nodiscard]] bool is_stopped() const { return stop != nullptr && stop->load(); }
 };
 
 class Reporter {

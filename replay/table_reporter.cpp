@@ -55,8 +55,9 @@ class TableReporter final : public Reporter {
     int p = 0;
     for (const std::string& name : group_names(homology, engine.ring())) {
       out_ << fmt::format("H{} = {}\n", p, bold(name));
-      if (summary.with_generators) {
-        generators(engine, p);
+      if (summary.generators != nullptr && summary.generators->wants(p) && !generators(engine, p, summary)) {
+        out_ << "interrupted: these are not all generators\n";
+        break;
       }
       ++p;
     }
@@ -64,15 +65,31 @@ class TableReporter final : public Reporter {
   }
 
  private:
-  void generators(engine::Engine& engine, int degree) {
-    for (const engine::Generator& g : engine.generators(degree)) {
-      const std::string order = g.order.is_zero() ? "free" : "order " + g.order.to_string();
-      out_ << fmt::format("    {:<9} {}\n", order, chain_text(g.cycle, engine.structure(), most_terms));
-      if (!g.order.is_zero()) {
-        out_ << fmt::format("    {:<9} {} times it bounds {}\n", "", g.order.to_string(),
-                            chain_text(g.bounding, engine.structure(), most_terms));
+  /// Writes them one after another. Whether these are all.
+  bool generators(engine::Engine& engine, int degree, const Summary& summary) {
+    const GeneratorOptions& options = *summary.generators;
+    bool goes_on = true;
+    visit_generators(engine, degree, options, [&](const engine::Generator& g) {
+      goes_on = !summary.is_stopped() && out_;
+      if (goes_on) {
+        const std::string order = g.order.is_zero() ? "free" : "order " + g.order.to_string();
+        out_ << fmt::format("    {:<9} {}\n", order, text_of(g.cycle, length_of_cycle(g, options), engine.structure()));
+        if (!g.order.is_zero()) {
+          out_ << fmt::format("    {:<9} {} times it bounds {}\n", "", g.order.to_string(),
+                              text_of(g.bounding, length_of_bounding(g, options), engine.structure()));
+        }
       }
+      return goes_on;
+    });
+    return goes_on;
+  }
+
+  static std::string text_of(const engine::CellChain& chain, const std::optional<ChainLength>& length,
+                             const ops::Structure& structure) {
+    if (length) {
+      return fmt::format("a chain of {}{} terms", length->is_exact ? "" : "at most ", length->terms);
     }
+    return chain_text(chain, structure, most_terms);
   }
 
   void answer(engine::Engine& engine, const engine::ClassAnswer& found) {

@@ -173,8 +173,11 @@ void CycleReport::for_each_bar(Visit&& visit) const {
   const std::uint32_t p = std::visit([](const auto& ring) { return ring.characteristic(); }, tracker_.ring());
   for (const engine::CycleTracker::TracedBar& traced : tracker_.bars()) {
     const double length = traced.bar.death - traced.bar.birth;
-    if (length == 0 || length < min_length_) {
+    if (length == 0 || length < min_length_ || !options_.wants(traced.bar.dimension)) {
       continue;
+    }
+    if (stop_ != nullptr && stop_->load()) {
+      return;
     }
     const bool is_open = traced.bar.death == never;
     const auto cycle = tracker_.cycle(traced);
@@ -184,10 +187,24 @@ void CycleReport::for_each_bar(Visit&& visit) const {
   }
 }
 
+std::string CycleReport::line_of(const TowerHistory::NamedChain& chain) const {
+  return is_too_long(chain) ? fmt::format("a chain of {} terms", chain.size()) : chain_line(chain);
+}
+
+void CycleReport::add_member(TextBuffer& text, std::string_view name, const TowerHistory::NamedChain& chain) const {
+  text.add(",\"").add(name);
+  if (is_too_long(chain)) {
+    text.add("_terms\":").add_integer(chain.size());
+  } else {
+    text.add("\":");
+    add_chain(text, chain);
+  }
+}
+
 void CycleReport::write_table(std::ostream& out) const {
   for_each_bar([&](const Bar& bar, const auto& cycle, const auto& second) {
-    out << fmt::format("H{} {}\n  born as  {}\n  {}  {}\n", bar.dimension, interval_text(bar), chain_line(cycle),
-                       bar.death == never ? "now    " : "bounds ", chain_line(second));
+    out << fmt::format("H{} {}\n  born as  {}\n  {}  {}\n", bar.dimension, interval_text(bar), line_of(cycle),
+                       bar.death == never ? "now    " : "bounds ", line_of(second));
   });
 }
 
@@ -207,10 +224,8 @@ void CycleReport::add_json(TextBuffer& text) const {
     } else {
       text.add_number(bar.death);
     }
-    text.add(R"(,"cycle":)");
-    add_chain(text, cycle);
-    text.add(bar.death == never ? R"(,"now":)" : R"(,"bounds":)");
-    add_chain(text, second);
+    add_member(text, "cycle", cycle);
+    add_member(text, bar.death == never ? "now" : "bounds", second);
     text.add('}');
   });
   text.add(']');

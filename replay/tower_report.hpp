@@ -2,6 +2,7 @@
 /// What is said of a tower: tables for people, JSON for programs.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "engine/barcode.hpp"
 #include "engine/cycle_tracker.hpp"
 #include "replay/barcode_files.hpp"
+#include "replay/generators.hpp"
 #include "replay/tower_history.hpp"
 
 namespace sesame::replay {
@@ -58,22 +60,36 @@ void write_differences(std::ostream& out, std::span<const TowerResult> results);
 /// Bars shorter than `min_length` are left out.
 class CycleReport {
  public:
-  CycleReport(engine::CycleTracker& tracker, const TowerHistory& history, std::uint64_t operations, double min_length)
-      : tracker_{tracker}, history_{history}, operations_{operations}, min_length_{min_length} {}
+  /// `stop`, set from outside: no more bars after the one at hand.
+  CycleReport(engine::CycleTracker& tracker, const TowerHistory& history, std::uint64_t operations, double min_length,
+              GeneratorOptions options, const std::atomic<bool>* stop)
+      : tracker_{tracker},
+        history_{history},
+        operations_{operations},
+        min_length_{min_length},
+        options_{std::move(options)},
+        stop_{stop} {}
 
   void write_table(std::ostream& out) const;
   /// A JSON array of {"dim","birth","death","cycle","bounds"}, or "now" instead of "bounds"; a chain is a list of
-  /// [coefficient,[labels]].
+  /// [coefficient,[labels]]; of one that is too long there is the length, "cycle_terms" and so on.
   void add_json(TextBuffer& text) const;
 
  private:
   template <class Visit>
   void for_each_bar(Visit&& visit) const;
+  [[nodiscard]] bool is_too_long(const TowerHistory::NamedChain& chain) const {
+    return chain.size() > options_.most_terms;
+  }
+  [[nodiscard]] std::string line_of(const TowerHistory::NamedChain& chain) const;
+  void add_member(TextBuffer& text, std::string_view name, const TowerHistory::NamedChain& chain) const;
 
   engine::CycleTracker& tracker_;
   const TowerHistory& history_;
   std::uint64_t operations_;
   double min_length_;
+  GeneratorOptions options_;
+  const std::atomic<bool>* stop_;
 };
 
 /// One object on one line. For one ring, the fields of its barcode; for several, a list "rings" of such objects and

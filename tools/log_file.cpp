@@ -76,6 +76,10 @@ Status LogFile::go_on() {
   if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {  // until it is closed
     return cannot_write(place_.path, "another replay goes on with it");
   }
+  char first[2] = {};
+  if (pread(descriptor, first, sizeof first, 0) == sizeof first && first[0] == '\x1F' && first[1] == '\x8B') {
+    return cannot_write(place_.path, "it is packed by gzip; a log that is gone on from is plain text");
+  }
   const off_t size = size_of(descriptor);
   goes_on_ = size > 0;
   char last = '\n';

@@ -50,6 +50,34 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
           ""};
 }
 
+void add_generator_options(CLI::App& command, std::optional<replay::GeneratorOptions>& options,
+                           const std::string& description) {
+  const auto choose = [&options](const CLI::results_t& given) {
+    options.emplace();
+    if (given.front() != "true") {  // which is what stands for no value
+      auto degrees = replay::parse_degrees(given.front());
+      if (!degrees) {
+        throw CLI::ValidationError("--generators", degrees.error().what);
+      }
+      options->degrees = std::move(*degrees);
+    }
+    return true;
+  };
+  CLI::Option* generators = command.add_option("--generators", choose, description)
+                                ->expected(0)
+                                ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+                                ->option_text("[=DEGREES]");
+  const auto limit = [&options](std::uint64_t terms) {
+    if (options) {
+      options->most_terms = terms;
+    }
+  };
+  command.add_option_function<std::uint64_t>("--max-terms", limit, "Give chains of more terms by their length only")
+      ->check(from_zero_on())
+      ->type_name("N")
+      ->needs(generators);
+}
+
 std::string alternatives(const std::vector<std::string>& words) {
   std::string list;
   for (const std::string& word : words) {

@@ -4,9 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "replay/generators.hpp"
 
 namespace sesame::tools {
 
@@ -41,5 +44,9 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, T& value, co
       ->check(one_of(words))
       ->type_name(alternatives(words));
 }
+
+/// Adds --generators[=DEGREES] and --max-terms. `options` stays empty when no generators are asked for.
+void add_generator_options(CLI::App& command, std::optional<replay::GeneratorOptions>& options,
+                           const std::string& description);
 
 }  // namespace sesame::tools

@@ -46,7 +46,7 @@ struct Arguments {
   std::string log;
   LogFile::Old old_log = LogFile::Old::is_refused;
   bool json = false;
-  bool generators = false;
+  std::optional<replay::GeneratorOptions> generators;
   bool verify = false;
   bool follow = false;
   bool keep_going = false;
@@ -199,7 +199,8 @@ void add_replay_command(CLI::App& app, int& status) {
                    "Report every N steps; default: every step of up to 200, else only answers to class")
       ->check(from_one_on());
   command->add_flag("--json", arguments->json, "One JSON object per reported step on standard output");
-  command->add_flag("--generators", arguments->generators, "The generators of the homology groups at the end");
+  add_generator_options(*command, arguments->generators,
+                        "The generators of the homology groups at the end; =1 or =0-2,4: of these dimensions only");
   command->add_flag("--verify", arguments->verify, "Check every law after every step (slow)");
   command
       ->add_option("--explicit-cones", arguments->explicit_cones,

@@ -41,7 +41,8 @@ struct Arguments {
   double min_length = 0;
   std::uint64_t until = 0, every = 0;
   std::size_t longest_line = replay::longest_line;
-  bool json = false, generators = false, partial = false, quiet = false;
+  std::optional<replay::GeneratorOptions> generators;
+  bool json = false, partial = false, quiet = false;
 };
 
 int say(Outcome outcome, const std::string& what) {
@@ -288,10 +289,12 @@ class Run {
     }
     std::optional<replay::CycleReport> report;
     if (cycles != nullptr) {
-      report.emplace(*cycles, history, tower.operations(), arguments_.min_length);
+      // What was interrupted once writes its cycles, since a second interrupt ends it at once.
+      const std::atomic<bool>* stop = outcome == Outcome::interrupted ? nullptr : &stop_requested();
+      report.emplace(*cycles, history, tower.operations(), arguments_.min_length, *arguments_.generators, stop);
     }
     write(results, report ? &*report : nullptr);
-    return outcome;
+    return outcome == Outcome::done && stop_requested().load() ? Outcome::interrupted : outcome;
   }
 
   /// With --every: cells and Betti numbers now and then.
@@ -489,8 +492,9 @@ void add_tower_command(CLI::App& app, int& status) {
   command->add_option("--csv", arguments->csv, "Write the Betti numbers, a row for each time at which they change");
   command->add_option("--svg", arguments->svg, "Draw barcode, persistence diagram and Betti curves");
   command->add_option("--html", arguments->html, "A page with the drawings and the longest bars");
-  command->add_flag("--generators", arguments->generators,
-                    "For each bar the cycle that is born, and the chain that it comes to bound");
+  add_generator_options(*command, arguments->generators,
+                        "For each bar the cycle that is born, and the chain that it comes to bound; =1 or =0-2,4: of "
+                        "these dimensions only");
   command
       ->add_option("--min-length", arguments->min_length,
                    "Leave out bars that are shorter (not from --csv and Betti curves)")

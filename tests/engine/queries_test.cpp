@@ -280,3 +280,70 @@ TEST_CASE("a question about an empty workspace has an answer", "[engine]") {
   CHECK(engine.live<Integers>() != nullptr);
   CHECK(engine.live<Z2>() == nullptr);
 }
+
+TEST_CASE("generators come one by one as in the list, and leave no cells of products behind", "[engine]") {
+  const std::string kind = GENERATE("simploidal", "simplicial");
+  const std::string ring = GENERATE("Z", "Z/3");
+  CAPTURE(kind, ring);
+  Engine engine(ring_named(ring));
+  build(engine, {R"({"op":"complex","name":"B","cells":[{"id":"v"},{"id":"w"},{"id":"a","faces":["w","v"]},)"
+                 R"({"id":"b","faces":["w","v"]},{"id":"c","faces":["v","v"]},{"id":"t","faces":["c","c","c"]}]})",
+                 R"({"op":"product","name":"P","left":"B","right":"B","kind":")" + kind + R"("})",
+                 R"({"op":"product","name":"Q","left":"P","right":"P","kind":")" + kind + R"("})"});
+  for (int p = 0; p < static_cast<int>(engine.cells().size()); ++p) {
+    const ops::CellId before = engine.structure().created();
+    std::vector<engine::Generator> visited;
+    std::vector<std::size_t> lengths;
+    engine.visit_generators(p, engine::uncountable, [&](engine::Generator generator) {
+      CHECK(engine.maps().boundary(generator.cycle).terms.empty());
+      lengths.push_back(generator.cycle.terms.size());
+      visited.push_back(std::move(generator));
+      return true;
+    });
+    CHECK(engine.structure().created() == before);
+    std::vector<std::uint64_t> bounds;
+    engine.visit_generators(p, 0, [&](engine::Generator generator) {
+      CHECK(generator.cycle.terms.empty());
+      bounds.push_back(generator.terms_of_cycle);
+      return true;
+    });
+    CHECK(engine.structure().created() == before);
+    const auto listed = engine.generators(p);
+    REQUIRE(listed.size() == visited.size());
+    REQUIRE(bounds.size() == visited.size());
+    for (std::size_t k = 0; k < listed.size(); ++k) {
+      CHECK(listed[k].order == visited[k].order);
+      CHECK(listed[k].cycle.terms.size() == lengths[k]);
+      CHECK(lengths[k] <= bounds[k]);
+      CHECK(bounds[k] <= 64 * lengths[k]);
+    }
+    std::size_t first = 0;
+    engine.visit_generators(p, engine::uncountable, [&](const engine::Generator&) { return ++first < 2; });
+    CHECK(first == std::min<std::size_t>(2, listed.size()));
+  }
+}
+
+TEST_CASE("no generator of glued products and lazy cones has more terms than are foretold", "[engine]") {
+  Engine engine(ring_named("Z"), {.cells_of_explicit_cone = 0});
+  build(engine, {R"({"op":"complex","name":"B","cells":[{"id":"v"},{"id":"w"},{"id":"a","faces":["w","v"]},)"
+                 R"({"id":"b","faces":["w","v"]}]})",
+                 R"({"op":"product","name":"P","left":"B","right":"B"})",
+                 R"x({"op":"identify","pairs":[["P.(B.a|B.v)","P.(B.b|B.v)"]]})x",
+                 R"({"op":"complex","name":"D","cells":[{"id":"v"},{"id":"a","faces":["v","v"]}]})",
+                 R"({"op":"cone","apex":"o","over":"D"})", R"x({"op":"identify","pairs":[["D.a","P.(B.a|B.w)"]]})x"});
+  std::size_t generators = 0;
+  for (int p = 0; p < static_cast<int>(engine.cells().size()); ++p) {
+    std::vector<std::uint64_t> bounds;
+    engine.visit_generators(p, 0, [&](engine::Generator generator) {
+      bounds.push_back(generator.terms_of_cycle);
+      return true;
+    });
+    const auto listed = engine.generators(p);
+    REQUIRE(listed.size() == bounds.size());
+    for (std::size_t k = 0; k < listed.size(); ++k) {
+      CHECK(listed[k].cycle.terms.size() <= bounds[k]);
+      ++generators;
+    }
+  }
+  CHECK(generators > 3);
+}

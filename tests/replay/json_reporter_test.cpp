@@ -30,7 +30,7 @@ std::string without(const char* time, Json object) {
 
 replay::ReplayOptions with_generators() {
   replay::ReplayOptions options;
-  options.generators = true;
+  options.generators.emplace();
   return options;
 }
 

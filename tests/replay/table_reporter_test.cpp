@@ -36,7 +36,7 @@ void check_golden(const std::string& name, const std::string& table) {
 
 replay::ReplayOptions with_generators() {
   replay::ReplayOptions options;
-  options.generators = true;
+  options.generators.emplace();
   return options;
 }
 

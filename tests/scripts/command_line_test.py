@@ -7,6 +7,7 @@ Usage: command_line_test.py SESAME EXAMPLES_DIRECTORY
 import json
 import os
 import pathlib
+import resource
 import signal
 import subprocess
 import sys
@@ -142,6 +143,32 @@ class Replay(unittest.TestCase):
             strip = [[{k: v for k, v in json.loads(line).items() if k not in ("us", "seconds")}
                       for line in done.stdout.splitlines()] for done in (first, again)]
             self.assertEqual(strip[0], strip[1])
+
+    def test_generators_of_a_large_product_come_one_by_one_by_dimension_and_by_length(self):
+        large = EXAMPLES / "large" / "circle_to_the_sixteenth.jsonl"
+        done = run("replay", "--json", "--every", "1000", "--generators=1-2,16", "--max-terms", "3", large,
+                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (2**30, 2**30)))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        generators = json.loads(done.stdout.splitlines()[-1])["generators"]
+        self.assertEqual([g["dim"] for g in generators], [1] * 14 + [2] * 120 + [16])
+        self.assertEqual({g["dim"]: g.get("terms", 0) for g in generators}, {1: 0, 2: 4, 16: 65536})
+        for arguments in (["--generators=1,"], ["--generators=2-1"], ["--generators=x"], ["--max-terms", "3"],
+                          ["--generators", "--max-terms", "-1"]):
+            self.assertEqual(run("replay", *arguments, large).returncode, 1, arguments)
+
+    def test_an_interrupt_ends_the_list_of_generators(self):
+        large = EXAMPLES / "large" / "circle_to_the_sixteenth.jsonl"
+        with subprocess.Popen([SESAME, "replay", "--json", "--every", "1000", "--generators=10-16", large],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            text = ""
+            while '"generators":[' not in text:
+                text += process.stdout.read(1)
+            process.send_signal(signal.SIGINT)
+            text += process.stdout.read()
+            self.assertEqual((process.wait(timeout=60), process.stderr.read()), (130, ""))
+        summary = json.loads(text.splitlines()[-1])
+        self.assertTrue(summary["interrupted"])
+        self.assertEqual({g["dim"] for g in summary["generators"]}, {10})
 
     def test_the_debug_lines_say_what_each_step_did(self):
         done = run("replay", "--quiet", "-", text=HEADER + "".join(line + "\n" for line in (

@@ -5,6 +5,7 @@ they were, logs go on or are replaced, and nothing that is read or that somebody
 Usage: outputs_test.py SESAME
 """
 
+import gzip
 import json
 import os
 import pathlib
@@ -298,6 +299,12 @@ class Logs(Folder):
         text = SCRIPT.replace('"t"', '"u"')
         self.assertEqual(self.replay("-", "--log", "log", "--append", text=text).returncode, 0)
         self.assertEqual(self.read("log"), SCRIPT + text.splitlines(keepends=True)[1])
+
+    def test_a_log_that_is_packed_is_not_gone_on_from(self):
+        packed = gzip.compress(SCRIPT.encode())
+        (self.folder / "log").write_bytes(packed)
+        self.refused("it is packed by gzip", "replay", "s.jsonl", "--log", "log", "--append")
+        self.assertEqual((self.folder / "log").read_bytes(), packed)
 
     def test_an_empty_log_gets_a_header(self):
         self.write("log", "")

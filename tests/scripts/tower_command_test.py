@@ -142,6 +142,18 @@ class Tower(unittest.TestCase):
         self.assertEqual(found["generators"][0]["now"], [[1, [1]]])
         self.assertEqual(len(found["generators"]), len(found["bars"]))
 
+    def test_cycles_are_written_of_some_dimensions_and_up_to_a_length(self):
+        path = self.file("c.tower", CIRCLE)
+        (found,) = self.objects(path, "--generators=1", "--max-terms", "2")
+        self.assertEqual(found["generators"], [{"dim": 1, "birth": 5, "death": 6, "cycle_terms": 3, "bounds": []}])
+        (found,) = self.objects(path, "--generators=0,2-5", "--max-terms", "0")
+        self.assertEqual(found["generators"][0], {"dim": 0, "birth": 0, "death": None, "cycle_terms": 1, "now_terms": 1})
+        self.assertEqual({each["dim"] for each in found["generators"]}, {0})
+        text = self.run_on(path, "--generators=1", "--max-terms", "2").stdout.decode()
+        self.assertIn("born as  a chain of 3 terms\n  bounds   0\n", text)
+        for arguments in (("--generators=1-0",), ("--max-terms", "2")):
+            self.assertEqual(self.run_on(path, *arguments).returncode, 1)
+
     # ---- outputs
 
     def test_betti_curves_are_the_sums_over_the_bars(self):
