@@ -1,5 +1,6 @@
 /// Polygons that meet a corner more than once are discs glued along the word that their corners spell.
 #include <algorithm>
+#include <random>
 #include <sstream>
 
 #include "engine/engine.hpp"
@@ -9,6 +10,7 @@
 #include "tools/mesh/mesh_homology.hpp"
 #include "tools/mesh/normalise.hpp"
 #include "tools/mesh/script.hpp"
+#include "tools/mesh/triangulate.hpp"
 #include "tools/mesh/validity.hpp"
 
 namespace sesame::tools {
@@ -267,6 +269,41 @@ TEST_CASE("area, volume and centre of a box with a hole do not depend on how its
   CHECK(surface.centre[0] == Approx(1.5));
   CHECK(surface.centre[1] == Approx(1.5));
   CHECK(surface.centre[2] == Approx(0.5));
+}
+
+TEST_CASE("cutting polygons changes nothing in the report but the numbers of cells", "[mesh]") {
+  std::mt19937 random{20};
+  const auto below = [&random](std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); };
+  for (int round = 0; round < 400; ++round) {
+    Words words(1 + below(4));
+    for (auto& word : words) {
+      for (auto corners = 1 + below(10); corners > 0; --corners) word.push_back(below(3 + below(9)));
+    }
+    Mesh polygons = mesh_of(words);
+    normalise(polygons);
+    const Validity before = validate(polygons);
+    for (const auto how : {Polygons::fan, Polygons::cone}) {
+      Mesh triangles = polygons;
+      const auto face_of_triangle = triangulate(triangles, how);
+      REQUIRE(face_of_triangle.size() == triangles.faces.size());
+      REQUIRE(std::is_sorted(face_of_triangle.begin(), face_of_triangle.end()));
+      const Validity after = validate(triangles);
+      INFO("round " << round);
+      CHECK(after.faces == triangles.faces.size());
+      CHECK(after.euler() == before.euler());
+      CHECK(after.boundary_edges == before.boundary_edges);
+      CHECK(after.boundary_loops == before.boundary_loops);
+      CHECK(after.non_manifold_edges == before.non_manifold_edges);
+      CHECK(after.non_manifold_vertices == before.non_manifold_vertices);
+      CHECK(after.reversed_edges == before.reversed_edges);
+      REQUIRE(after.components.size() == before.components.size());
+      for (std::size_t c = 0; c < after.components.size(); ++c) {
+        CHECK(after.components[c].is_manifold == before.components[c].is_manifold);
+        CHECK(after.components[c].is_orientable == before.components[c].is_orientable);
+        CHECK(after.components[c].genus() == before.components[c].genus());
+      }
+    }
+  }
 }
 
 TEST_CASE("no face is left out without being counted", "[mesh]") {
