@@ -187,6 +187,7 @@ Result<StepReport> Engine::construct(const ops::Operation& operation) {
     return status.error();
   }
   StepReport report = begin_report(operation);
+  report.already = plan_.already;
   const std::uint64_t before = total(cells());
   push_history();
   structure_.apply(plan_);

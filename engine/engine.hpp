@@ -38,6 +38,7 @@ struct StepReport {
   std::string_view op;                    ///< the keyword of its operation
   ops::Moment before, after;              ///< cells created and removed until then
   std::uint64_t steps_undone = 0;         ///< by an undo
+  std::uint64_t already = 0;              ///< simplices of an insertion that were there; see Plan::already
   bool rebased = false;                   ///< the equivalence was begun afresh: see Engine::rebases
   std::optional<SequenceSizes> sequence;  ///< of a step that added or removed cells
   std::optional<ClassAnswer> answer;      ///< to a `class`

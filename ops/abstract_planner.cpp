@@ -3,7 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <bit>
+#include <map>
 #include <set>
 
 #include "ops/planner.hpp"
@@ -13,95 +13,150 @@ namespace {
 
 Error bad_input(std::string what) { return {Errc::bad_input, std::move(what)}; }
 
-/// A face of the simplex to be inserted: the positions of its vertices among all, as bits.
-using Subset = std::uint64_t;
+bool comes_before(const std::string& a, const std::string& b) { return compare_labels(a, b) < 0; }
 
-/// By dimension, then lexicographically in the positions.
-bool comes_before(Subset a, Subset b) {
-  if (std::popcount(a) != std::popcount(b)) {
-    return std::popcount(a) < std::popcount(b);
-  }
-  const Subset differ = a ^ b;
-  return differ != 0 && (a & differ & (~differ + 1)) != 0;
+/// A simplex: the positions of its vertices among the labels of an insertion, ascending.
+using Positions = std::vector<std::uint32_t>;
+
+Positions without(const Positions& simplex, std::size_t k) {
+  Positions face = simplex;
+  face.erase(face.begin() + static_cast<std::ptrdiff_t>(k));
+  return face;
 }
 
 template <class T>
-std::vector<T> chosen(const std::vector<T>& all, Subset subset) {
+std::vector<T> chosen(const std::vector<T>& all, const Positions& positions) {
   std::vector<T> some;
-  for (; subset != 0; subset &= subset - 1) {
-    some.push_back(all[static_cast<std::size_t>(std::countr_zero(subset))]);
+  some.reserve(positions.size());
+  for (const std::uint32_t position : positions) {
+    some.push_back(all[position]);
   }
   return some;
 }
 
-/// Works out which faces of a simplex are missing, and lays them out.
+/// Works out which of some simplices and of their faces are missing, and lays them out.
 class InsertPlanner {
  public:
-  /// The labels are sorted. Vertices are those that they denote, or numbers to come.
-  InsertPlanner(const Structure& structure, std::vector<std::string> labels, std::vector<VertexId> vertices)
-      : structure_{structure}, labels_{std::move(labels)}, vertices_{std::move(vertices)} {
-    find_missing();
+  /// `labels` are those of all simplices, sorted, none twice.
+  InsertPlanner(const Structure& structure, std::vector<std::string> labels)
+      : structure_{structure}, labels_{std::move(labels)} {
+    vertices_.reserve(labels_.size());
+    for (VertexId next = structure_.abstract().labels(); const std::string& label : labels_) {
+      const LabelId known = structure_.abstract().label(label);
+      vertices_.push_back(known == none ? next++ : structure_.abstract().vertex(known));
+    }
   }
 
-  [[nodiscard]] const std::vector<Subset>& missing() const { return missing_; }
-  [[nodiscard]] Subset whole() const { return (Subset{1} << vertices_.size()) - 1; }
-  [[nodiscard]] std::string name(Subset subset) const {
-    return fmt::format("{{{}}}", fmt::join(chosen(labels_, subset), ","));
+  [[nodiscard]] Positions positions(const std::vector<std::string>& simplex) const {
+    Positions positions;
+    for (const std::string& label : simplex) {
+      const auto at = std::lower_bound(labels_.begin(), labels_.end(), label, comes_before);
+      positions.push_back(static_cast<std::uint32_t>(at - labels_.begin()));
+    }
+    std::sort(positions.begin(), positions.end());
+    return positions;
   }
 
+  /// False when it is there already, or was added before. To be called for all before `add_faces`.
+  bool add(const Positions& simplex) {
+    if (!is_missing(simplex)) {
+      return false;
+    }
+    missing_.resize(std::max(missing_.size(), simplex.size()));
+    const bool is_new = missing_[simplex.size() - 1].emplace(simplex, none).second;
+    count_ += is_new ? 1 : 0;
+    return is_new;
+  }
+
+  /// Adds the faces that are missing. False when there are more than `most` cells then; some are left out in that case.
+  /// Goes down by dimension: the faces of a simplex that is there are there.
+  bool add_faces(std::int64_t most) {
+    for (std::size_t p = missing_.size(); p-- > 1;) {
+      for (const auto& [simplex, cell] : missing_[p]) {
+        for (std::size_t k = 0; k <= p; ++k) {
+          add(without(simplex, k));
+        }
+        if (count_ > most) {
+          return false;
+        }
+      }
+    }
+    return count_ <= most;
+  }
+
+  [[nodiscard]] bool has_nothing_to_do() const { return count_ == 0; }
+  [[nodiscard]] std::string name(const Positions& simplex) const {
+    return fmt::format("{{{}}}", fmt::join(chosen(labels_, simplex), ","));
+  }
+  /// The name of a missing cell that is in use; empty when there is none.
+  [[nodiscard]] std::string taken_name() const {
+    for (const auto& simplices : missing_) {
+      for (const auto& [simplex, cell] : simplices) {
+        if (std::string own = name(simplex); structure_.is_name_taken(own)) {
+          return own;
+        }
+      }
+    }
+    return "";
+  }
+
+  /// Requires: some cells are missing.
   void write(Plan& plan) {
     AbstractChange& change = plan.abstract.emplace();
     plan.first = structure_.created();
-    for (const Subset subset : missing_) {
-      const std::vector<VertexId> vertices = chosen(vertices_, subset);
-      if (std::popcount(subset) > 1) {
-        add_faces(subset, vertices, plan);
+    CellId next = plan.first;
+    for (auto& simplices : missing_) {
+      for (auto& [simplex, cell] : simplices) {
+        cell = next++;
+        const std::vector<VertexId> vertices = chosen(vertices_, simplex);
+        const auto first_face = static_cast<std::uint32_t>(plan.faces.size());
+        if (simplex.size() > 1) {
+          write_faces(simplex, vertices, plan);
+        }
+        change.vertices.insert(change.vertices.end(), vertices.begin(), vertices.end());
+        plan.names += name(simplex);
+        plan.cells.push_back(
+            {structure_.types().simplex(static_cast<int>(simplex.size()) - 1), first_face, plan.names.size()});
       }
-      change.vertices.insert(change.vertices.end(), vertices.begin(), vertices.end());
-      plan.names += name(subset);
-      const auto arity = std::popcount(subset) > 1 ? vertices.size() : 0;
-      plan.cells.push_back({structure_.types().simplex(static_cast<int>(vertices.size()) - 1),
-                            static_cast<std::uint32_t>(plan.faces.size() - arity), plan.names.size()});
     }
-    for (std::size_t k = 0; k < labels_.size(); ++k) {
-      if (is_new(Subset{1} << k)) {
-        change.labels.push_back(labels_[k]);
-      }
+    for (const auto& [vertex, cell] : missing_[0]) {
+      change.labels.push_back(labels_[vertex[0]]);
     }
+    write_bodies(plan);
   }
 
  private:
-  [[nodiscard]] CellId find(Subset subset) const { return structure_.abstract().find(chosen(vertices_, subset)); }
-  [[nodiscard]] bool is_new(Subset subset) const { return (subset & new_vertices_) != 0; }
-
-  /// Goes down from the whole: the faces of a simplex that is there are there.
-  void find_missing() {
-    for (std::size_t k = 0; k < vertices_.size(); ++k) {
-      new_vertices_ |= vertices_[k] >= structure_.abstract().labels() ? Subset{1} << k : 0;
-    }
-    std::set<Subset> seen;
-    const auto look_at = [&](Subset subset) {
-      if (subset != 0 && seen.insert(subset).second && (is_new(subset) || find(subset) == none)) {
-        missing_.push_back(subset);
-      }
-    };
-    look_at(whole());
-    for (std::size_t k = 0; k < missing_.size(); ++k) {
-      const Subset simplex = missing_[k];
-      for (Subset rest = simplex; rest != 0; rest &= rest - 1) {
-        look_at(simplex & ~(rest & (~rest + 1)));
-      }
-    }
-    std::sort(missing_.begin(), missing_.end(), comes_before);
+  [[nodiscard]] bool is_new(VertexId vertex) const { return vertex >= structure_.abstract().labels(); }
+  [[nodiscard]] bool is_missing(const Positions& simplex) const {
+    const std::vector<VertexId> vertices = chosen(vertices_, simplex);
+    return std::any_of(vertices.begin(), vertices.end(), [this](VertexId v) { return is_new(v); }) ||
+           structure_.abstract().find(vertices) == none;
   }
 
-  void add_faces(Subset subset, const std::vector<VertexId>& vertices, Plan& plan) const {
-    std::size_t k = 0;
-    for (Subset rest = subset; rest != 0; rest &= rest - 1, ++k) {
-      const Subset face = subset & ~(rest & (~rest + 1));
-      const auto at = std::lower_bound(missing_.begin(), missing_.end(), face, comes_before);
-      if (at != missing_.end() && *at == face) {
-        plan.faces.push_back(plan.first + static_cast<CellId>(at - missing_.begin()));
+  /// The new cells join the bodies of the vertices that they have and make these one, or make a body.
+  void write_bodies(Plan& plan) const {
+    std::vector<VertexId> vertices = plan.abstract->vertices;
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    std::set<BodyId> bodies;
+    for (const VertexId vertex : vertices) {
+      if (!is_new(vertex)) {
+        bodies.insert(structure_.body_of(structure_.abstract().find({&vertex, 1})));
+      }
+    }
+    if (bodies.empty()) {
+      plan.new_body = name(missing_[0].begin()->first);
+    } else {
+      plan.into_body = *bodies.begin();
+      plan.joined_bodies.assign(std::next(bodies.begin()), bodies.end());
+    }
+  }
+
+  void write_faces(const Positions& simplex, const std::vector<VertexId>& vertices, Plan& plan) const {
+    const auto& missing = missing_[simplex.size() - 2];
+    for (std::size_t k = 0; k < simplex.size(); ++k) {
+      if (const auto face = missing.find(without(simplex, k)); face != missing.end()) {
+        plan.faces.push_back(face->second);
         continue;
       }
       std::vector<VertexId> order = vertices;
@@ -117,9 +172,9 @@ class InsertPlanner {
 
   const Structure& structure_;
   std::vector<std::string> labels_;
-  std::vector<VertexId> vertices_;
-  Subset new_vertices_ = 0;
-  std::vector<Subset> missing_;
+  std::vector<VertexId> vertices_;                    ///< that the labels denote, or numbers to come
+  std::vector<std::map<Positions, CellId>> missing_;  ///< by dimension; with the cells that they will be
+  std::int64_t count_ = 0;                            ///< of all of them
 };
 
 /// Works out what becomes of the star of the vertex that goes.
@@ -215,19 +270,16 @@ Result<LabelId> Planner::resolve_label(const std::string& text) const {
   const LabelId label = structure_.abstract().label(text);
   if (label == none) {
     return Error{Errc::unknown_name,
-                 fmt::format("there is no vertex \"{}\": {} makes one", text, to_text(Insert{{text}}))};
+                 fmt::format("there is no vertex \"{}\": {} makes one", text, to_text(Insert{{{text}}, false}))};
   }
   return label;
 }
 
-Status Planner::plan(const Insert& operation, Plan& plan) {
-  plan.clear();
-  std::vector<std::string> labels = operation.simplex;
-  if (labels.empty()) {
-    return bad_input(
-        "a simplex has at least one vertex: \"simplex\" should be a list of labels, such as [\"a\",\"b\"]");
+Status Planner::check_simplex(std::vector<std::string> simplex) const {
+  if (simplex.empty()) {
+    return bad_input("a simplex has at least one vertex: it should be a list of labels, such as [\"a\",\"b\"]");
   }
-  for (const std::string& label : labels) {
+  for (const std::string& label : simplex) {
     if (!is_label(label)) {
       return bad_input(
           fmt::format("\"{}\" is not a label: a label is not empty, and has no white space, no control "
@@ -235,53 +287,57 @@ Status Planner::plan(const Insert& operation, Plan& plan) {
                       label));
     }
   }
-  const CellType type{std::max(1, static_cast<int>(labels.size()) - 1)};
-  if (Status s = check_size(type); !s) {
+  if (Status s = check_size({std::max(1, static_cast<int>(simplex.size()) - 1)}); !s) {
     return s;
   }
-  std::sort(labels.begin(), labels.end(), [](const auto& a, const auto& b) { return compare_labels(a, b) < 0; });
-  if (const auto twice = std::adjacent_find(labels.begin(), labels.end()); twice != labels.end()) {
+  std::sort(simplex.begin(), simplex.end());
+  if (const auto twice = std::adjacent_find(simplex.begin(), simplex.end()); twice != simplex.end()) {
     return bad_input(fmt::format("the label \"{}\" stands twice in the simplex: labels must differ", *twice));
   }
-  const AbstractComplex& complex = structure_.abstract();
-  std::vector<VertexId> vertices;
-  std::set<BodyId> bodies;
-  for (VertexId next = complex.labels(); const std::string& label : labels) {
-    const LabelId known = complex.label(label);
-    vertices.push_back(known == none ? next++ : complex.vertex(known));
-    if (known != none) {
-      const Result<BodyId> body = abstract_body(known);
-      if (!body) {
-        return body.error();
-      }
-      bodies.insert(*body);
-    }
-  }
-  return plan_insert(std::move(labels), std::move(vertices), bodies, plan);
+  return Done{};
 }
 
-Status Planner::plan_insert(std::vector<std::string> labels, std::vector<VertexId> vertices,
-                            const std::set<BodyId>& bodies, Plan& plan) {
-  InsertPlanner simplex(structure_, std::move(labels), std::move(vertices));
-  if (simplex.missing().empty()) {
-    return Error{Errc::refused, fmt::format("the simplex {} is there already", simplex.name(simplex.whole()))};
+Status Planner::plan(const Insert& operation, Plan& plan) {
+  plan.clear();
+  std::vector<std::string> labels;
+  for (const std::vector<std::string>& simplex : operation.simplices) {
+    if (Status s = check_simplex(simplex); !s) {
+      return s;
+    }
+    labels.insert(labels.end(), simplex.begin(), simplex.end());
   }
-  if (Status s = check_room(static_cast<std::int64_t>(simplex.missing().size())); !s) {
-    return s;
-  }
-  for (const Subset subset : simplex.missing()) {
-    if (const std::string name = simplex.name(subset); structure_.is_name_taken(name)) {
-      return bad_input(
-          fmt::format("the name \"{}\", which a new cell would have, is in use: choose other labels", name));
+  std::sort(labels.begin(), labels.end(), comes_before);
+  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  for (const std::string& label : labels) {
+    const LabelId known = structure_.abstract().label(label);
+    if (const auto body = known == none ? Result<BodyId>{none} : abstract_body(known); !body) {
+      return body.error();
     }
   }
-  simplex.write(plan);
-  if (bodies.empty()) {
-    plan.new_body = simplex.name(1);
-  } else {
-    plan.into_body = *bodies.begin();
-    plan.joined_bodies.assign(std::next(bodies.begin()), bodies.end());
+  InsertPlanner planner(structure_, std::move(labels));
+  for (const std::vector<std::string>& simplex : operation.simplices) {
+    const Positions positions = planner.positions(simplex);
+    if (planner.add(positions)) {
+      continue;
+    }
+    if (!operation.exist_ok) {
+      return Error{Errc::refused, fmt::format("the simplex {} is there already, which \"exist_ok\":true would allow",
+                                              planner.name(positions))};
+    }
+    ++plan.already;
   }
+  if (planner.has_nothing_to_do()) {
+    return Done{};
+  }
+  const std::int64_t room = std::min(limits_.cells_per_step, limits_.cells - std::int64_t{structure_.created()});
+  if (!planner.add_faces(room)) {
+    return Error{Errc::refused,
+                 fmt::format("this step would make more than {} cells, as many as there is room for", room)};
+  }
+  if (const std::string name = planner.taken_name(); !name.empty()) {
+    return bad_input(fmt::format("the name \"{}\", which a new cell would have, is in use: choose other labels", name));
+  }
+  planner.write(plan);
   return Done{};
 }
 

@@ -93,10 +93,11 @@ struct MakeProduct {
   bool simplicial = false;
 };
 
-/// Adds the simplex on some vertices, and its faces as far as they are missing, to an abstract simplicial complex.
-/// A label is a text; an integer is written in decimal, so 3 and "3" are the same label.
+/// Adds simplices, each a list of vertices, and their faces as far as they are missing, to an abstract simplicial
+/// complex. A label is a text; an integer is written in decimal, so 3 and "3" are the same label.
 struct Insert {
-  std::vector<std::string> simplex;
+  std::vector<std::vector<std::string>> simplices;
+  bool exist_ok = false;  ///< simplices that are there already, or stand in the list twice, are counted, not refused
 };
 
 /// The simplicial map of an abstract complex that sends one vertex to another.

@@ -86,6 +86,13 @@ std::string text(Fields& in, const std::string& field, const Json& value) {
 
 constexpr std::uint64_t largest_word = std::numeric_limits<std::int64_t>::max();
 
+bool truth(Fields& in, const std::string& field, const Json& value) {
+  if (!value.is_boolean()) {
+    in.wrong(field, "true or false", value);
+  }
+  return value.get<bool>();
+}
+
 /// Integers beyond 64 bits are written as strings of digits.
 Integer integer(Fields& in, const std::string& field, const Json& value) {
   if (value.is_number_integer()) {
@@ -342,10 +349,25 @@ std::string label(Fields& in, const std::string& field, const Json& value) {
   return std::to_string(value.get<std::uint64_t>());
 }
 
+/// Of a list of simplices one expects that some are there already; of one simplex, unless it is said, that it is not.
 Operation read_insert(Fields& in) {
+  const auto simplex = [&](const std::string& field, const Json& value) {
+    return list(in, field, value, "a list of vertex labels", [&](const Json& item) { return label(in, field, item); });
+  };
   Insert op;
-  op.simplex = list(in, "simplex", in.need("simplex"), "a list of vertex labels",
-                    [&](const Json& item) { return label(in, "simplex", item); });
+  const Json* one = in.find("simplex");
+  const Json* many = in.find("simplices");
+  if ((one == nullptr) == (many == nullptr)) {
+    throw Wrong{R"("insert" needs a field "simplex" or a field "simplices", one of the two)"};
+  }
+  if (one != nullptr) {
+    op.simplices.push_back(simplex("simplex", *one));
+  } else {
+    op.simplices = list(in, "simplices", *many, "a list of simplices, [[\"a\",\"b\"],...]",
+                        [&](const Json& item) { return simplex("simplices", item); });
+  }
+  const Json* exist_ok = in.find("exist_ok");
+  op.exist_ok = exist_ok != nullptr ? truth(in, "exist_ok", *exist_ok) : many != nullptr;
   return op;
 }
 
@@ -682,9 +704,17 @@ struct Writer {
     }
   }
   void operator()(const Insert& op) const {
-    Json& simplex = out["simplex"] = Json::array();
-    for (const std::string& label : op.simplex) {
-      simplex.push_back(json_label(label));
+    const bool is_one = op.simplices.size() == 1;
+    Json simplices = Json::array();
+    for (const auto& labels : op.simplices) {
+      Json& simplex = simplices.emplace_back(Json::array());
+      for (const std::string& label : labels) {
+        simplex.push_back(json_label(label));
+      }
+    }
+    out[is_one ? "simplex" : "simplices"] = std::move(is_one ? simplices[0] : simplices);
+    if (op.exist_ok == is_one) {
+      out["exist_ok"] = op.exist_ok;
     }
   }
   void operator()(const Collapse& op) const {

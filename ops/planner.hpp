@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -69,8 +68,7 @@ class Planner {
   [[nodiscard]] Result<BodyId> resolve_body(const std::string& name) const;
   [[nodiscard]] Result<LabelId> resolve_label(const std::string& text) const;
   [[nodiscard]] Result<BodyId> abstract_body(LabelId label) const;
-  Status plan_insert(std::vector<std::string> labels, std::vector<VertexId> vertices, const std::set<BodyId>& bodies,
-                     Plan& plan);
+  [[nodiscard]] Status check_simplex(std::vector<std::string> simplex) const;
 
   /// The bodies that a cone is taken over wholly, or nothing when it is taken over listed cells.
   [[nodiscard]] Result<std::optional<std::vector<BodyId>>> coned_bodies(const ConeBase& over) const;

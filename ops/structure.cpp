@@ -30,6 +30,7 @@ void Plan::clear() {
   new_body.reset();
   into_body.reset();
   joined_bodies.clear();
+  already = 0;
 }
 
 Structure::Structure()

@@ -93,6 +93,7 @@ struct Plan {
   std::optional<std::string> new_body;     ///< the new cells make a body of this name
   std::optional<BodyId> into_body;         ///< the new cells join this body
   std::vector<BodyId> joined_bodies;       ///< become one with `into_body` (the older name stays)
+  std::uint64_t already = 0;  ///< simplices of an insertion that are there, or stand in its list more than once
 
   void clear();
   [[nodiscard]] bool changes_nothing() const { return cells.empty() && merges.empty() && !family; }

@@ -67,11 +67,11 @@ Status EngineTower::apply(const TowerOperation& operation) {
     if (operation.dimension == 0) {
       ++uses_[operation.labels[0]];
     }
-    ops::Insert insert;
+    std::vector<std::string> simplex;
     for (const std::uint64_t label : operation.labels) {
-      insert.simplex.push_back(name(label));
+      simplex.push_back(name(label));
     }
-    step = std::move(insert);
+    step = ops::Insert{{std::move(simplex)}};
   } else {
     step = ops::Collapse{name(operation.labels[0]), name(operation.labels[1])};
   }

@@ -87,6 +87,9 @@ class JsonReporter final : public Reporter {
                 {"cells", engine.cells()},          {"euler", engine.euler_characteristic()},
                 {"betti", reported.homology.betti}, {"torsion", torsion(reported.homology.torsion)},
                 {"small", reported.homology.small}, {"big", reported.homology.big}};
+    if (reported.step.already > 0) {
+      object["already"] = reported.step.already;
+    }
     if (reported.step.answer) {
       object["class"] = answer(*reported.step.answer, engine.structure());
     }
@@ -110,6 +113,9 @@ class JsonReporter final : public Reporter {
                 {"betti", homology.betti},
                 {"torsion", torsion(homology.torsion)},
                 {"seconds", summary.seconds}};
+    if (summary.already > 0) {
+      object["already"] = summary.already;
+    }
     bool is_interrupted = summary.interrupted;
     std::string text = object.dump();
     text.pop_back();  // the brace

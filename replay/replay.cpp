@@ -66,7 +66,7 @@ class Run {
       const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
       const bool is_interrupted = outcome == Outcome::interrupted;
       // What was interrupted once writes its generators, since a second interrupt ends it at once.
-      reporter_->summary(engine, {steps_, seconds, options_.generators ? &*options_.generators : nullptr,
+      reporter_->summary(engine, {steps_, already_, seconds, options_.generators ? &*options_.generators : nullptr,
                                   is_interrupted, is_interrupted ? nullptr : options_.stop});
       if (outcome == Outcome::done && is_stopped()) {
         outcome = Outcome::interrupted;
@@ -161,6 +161,7 @@ class Run {
       }
     }
     ++steps_;
+    already_ += report->already;
     if (const Outcome logged = write_to_log(ops::to_text(engine.log().back())); logged != Outcome::done) {
       return logged;
     }
@@ -240,7 +241,8 @@ class Run {
   bool is_noted_ = false;
   Outcome refused_ = Outcome::done;  ///< the worst of the steps that were refused and passed over
   std::uint64_t steps_ = 0;
-  std::uint64_t older_ = 0;  ///< of these, from the log that is gone on from
+  std::uint64_t older_ = 0;    ///< of these, from the log that is gone on from
+  std::uint64_t already_ = 0;  ///< simplices of insertions that were there
   std::uint64_t reported_ = 0;
 };
 

@@ -30,6 +30,7 @@ struct RefusedStep {
 /// The end of a replay.
 struct Summary {
   std::uint64_t steps = 0;
+  std::uint64_t already = 0;  ///< simplices of insertions that were there; see StepReport
   double seconds = 0;
   const GeneratorOptions* generators = nullptr;  ///< which are to be written; null: none
   bool interrupted = false;

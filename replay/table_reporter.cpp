@@ -18,6 +18,12 @@ std::string short_time(double microseconds) {
                             : fmt::format("{:.2f} s", microseconds / 1e6);
 }
 
+std::string already_text(std::uint64_t simplices) {
+  return fmt::format("{} to be inserted {} there already",
+                     simplices == 1 ? "1 simplex" : fmt::format("{} simplices", simplices),
+                     simplices == 1 ? "was" : "were");
+}
+
 class TableReporter final : public Reporter {
  public:
   TableReporter(std::ostream& out, bool colour) : out_{out}, colour_{colour} {}
@@ -35,6 +41,9 @@ class TableReporter final : public Reporter {
                         short_time(reported.microseconds))
          << (homology == last_ ? homology : changed(homology)) << '\n';
     last_ = homology;
+    if (reported.step.already > 0) {
+      out_ << std::string(8, ' ') << already_text(reported.step.already) << '\n';
+    }
     if (reported.step.answer) {
       answer(engine, *reported.step.answer);
     }
@@ -51,6 +60,9 @@ class TableReporter final : public Reporter {
     out_ << fmt::format("cells {}, Euler characteristic {}\n",
                         engine.cells().empty() ? "none" : fmt::format("{}", fmt::join(engine.cells(), " ")),
                         engine.euler_characteristic());
+    if (summary.already > 0) {
+      out_ << already_text(summary.already) << '\n';
+    }
     const engine::Homology homology = engine.homology();
     int p = 0;
     for (const std::string& name : group_names(homology, engine.ring())) {

@@ -106,6 +106,23 @@ std::size_t bars_over(const Barcode& barcode, std::size_t p, double from, double
 
 }  // namespace
 
+TEST_CASE("a list of simplices is one step, which undo takes back", "[engine]") {
+  const std::string projective_plane =
+      R"({"op":"insert","simplices":[[1,2,3],[1,2,6],[1,3,4],[1,4,5],[1,5,6],[2,3,5],[2,4,5],[2,4,6],[3,4,6],[3,5,6]]})";
+  Engine engine(ring_named("Z"));
+  carry_out(engine, insert({"1", "2", "7"}));
+  const engine::StepReport report = carry_out(engine, operation(projective_plane));
+  CHECK(report.already == 0);
+  CHECK(report.sequence.has_value());
+  CHECK(live_groups(engine) == std::vector<AbelianGroup>{{1, {}}, {0, {2}}});
+  CHECK(engine.first_defect().value_or("") == "");
+  CHECK(carry_out(engine, operation(projective_plane)).already == 10);
+  CHECK(engine.first_defect().value_or("") == "");
+  carry_out(engine, ops::Undo{2});
+  CHECK(live_groups(engine) == std::vector<AbelianGroup>{{1, {}}});
+  CHECK(engine.cells()[0] == 3);
+}
+
 TEST_CASE("a circle is contracted to a point", "[engine]") {
   for (const std::string& ring : rings) {
     CAPTURE(ring);

@@ -40,12 +40,13 @@ std::set<std::set<std::string>> simplices_of(const AbstractComplex& complex) {
 
 /// Carries an operation out without any planner: the slow way.
 void apply(AbstractComplex& complex, CellId& next_cell, const Insert& op) {
-  for (std::uint64_t subset = 1; subset < std::uint64_t{1} << op.simplex.size(); ++subset) {
+  const std::vector<std::string>& simplex = op.simplices.front();
+  for (std::uint64_t subset = 1; subset < std::uint64_t{1} << simplex.size(); ++subset) {
     Vertices vertices;
-    for (std::size_t k = 0; k < op.simplex.size(); ++k) {
+    for (std::size_t k = 0; k < simplex.size(); ++k) {
       if ((subset >> k & 1) != 0) {
-        const LabelId known = complex.label(op.simplex[k]);
-        vertices.push_back(complex.vertex(known == none ? complex.add_label(op.simplex[k]) : known));
+        const LabelId known = complex.label(simplex[k]);
+        vertices.push_back(complex.vertex(known == none ? complex.add_label(simplex[k]) : known));
       }
     }
     if (complex.find(vertices) == none) {

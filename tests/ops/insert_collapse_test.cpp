@@ -66,6 +66,76 @@ TEST_CASE("an insertion adds the simplex and its missing faces, oriented by the 
   CHECK(shop.structure().current_bodies().size() == 1);
 }
 
+TEST_CASE("a list of simplices is inserted with all faces in one step, by dimension and then by labels", "[ops]") {
+  Workshop shop;
+  shop.build({R"({"op":"insert","simplices":[["b","c"],[10,9,"b"],["b","c","d"],["q"]]})"});
+  CHECK(names_of(shop) == Texts{"{9}", "{10}", "{b}", "{c}", "{d}", "{q}", "{9,10}", "{9,b}", "{10,b}", "{b,c}",
+                                "{b,d}", "{c,d}", "{9,10,b}", "{b,c,d}"});
+  CHECK(faces(shop, "{b,c,d}") == Texts{"{c,d}", "{b,d}", "{b,c}"});
+  CHECK(face_law_defect(shop.structure()) == "");
+  CHECK(shop.structure().current_bodies().size() == 1);
+  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("{q}"))) == "{9}");
+}
+
+TEST_CASE("a list makes the complex that its simplices make one after the other", "[ops][stream]") {
+  const unsigned seed = GENERATE(range(0U, 20U));
+  CAPTURE(seed);
+  Workshop one, other;
+  RandomAbstractSteps steps(seed, 9, 3);
+  for (int k = 0; k < 12; ++k) {
+    const Operation op = steps.next();
+    carry_out(one, op);
+    carry_out(other, op);
+  }
+  const std::vector<std::string> labels = steps.complex().labels();
+  Insert list{{}, true};
+  Random random(seed);
+  for (int k = 0; k < 10; ++k) {
+    std::set<std::string> simplex{"new" + std::to_string(random.in(0, 3))};
+    while (random.in(0, 2) > 0 && simplex.size() < 5) {
+      simplex.insert(labels[static_cast<std::size_t>(random.in(0, static_cast<int>(labels.size()) - 1))]);
+    }
+    list.simplices.emplace_back(simplex.rbegin(), simplex.rend());
+    carry_out(one, Insert{{list.simplices.back()}, true});
+  }
+  const std::string before = dump(other.structure());
+  const StructureMark mark = other.structure().mark();
+  const Moment then = now(other.structure());
+  carry_out(other, list);
+  Texts names_of_one = names_of(one), names_of_other = names_of(other);
+  std::sort(names_of_one.begin(), names_of_one.end());
+  std::sort(names_of_other.begin(), names_of_other.end());
+  CHECK(names_of_one == names_of_other);
+  CHECK(face_law_defect(other.structure()) == "");
+  const auto step = step_sequence(other.structure(), then, now(other.structure()), sparse::Integers{});
+  REQUIRE(step.has_value());
+  const auto defect = reductions::first_defect(step->sequence);
+  CHECK((defect ? defect->to_string() : "") == "");
+  other.structure().truncate(mark);
+  CHECK(first_difference(dump(other.structure()), before) == "");
+}
+
+TEST_CASE("simplices that are there already are counted where that is allowed, and change nothing", "[ops]") {
+  Workshop shop;
+  insert_all(shop, {{"a", "b", "c"}, {"x"}});
+  const std::string before = dump(shop.structure());
+  shop.build({R"({"op":"insert","simplex":["b","a"],"exist_ok":true})"});
+  CHECK(shop.last_plan().already == 1);
+  CHECK(shop.last_plan().changes_nothing());
+  shop.build({R"({"op":"insert","simplices":[["x"],["a"],["c","b","a"]]})", R"({"op":"insert","simplices":[]})"});
+  CHECK(first_difference(dump(shop.structure()), before) == "");
+  // What is there already joins no bodies; what is new does, and one that is listed twice is counted once.
+  shop.build({R"({"op":"insert","simplices":[["x"],["p","q"],["q","p"]]})"});
+  CHECK(shop.last_plan().already == 2);
+  CHECK(shop.structure().current_bodies().size() == 3);
+  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("{q}"))) == "{p}");
+  shop.build({R"({"op":"insert","simplices":[["a","b"],["p","x"],["y","a"]]})"});
+  CHECK(shop.last_plan().already == 1);
+  CHECK(shop.structure().current_bodies().size() == 1);
+  CHECK_THAT(refused(shop, R"({"op":"insert","simplices":[["n"],["x"]],"exist_ok":false})").what,
+             Contains("{x} is there already"));
+}
+
 TEST_CASE("an integer and its decimal text are one label, with leading zeros they are not", "[ops]") {
   Workshop shop;
   shop.build({R"({"op":"insert","simplex":[3,"a"]})", R"({"op":"insert","simplex":["3","03"]})"});
@@ -257,6 +327,28 @@ TEST_CASE("refused insertions say what would be right, and change nothing", "[op
       CHECK_THAT(refused(shop, insert(many)).what, Contains("the limit is"));
     }
   }
+  CHECK_THAT(refused(shop, Insert{{{"y", "z"}, {"x", "x"}}, true}).what, Contains("\"x\" stands twice"));
+  CHECK_THAT(refused(shop, Insert{{{"y", "z"}, {}}, true}).what, Contains("at least one vertex"));
+  CHECK_THAT(refused(shop, Insert{{{"y", "z"}, {"u"}}, true}).what, Contains("write \"a\""));
+}
+
+TEST_CASE("a list that would make too many cells is refused before they are made", "[ops]") {
+  Limits limits;
+  limits.cells_per_step = 1000;
+  Structure structure;
+  Planner planner(structure, limits);
+  Plan plan;
+  Insert list{{}, true};
+  for (int k = 0; k < 100; ++k) {  // 2^18 cells each
+    std::vector<std::string>& simplex = list.simplices.emplace_back();
+    for (int j = 0; j < 18; ++j) {
+      simplex.push_back(std::to_string(100 * k + j));
+    }
+  }
+  CHECK_THAT(planner.plan(list, plan).error().what, Contains("more than 1000 cells"));
+  list.simplices.resize(1);
+  list.simplices[0].resize(9);  // 2^9 - 1
+  CHECK(planner.plan(list, plan));
 }
 
 TEST_CASE("refused collapses say what would be right, and change nothing", "[ops]") {

@@ -53,6 +53,10 @@ TEST_CASE("every op has one canonical text, which says the same operation", "[op
       R"({"op":"deidentify","split":[{"cell":"x","as":"x2","moves":[]},{"cell":"x","as":"x3","moves":[["t",0],["x2",12]]}]})",
       R"({"op":"insert","simplex":["a",3,"03",18446744073709551615,"18446744073709551616","-1"]})",
       R"({"op":"insert","simplex":[]})",
+      R"({"op":"insert","simplex":["a",3],"exist_ok":true})",
+      R"({"op":"insert","simplices":[]})",
+      R"({"op":"insert","simplices":[["a",3],[0],[3,"b"]]})",
+      R"({"op":"insert","simplices":[["a"],["b"]],"exist_ok":false})",
       R"({"op":"collapse","from":"u","to":7})",
       R"({"op":"expect"})",
       R"({"op":"expect","betti":[1,2,1],"torsion":[[],[2,4]],"euler":-3,"cells":[1,2,1]})",
@@ -78,6 +82,9 @@ TEST_CASE("fields come in any order, with spaces, and with defaults", "[ops]") {
         R"({"op":"class","chain":[[7,"a"],[-5,"b"]]})");
   CHECK(to_text(operation(R"({"kind":"simploidal","right":"B","left":"A","name":"P","op":"product"})")) ==
         R"({"op":"product","name":"P","left":"A","right":"B"})");
+  CHECK(to_text(operation(R"({"op":"insert","simplices":[["3","a"]]})")) ==
+        R"({"op":"insert","simplex":[3,"a"],"exist_ok":true})");
+  CHECK(to_text(operation(R"({"exist_ok":false,"op":"insert","simplex":[1]})")) == R"({"op":"insert","simplex":[1]})");
   CHECK_FALSE(std::get<Degenerate>(operation(R"({"op":"degenerate","along":2,"cell":"t"})")).component);
   CHECK(std::get<Degenerate>(operation(R"({"op":"degenerate","along":[3,"1"],"cell":"t"})")).component == 3);
 }
@@ -189,6 +196,11 @@ TEST_CASE("a field of the wrong kind is named, with what it should be and is", "
       {R"({"op":"insert","simplex":"a"})", "should be a list of vertex labels, but is a string"},
       {R"({"op":"insert","simplex":[-1]})", "labels, which are strings or integers from 0 on, but is a number"},
       {R"({"op":"insert","simplex":[1.5]})", "labels"},
+      {R"({"op":"insert","simplices":["a"]})", "field \"simplices\" of \"insert\" should be a list of vertex labels"},
+      {R"({"op":"insert","simplices":{}})", "should be a list of simplices, [[\"a\",\"b\"],...], but is an object"},
+      {R"({"op":"insert","simplices":[[null]]})", "labels, which are strings or integers from 0 on, but is null"},
+      {R"({"op":"insert","simplex":[1],"exist_ok":1})", "should be true or false, but is a number"},
+      {R"({"op":"insert","simplex":[1],"simplices":[[2]]})", "\"simplex\" or a field \"simplices\", one of the two"},
       {R"({"op":"collapse","from":null,"to":1})", "field \"from\" of \"collapse\""},
       {R"({"op":"simplex","name":"t","dim":-1})", "from 0 on"},
       {R"({"op":"simplex","name":"t","dim":1000000000})", "1000000000"},

@@ -147,6 +147,17 @@ TEST_CASE("before there is a cell every list is empty", "[replay]") {
         R"({"summary":true,"ring":"Z","steps":1,"cells":[],"euler":0,"betti":[],"torsion":[],"generators":[]})");
 }
 
+TEST_CASE("simplices that were there already are counted where there are some", "[replay]") {
+  const auto objects = json_report(header_line + "\n" + R"({"op":"insert","simplices":[[1,2],[2,1],[1,2]]})" + "\n" +
+                                   R"({"op":"insert","simplex":[2],"exist_ok":true})" + "\n" +
+                                   R"({"op":"insert","simplex":[3]})" + "\n");
+  REQUIRE(objects.size() == 4);
+  CHECK(objects[0].at("already") == 2);
+  CHECK(objects[1].at("already") == 1);
+  CHECK_FALSE(objects[2].contains("already"));
+  CHECK(objects[3].at("already") == 3);
+}
+
 TEST_CASE("generators are listed only when they are asked for", "[replay]") {
   const auto objects = json_report(header_line + "\n" + R"({"op":"simplex","name":"t","dim":1})" + "\n");
   CHECK_FALSE(objects.back().contains("generators"));

@@ -82,6 +82,15 @@ TEST_CASE("a class is answered in a line of its own", "[replay]") {
   CHECK_THAT(answer(R"([[3,"t.2"]])"), Contains("a cycle of class (3) on the generators"));
 }
 
+TEST_CASE("simplices that were there already are told, by step and in all", "[replay]") {
+  const std::string text = header_line + "\n" + R"({"op":"insert","simplices":[[1,2],[2,1]]})" + "\n" +
+                           R"({"op":"insert","simplices":[[1,2],[2,3],[1]]})" + "\n";
+  const auto lines = lines_of(plain_table(text));
+  CHECK(lines.at(2) == "        1 simplex to be inserted was there already");
+  CHECK(lines.at(4) == "        2 simplices to be inserted were there already");
+  CHECK(std::find(lines.begin() + 5, lines.end(), "3 simplices to be inserted were there already") != lines.end());
+}
+
 TEST_CASE("a summary without reported steps stands alone, and names no cells when there are none", "[replay]") {
   replay::ReplayOptions options;
   options.every = 0;

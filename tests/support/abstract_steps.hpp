@@ -13,7 +13,7 @@
 
 namespace sesame::tests {
 
-inline ops::Operation insert(const std::vector<std::string>& labels) { return ops::Insert{labels}; }
+inline ops::Operation insert(const std::vector<std::string>& labels) { return ops::Insert{{labels}}; }
 inline ops::Operation collapse(const std::string& from, const std::string& to) { return ops::Collapse{from, to}; }
 
 /// An abstract simplicial complex as the set of its simplices.

@@ -53,11 +53,11 @@ Operations random_triangles(std::uint32_t vertices, std::size_t triangles, std::
   const Filtration filtration = random_two_complex(vertices, triangles, seed);
   Operations operations;
   for (std::size_t k = 0; k < filtration.size(); ++k) {
-    ops::Insert insert;
+    Names simplex;
     for (const std::uint32_t vertex : filtration.vertices[k]) {
-      insert.simplex.push_back(std::to_string(vertex));
+      simplex.push_back(std::to_string(vertex));
     }
-    operations.emplace_back(std::move(insert));
+    operations.emplace_back(ops::Insert{{std::move(simplex)}});
   }
   return operations;
 }
