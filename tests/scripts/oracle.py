@@ -1057,20 +1057,35 @@ def refresh_faces(state, body):
         state.cells[number] = state.cells[number]._replace(faces=faces)
 
 
-def op_insert(state, step, _prime):
-    fields(step, ("simplex",))
-    if not isinstance(step["simplex"], list) or not step["simplex"]:
-        raise ScriptError("simplex must be a list of labels, not empty")
-    labels = sorted(map(read_label, step["simplex"]), key=label_key)
+def read_simplex(value):
+    """The labels of a simplex, sorted."""
+    if not isinstance(value, list) or not value:
+        raise ScriptError("a simplex must be a list of labels, not empty")
+    labels = sorted(map(read_label, value), key=label_key)
     if len(set(labels)) < len(labels):
         raise ScriptError("the labels of a simplex must differ")
     if len(labels) > LARGEST_DIMENSION + 1:
         raise ScriptError(f"a simplex has at most {LARGEST_DIMENSION + 1} vertices")
-    bodies = sorted({usable_body(state, label) for label in labels if label in state.labels})
-    faces = [face for size in range(1, len(labels) + 1) for face in itertools.combinations(labels, size)]
-    missing = [face for face in faces if frozenset(face) not in state.orders]
+    return labels
+
+
+def op_insert(state, step, _prime):
+    is_list = "simplices" in step
+    fields(step, ("simplices" if is_list else "simplex",), ("exist_ok",))
+    simplices = [read_simplex(value) for value in (step["simplices"] if is_list else [step["simplex"]])]
+    for label in {label for labels in simplices for label in labels} & state.labels.keys():
+        usable_body(state, label)
+    new = {tuple(labels) for labels in simplices if frozenset(labels) not in state.orders}
+    if len(new) < len(simplices) and not step.get("exist_ok", is_list):
+        raise ScriptError("a simplex is there already")
+    faces = {face for labels in new for size in range(1, len(labels) + 1)
+             for face in itertools.combinations(labels, size)}
+    missing = sorted((face for face in faces if frozenset(face) not in state.orders),
+                     key=lambda face: (len(face), *map(label_key, face)))
     if not missing:
-        raise ScriptError(f"the simplex {labels} is there")
+        return
+    labels = sorted({label for face in missing for label in face}, key=label_key)
+    bodies = sorted({usable_body(state, label) for label in labels if label in state.labels})
     first = "{" + labels[0] + "}"
     if bodies:
         body = bodies[0]

@@ -307,7 +307,7 @@ class WriterOfAll(Writer):
     def draw(self):
         size = len(self.oracle.state.cells)
         weights = dict(self.weights)
-        for name in self.growing:
+        for name in weights.keys() & {*self.growing}:
             weights[name] *= 0 if size > LARGEST_STATE else 3 if size < 12 else 1
         return getattr(self, self.random.choices(list(weights), list(weights.values()))[0])
 
@@ -554,10 +554,10 @@ class WriterOfAbstract(WriterOfAll):
 
     weights = {
         **{name: 0 for name in WriterOfAll.weights},
-        "insert": 22, "collapse": 12, "query": 8, "expect": 2, "note": 1, "undo": 4,
+        "insert": 20, "insert_many": 5, "collapse": 12, "query": 8, "expect": 2, "note": 1, "undo": 4,
         "simplex": 1, "identify": 1, "degenerate": 1, "cone": 1, "product": 1, "isolate": 1, "split": 1, "unglue": 1,
     }
-    growing = ("insert", "simplex", "cone", "product")
+    growing = ("insert", "insert_many", "simplex", "cone", "product")
     pool = [*range(9), "10", "a", "b", "B", "é", "u*v", "w.(x|y)", "z^0"]
 
     def as_label(self, text):
@@ -585,6 +585,18 @@ class WriterOfAbstract(WriterOfAll):
         labels += self.random.sample(fresh, min(len(fresh), size - count))
         self.random.shuffle(labels)
         return bool(labels) and self.attempt({"op": "insert", "simplex": [self.as_label(x) for x in labels]})
+
+    def insert_many(self):
+        """A list of simplices, of which some may be there already."""
+        labels = self.random.sample(self.pool, min(len(self.pool), 5))
+        usable = [x for x in labels if str(x) in self.live_labels() or str(x) not in self.oracle.state.labels]
+        if len(usable) < 2:
+            return False
+        simplices = [self.random.sample(usable, self.random.randint(1, min(len(usable), 4)))
+                     for _ in range(self.random.randint(1, 4))]
+        if self.random.random() < 0.3:
+            return self.attempt({"op": "insert", "simplex": simplices[0], "exist_ok": True})
+        return self.attempt({"op": "insert", "simplices": simplices})
 
     def projective_plane(self):
         """On six vertices; what is left of it after collapses may keep its torsion."""
@@ -629,6 +641,8 @@ class WriterOfAbstract(WriterOfAll):
                  {"op": "collapse", "from": "nobody", "to": "nobody else"}]
         steps += [{"op": "collapse", "from": label, "to": label} for label in known[:1]]
         steps += [{"op": "insert", "simplex": [label]} for label in known[:1]]
+        steps += [{"op": "insert", "simplices": [["fresh"], [label]], "exist_ok": False} for label in known[:1]]
+        steps += [{"op": "insert", "simplices": [["fresh"], []]}, {"op": "insert", "simplices": [["x", "x"]]}]
         dead = [label for label, now in state.labels.items() if label != now]
         left = [label for label, now in state.labels.items() if label == now and label not in known]
         for label in self.random.sample(dead, min(len(dead), 2)) + left[:2]:
