@@ -12,23 +12,10 @@ constexpr double margin = 20;
 constexpr double title_size = 17;
 constexpr double line_height = 17;
 
-/// The text, or as much of its end as fits.
-std::string fitting(const std::string& text, double width, double font_size) {
-  const auto most = static_cast<std::size_t>(width / (0.64 * font_size));
-  if (text_width(text, font_size) <= width) {
-    return text;
-  }
-  std::size_t start = text.size() - most + 1;
-  while (start < text.size() && (static_cast<unsigned char>(text[start]) & 0xC0U) == 0x80U) {
-    ++start;  // not inside a character
-  }
-  return "\u2026" + text.substr(start);
-}
-
 }  // namespace
 
 SheetHead& SheetHead::title(const std::string& text) {
-  svg_.text(0, height_ + title_size, Anchor::start, "title", fitting(text, width_, title_size));
+  svg_.text(0, height_ + title_size, Anchor::start, "title", fitted(text, width_, title_size));
   height_ += title_size + 11;
   return *this;
 }
@@ -36,7 +23,7 @@ SheetHead& SheetHead::title(const std::string& text) {
 SheetHead& SheetHead::facts(const std::vector<std::string>& pieces) {
   std::string line;
   const auto end_line = [&] {
-    svg_.text(0, height_ + small_text, Anchor::start, "faint", fitting(line, width_, small_text));
+    svg_.text(0, height_ + small_text, Anchor::start, "faint", fitted(line, width_, small_text));
     height_ += line_height;
     line.clear();
   };

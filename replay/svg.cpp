@@ -70,6 +70,19 @@ double text_width(std::string_view text, double font_size) {
   return 0.64 * font_size * static_cast<double>(std::count_if(text.begin(), text.end(), is_start));
 }
 
+std::string fitted(std::string_view text, double width, double font_size) {
+  if (text_width(text, font_size) <= width) {
+    return std::string{text};
+  }
+  const double room =
+      std::max(0.0, std::floor(width / text_width("x", font_size)) - 1);  // a character is a byte or more
+  std::size_t start = text.size() - std::min(text.size(), static_cast<std::size_t>(room));
+  while (start < text.size() && (static_cast<unsigned char>(text[start]) & 0xC0U) == 0x80U) {
+    ++start;  // not inside a character
+  }
+  return "\u2026" + std::string{text.substr(start)};
+}
+
 Svg& Svg::line(double x1, double y1, double x2, double y2, std::string_view css_class) {
   fmt::format_to(std::back_inserter(markup_),
                  R"(<line class="{}" x1="{}" y1="{}" x2="{}" y2="{}"/>)"

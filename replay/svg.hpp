@@ -20,10 +20,15 @@ namespace sesame::replay {
 /// About the width of a text in a sans-serif font, rather too much than too little.
 [[nodiscard]] double text_width(std::string_view text, double font_size);
 
+/// The text, or, when it is wider than that, as much of its end as fits.
+[[nodiscard]] std::string fitted(std::string_view text, double width, double font_size);
+
 enum class Anchor { start, middle, end };
 
 /// The font size of tick labels, legends and everything that is not a title.
 inline constexpr double small_text = 11;
+/// That of the titles of panels.
+inline constexpr double panel_title = 13;
 
 /// Content of an SVG picture as it grows. Colours are classes: `fK` fills and `sK` strokes with the colour of dimension
 /// K (modulo the number of colours); the page around the picture may redefine them.

@@ -29,7 +29,7 @@ struct Arguments {
   unsigned repeat = 5;
   std::optional<std::uint64_t> size;
   double time_limit = 60;
-  std::string compare, against, counts, out, html;
+  std::string from, compare, against, counts, out, html, svg;
   bool list = false, quick = false, large = false, json = false;
 };
 
@@ -63,15 +63,10 @@ class Bench {
     if (std::string problem = prepare(); !problem.empty()) {
       return wrong_usage(problem);
     }
-    report_.machine = this_machine();
-    report_.build = this_build();
-    report_.date = time_stamp();
-    if (prints_table()) {
-      write_facts(std::cout, report_);
-    }
-    measure_all();
-    if (wants_scaling_) {
-      measure_scaling();
+    if (arguments_.from.empty()) {
+      measure_everything();
+    } else if (prints_table()) {
+      write_tables();
     }
     if (std::string problem = write_files(); !problem.empty()) {
       return wrong_usage(problem);
@@ -82,6 +77,30 @@ class Bench {
  private:
   [[nodiscard]] bool counts_only() const { return !arguments_.against.empty() || !arguments_.counts.empty(); }
   [[nodiscard]] bool prints_table() const { return !arguments_.json && !counts_only(); }
+
+  void measure_everything() {
+    report_.machine = this_machine();
+    report_.build = this_build();
+    report_.date = time_stamp();
+    if (prints_table()) {
+      write_facts(std::cout, report_);
+    }
+    measure_all();
+    if (wants_scaling_) {
+      measure_scaling();
+    }
+  }
+
+  void write_tables() const {
+    write_facts(std::cout, report_);
+    write_measurement_head(std::cout);
+    for (const Measurement& measurement : report_.measurements) {
+      write_measurement(std::cout, measurement);
+    }
+    for (const Scaling& scaling : report_.scalings) {
+      write_scaling(std::cout, scaling);
+    }
+  }
 
   /// Reads and opens everything that there is to read and to open. Says what is wrong, or nothing.
   std::string prepare() {
@@ -110,6 +129,13 @@ class Bench {
     if (arguments_.size && scenarios_.size() != 1) {
       return "--size is for one scenario; name it";
     }
+    if (!arguments_.from.empty()) {
+      auto stored = read_report(arguments_.from);
+      if (!stored) {
+        return stored.error().what;
+      }
+      report_ = *std::move(stored);
+    }
     if (!arguments_.compare.empty()) {
       auto old = read_report(arguments_.compare);
       if (!old) {
@@ -129,10 +155,10 @@ class Bench {
 
   std::string open_outputs() {
     std::vector<std::string> inputs = arguments_.meshes;
-    inputs.insert(inputs.end(), {arguments_.compare, arguments_.against});
+    inputs.insert(inputs.end(), {arguments_.from, arguments_.compare, arguments_.against});
     outputs_.emplace(std::move(inputs));
     for (const auto& [path, file] : {std::pair{&arguments_.out, &out_}, std::pair{&arguments_.html, &html_},
-                                     std::pair{&arguments_.counts, &counts_}}) {
+                                     std::pair{&arguments_.svg, &svg_}, std::pair{&arguments_.counts, &counts_}}) {
       const Result<std::ostream*> opened = outputs_->open(*path);
       if (!opened) {
         return opened.error().what;
@@ -200,6 +226,9 @@ class Bench {
     if (html_ != nullptr) {
       write_page(*html_, report_);
     }
+    if (svg_ != nullptr) {
+      write_figure(*svg_, report_);
+    }
     if (counts_ != nullptr) {
       *counts_ << to_text(count_rows(report_));
     }
@@ -259,7 +288,7 @@ class Bench {
   std::optional<Report> old_;
   std::optional<std::vector<CountRow>> golden_;
   std::optional<OutputFiles> outputs_;
-  std::ostream *out_ = nullptr, *html_ = nullptr, *counts_ = nullptr;
+  std::ostream *out_ = nullptr, *html_ = nullptr, *svg_ = nullptr, *counts_ = nullptr;
   Report report_;
 };
 
@@ -268,17 +297,22 @@ class Bench {
 void add_bench_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("bench", "Measure methods for incremental homology side by side");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("SCENARIO", arguments->scenarios,
-                      "Names of scenarios or families, or `scaling`; default: all scenarios");
+  CLI::Option* from = command->add_option("--from", arguments->from, "Show an older report, and measure nothing");
+  command
+      ->add_option("SCENARIO", arguments->scenarios,
+                   "Names of scenarios or families, or `scaling`; default: all scenarios")
+      ->excludes(from);
   command->add_option("--mesh", arguments->meshes, "Meshes to assemble triangle by triangle; others only if named too")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->excludes(from);
   command->add_flag("--list", arguments->list, "List scenarios, experiments and methods");
   command->add_option("--method", arguments->methods, "Methods, separated by commas; default: see --list")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->excludes(from);
   command->add_option("--repeat", arguments->repeat, "Timed runs, after one that warms up")
       ->check(from_one_on())
       ->capture_default_str();
-  command->add_option("--size", arguments->size, "Another size for one scenario")->check(from_one_on());
+  command->add_option("--size", arguments->size, "Another size for one scenario")->check(from_one_on())->excludes(from);
   command->add_option("--time-limit", arguments->time_limit, "Seconds after which a run is cut off")
       ->check(above_zero())
       ->capture_default_str();
@@ -287,10 +321,14 @@ void add_bench_command(CLI::App& app, int& status) {
   command->add_flag("--json", arguments->json, "One JSON object on standard output, as --out writes it");
   command->add_option("--out", arguments->out, "Write the report as JSON");
   command->add_option("--html", arguments->html, "Write a page with tables, scaling plots and latencies");
+  command->add_option("--svg", arguments->svg, "Write the scaling plots as one picture");
   command->add_option("--compare", arguments->compare, "An older report: what is faster, what slower");
-  command->add_option("--counts", arguments->counts, "Count only, no times; write the counts, for --against");
-  command->add_option("--against", arguments->against,
-                      "Count only; fails when a count is larger by more than 2 % (and 2) than in this file");
+  command->add_option("--counts", arguments->counts, "Count only, no times; write the counts, for --against")
+      ->excludes(from);
+  command
+      ->add_option("--against", arguments->against,
+                   "Count only; fails when a count is larger by more than 2 % (and 2) than in this file")
+      ->excludes(from);
   command->footer(
       "A run of its own checks the answers on the way, as the column `checked` says; every run checks the last one.\n"
       "Exit status: 0 done, 1 wrong usage or unreadable file, 3 a wrong answer or a count that grew, 4 a run that "

@@ -78,6 +78,20 @@ TEST_CASE("bench writes a report that can be compared with the next one", "[benc
   CHECK(parse_report(bench("torus-random --quick --repeat 1 --json").out));
 }
 
+TEST_CASE("bench draws a report again without measuring", "[bench]") {
+  const ScratchDirectory directory;
+  const std::string report = directory.path("report.json"), first = directory.path("first.svg"),
+                    second = directory.path("second.svg");
+  REQUIRE(bench("scaling --quick --method live --out " + report + " --svg " + first).status == 0);
+  const CommandRun run = bench("--from " + report + " --svg " + second);
+  CHECK(run.status == 0);
+  CHECK_THAT(run.out, Contains("exponent of time"));
+  CHECK_THAT(text_of(first), Contains("</svg>"));
+  CHECK(text_of(second) == text_of(first));
+  CHECK_THROWS_AS(bench("torus-random --from " + report), CLI::ParseError);
+  CHECK(bench("--from /nowhere/report.json").status == 1);
+}
+
 TEST_CASE("the gate fails when a count is larger than in the golden file, and shows which", "[bench]") {
   const ScratchDirectory directory;
   const std::string golden = directory.path("golden.json");

@@ -4,8 +4,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <set>
 #include <sstream>
 
+#include "replay/svg.hpp"
 #include "tests/support/catch.hpp"
 #include "tools/bench/comparison.hpp"
 #include "tools/bench/runner.hpp"
@@ -212,6 +215,46 @@ TEST_CASE("the table and the page show what was measured, and the page needs not
   CHECK_THAT(page.str(), Contains("<svg") && Contains("object size (theory: exponent 0)") &&
                              Contains("torus, size 5") && Contains("exponent 1.00"));
   CHECK_THAT(page.str(), !Contains("<script") && !Contains("src=") && !Contains("href=") && !Contains("@import"));
+}
+
+TEST_CASE("titles of plots lie in their pictures, however long they are", "[bench]") {
+  Report wordy = report();
+  wordy.scalings[0].experiment = std::string(150, 'w');
+  wordy.measurements[0].scenario = std::string(150, 's');
+  std::ostringstream page;
+  write_page(page, wordy);
+  const std::string text = page.str();
+  const std::regex plot(R"re(<svg class="sesame"[^>]* width="([\d.]+)"[^>]* viewBox="(-?[\d.]+) 0)re");
+  const std::regex title(R"re(<text class="panel" x="0" y="14">([^<]*)</text>)re");
+  std::size_t titles = 0;
+  for (std::sregex_iterator at(text.begin(), text.end(), plot), end; at != end; ++at) {
+    std::smatch found;
+    REQUIRE(std::regex_search(at->suffix().first, text.end(), found, title));
+    CAPTURE(found[1].str());
+    CHECK(std::stod((*at)[2]) < 0);  // a bold letter begins a little before its place
+    CHECK(replay::text_width(found[1].str(), replay::panel_title) < std::stod((*at)[1]));
+    ++titles;
+  }
+  CHECK(titles == 4);
+}
+
+TEST_CASE("the figure has the plots of all experiments beside each other, with a margin around", "[bench]") {
+  std::ostringstream figure, page;
+  write_figure(figure, report());
+  write_page(page, report());
+  CHECK_THAT(figure.str(), Catch::StartsWith("<?xml") && Contains("sesame 0.1.0 at abc+") &&
+                               Contains("object size (theory: exponent 0)") &&
+                               Contains("touched part (theory: exponent 1)"));
+  const std::regex place(R"re(<g transform="translate\(([\d.]+) ([\d.]+)\)">\n<line)re");
+  std::set<std::string> across, down;
+  const std::string text = figure.str();
+  for (std::sregex_iterator at(text.begin(), text.end(), place), end; at != end; ++at) {
+    across.insert((*at)[1]);
+    down.insert((*at)[2]);
+    CHECK(std::stod((*at)[1]) >= 20);
+  }
+  CHECK(across.size() == 2);
+  CHECK(down.size() == 1);
 }
 
 TEST_CASE("numbers are short", "[bench]") {

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "replay/barcode_sheet.hpp"
 #include "replay/svg.hpp"
 #include "tools/bench/plot.hpp"
 #include "tools/bench/report.hpp"
@@ -121,8 +124,13 @@ void write_measurements(std::ostream& out, const Report& report) {
   });
 }
 
+struct ScalingPlot {
+  PlotFrame frame;
+  std::vector<Curve> curves;
+};
+
 /// The points of an experiment and the fitted power law, all methods together.
-std::string scaling_plot(const std::vector<const Scaling*>& scalings) {
+ScalingPlot scaling_plot(const std::vector<const Scaling*>& scalings) {
   std::vector<Curve> times, fits;
   int colour = 0;
   for (const Scaling* scaling : scalings) {
@@ -143,9 +151,33 @@ std::string scaling_plot(const std::vector<const Scaling*>& scalings) {
   }
   times.insert(times.end(), fits.begin(), fits.end());
   const Scaling& any = *scalings.front();
-  return plot({fmt::format("{} (theory: exponent {:g})", any.experiment, any.expected), any.x_name,
-               "microseconds a step, on average", true, 540, 300},
-              times);
+  return {{fmt::format("{} (theory: exponent {:g})", any.experiment, any.expected), any.x_name,
+           "microseconds a step, on average", true, 540, 300},
+          std::move(times)};
+}
+
+/// A plot for each experiment, in their order.
+std::vector<ScalingPlot> scaling_plots(const Report& report) {
+  std::vector<ScalingPlot> plots;
+  for (std::size_t begin = 0; begin < report.scalings.size();) {
+    std::vector<const Scaling*> group;
+    const std::string& name = report.scalings[begin].experiment;
+    for (; begin < report.scalings.size() && report.scalings[begin].experiment == name; ++begin) {
+      group.push_back(&report.scalings[begin]);
+    }
+    plots.push_back(scaling_plot(group));
+  }
+  return plots;
+}
+
+/// Where, when and of what.
+std::vector<std::string> facts(const Report& report) {
+  const Machine& machine = report.machine;
+  const Build& build = report.build;
+  return {fmt::format("sesame {} at {}", build.version, build.commit),
+          fmt::format("{} {}", build.compiler, build.flags),
+          fmt::format("{}, {} cores, {}", machine.cpu, machine.cores, short_bytes(machine.memory_bytes)),
+          machine.system, report.date};
 }
 
 void write_scalings(std::ostream& out, const Report& report) {
@@ -166,13 +198,8 @@ void write_scalings(std::ostream& out, const Report& report) {
                "td");
   }
   out << "</table></div>\n<div class=\"plots\">\n";
-  for (std::size_t begin = 0; begin < report.scalings.size();) {
-    std::vector<const Scaling*> group;
-    const std::string& name = report.scalings[begin].experiment;
-    for (; begin < report.scalings.size() && report.scalings[begin].experiment == name; ++begin) {
-      group.push_back(&report.scalings[begin]);
-    }
-    out << scaling_plot(group);
+  for (const ScalingPlot& scaling : scaling_plots(report)) {
+    out << plot(scaling.frame, scaling.curves);
   }
   out << "</div>\n";
 }
@@ -180,22 +207,39 @@ void write_scalings(std::ostream& out, const Report& report) {
 }  // namespace
 
 void write_page(std::ostream& out, const Report& report) {
-  const Machine& machine = report.machine;
-  const Build& build = report.build;
   out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       << "<title>sesame bench</title>\n<style>\n"
       << replay::svg_style(false) << page_style << replay::svg_style(true)
       << "}\n</style>\n</head>\n<body>\n<h1>sesame bench</h1>\n<p class=\"facts\">"
-      << xml_escaped(fmt::format("sesame {} at {} \u00B7 {} {} \u00B7 {}, {} cores, {} \u00B7 {} \u00B7 {}",
-                                 build.version, build.commit, build.compiler, build.flags, machine.cpu, machine.cores,
-                                 short_bytes(machine.memory_bytes), machine.system, report.date))
+      << xml_escaped(fmt::format("{}", fmt::join(facts(report), " \u00B7 ")))
       << "</p>\n<p class=\"note\">Times are medians over runs, each in a process of its own; the spread is that of the "
          "slowest and the quickest run. In the pictures of latency, full lines are means and dashed lines the slowest "
          "steps, each over a 240th of the run.</p>\n";
   write_scalings(out, report);
   write_measurements(out, report);
   out << "</body>\n</html>\n";
+}
+
+void write_figure(std::ostream& out, const Report& report) {
+  constexpr std::size_t columns = 2;
+  constexpr double gap = 30;
+  const std::string title = "Time per step";
+  std::vector<replay::PlacedPanel> placed;
+  double width = 0, y = 0, height = 0;  // of the figure; the top of the present row, and how high it is
+  for (const ScalingPlot& scaling : scaling_plots(report)) {
+    replay::Panel panel = plot_panel(scaling.frame, scaling.curves);
+    const auto column = static_cast<double>(placed.size() % columns);
+    if (column == 0) {
+      y += std::exchange(height, 0) + (placed.empty() ? 0 : gap);
+    }
+    height = std::max(height, panel.height);
+    placed.push_back({column * (panel.width + gap), y, std::move(panel)});
+    width = std::max(width, placed.back().x + placed.back().panel.width);
+  }
+  replay::SheetHead head(width);
+  head.title(title).facts(facts(report));
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" << sheet(head.panel(), placed, title, replay::svg_style(false));
 }
 
 }  // namespace sesame::tools

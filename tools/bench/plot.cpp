@@ -80,7 +80,7 @@ void draw_frame(Svg& svg, const PlotFrame& frame, const Area& area, const Axis& 
   }
   svg.line(area.left, area.bottom, area.right, area.bottom, "axis");
   svg.line(area.left, area.top, area.left, area.bottom, "axis");
-  svg.text(0, 14, Anchor::start, "panel", frame.title);
+  svg.text(0, 14, Anchor::start, "panel", replay::fitted(frame.title, frame.width, replay::panel_title));
   svg.text((area.left + area.right) / 2, area.bottom + 34, Anchor::middle, "ink", frame.x_label);
   svg.raw(fmt::format("<g transform=\"translate(12 {}) rotate(-90)\">", replay::px((area.top + area.bottom) / 2)));
   svg.text(0, 0, Anchor::middle, "ink", frame.y_label).raw("</g>\n");
@@ -128,7 +128,7 @@ void draw_legend(Svg& svg, const std::vector<Curve>& curves) {
 
 }  // namespace
 
-std::string plot(const PlotFrame& frame, const std::vector<Curve>& curves) {
+replay::Panel plot_panel(const PlotFrame& frame, const std::vector<Curve>& curves) {
   const auto labels = std::ranges::count_if(curves, [](const Curve& curve) { return !curve.label.empty(); });
   const double legend = static_cast<double>(labels) * legend_row;
   const Axis x(curves, &Sighting::x, frame.is_log_x), y(curves, &Sighting::y, true);
@@ -140,10 +140,16 @@ std::string plot(const PlotFrame& frame, const std::vector<Curve>& curves) {
   for (const Curve& curve : curves) {
     draw_curve(svg, curve, area, x, y);
   }
+  return {svg.markup(), frame.width, height};
+}
+
+std::string plot(const PlotFrame& frame, const std::vector<Curve>& curves) {
+  constexpr double rim = 4;  // glyphs reach a little over the place where their text begins, and <svg> cuts
+  const replay::Panel panel = plot_panel(frame, curves);
   return fmt::format(
-      "<svg class=\"sesame\" xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
-      "{1}\" role=\"img\" aria-label=\"{2}\">\n{3}</svg>\n",
-      replay::px(frame.width), replay::px(height), replay::xml_escaped(frame.title), svg.markup());
+      "<svg class=\"sesame\" xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"-{2} 0 "
+      "{0} {1}\" role=\"img\" aria-label=\"{3}\">\n{4}</svg>\n",
+      replay::px(panel.width + 2 * rim), replay::px(panel.height), rim, replay::xml_escaped(frame.title), panel.markup);
 }
 
 }  // namespace sesame::tools

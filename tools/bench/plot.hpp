@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "replay/barcode_panels.hpp"
 #include "tools/bench/statistics.hpp"
 
 namespace sesame::tools {
@@ -23,7 +24,9 @@ struct PlotFrame {
   double width = 470, height = 300;
 };
 
-/// An element <svg> with the classes of replay::svg_style. No curve, or none with points: only the frame.
+/// With the classes of replay::svg_style. No curve, or none with points: only the frame.
+[[nodiscard]] replay::Panel plot_panel(const PlotFrame& frame, const std::vector<Curve>& curves);
+/// The same as an element <svg>.
 [[nodiscard]] std::string plot(const PlotFrame& frame, const std::vector<Curve>& curves);
 
 }  // namespace sesame::tools

@@ -25,6 +25,8 @@ void write_count_comparison(std::ostream& out, const CountComparison& comparison
 
 /// A page that needs nothing else: all of the above, log-log plots with fits, latency over time.
 void write_page(std::ostream& out, const Report& report);
+/// Its scaling plots alone, as an SVG file.
+void write_figure(std::ostream& out, const Report& report);
 
 /// "12.3 us", "4.56 s".
 [[nodiscard]] std::string short_time(double seconds);
