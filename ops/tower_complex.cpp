@@ -1,6 +1,7 @@
 #include "ops/tower_complex.hpp"
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 #include "sparse/contract.hpp"
@@ -19,6 +20,12 @@ std::string in_braces(std::span<const Label> labels, std::size_t without = SIZE_
 }
 
 Error bad(std::string what) { return {Errc::bad_input, std::move(what)}; }
+Error not_there(std::string what) {
+  return {Errc::unknown_name, std::move(what) + " is not there; include the faces of a simplex first"};
+}
+Error repeated(Label label, std::span<const Label> labels) {
+  return bad("vertex " + std::to_string(label) + " is repeated in " + in_braces(labels));
+}
 
 }  // namespace
 
@@ -85,7 +92,7 @@ Result<TowerComplex::Slot> TowerComplex::include(std::span<const Label> labels) 
   for (std::size_t k = 0; k < labels.size(); ++k) {
     const Vertex v = find_vertex(labels[k]);
     if (v == nothing) {
-      return bad("vertex " + std::to_string(labels[k]) + " is not there; include the faces of a simplex first");
+      return not_there("vertex " + std::to_string(labels[k]));
     }
     hash += word(v);
     std::size_t at = k;
@@ -94,7 +101,7 @@ Result<TowerComplex::Slot> TowerComplex::include(std::span<const Label> labels) 
     }
     vertices_[at] = v;
     if (at > 0 && vertices_[at - 1] == v) {
-      return bad("vertex " + std::to_string(labels[k]) + " is repeated in " + in_braces(labels));
+      return repeated(labels[k], labels);
     }
   }
   const std::size_t size = labels.size();
@@ -124,8 +131,64 @@ Result<TowerComplex::Slot> TowerComplex::include(std::span<const Label> labels) 
 }
 
 Error TowerComplex::missing(std::span<const Label> labels, std::size_t without) const {
-  return bad("the face " + in_braces(labels, without) + " of " + in_braces(labels) +
-             " is not there; include the faces of a simplex first");
+  return not_there("the face " + in_braces(labels, without) + " of " + in_braces(labels));
+}
+
+bool TowerComplex::contains(std::span<const Label> labels) const {
+  if (labels.empty() || labels.size() > vertices_.size()) {
+    return false;
+  }
+  std::array<Vertex, largest_dimension + 1> vertices;
+  std::uint64_t hash = 0;
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    vertices[k] = find_vertex(labels[k]);
+    if (vertices[k] == nothing) {
+      return false;
+    }
+    hash += word(vertices[k]);
+  }
+  const std::size_t dimension = labels.size() - 1;
+  if (dimension == 0 || dimension > layers_.size()) {
+    return dimension == 0;
+  }
+  const auto end = vertices.begin() + static_cast<std::ptrdiff_t>(labels.size());
+  std::sort(vertices.begin(), end);
+  const Layer& layer = layers_[dimension - 1];
+  return layer.index.find(
+             hash, [&](Slot slot) { return std::equal(vertices.begin(), end, vertices_of(layer, slot)); }) != nothing;
+}
+
+Result<std::vector<std::vector<Label>>> TowerComplex::missing_faces(std::span<const Label> labels) const {
+  std::vector<Label> simplex(labels.begin(), labels.end());
+  std::sort(simplex.begin(), simplex.end());
+  if (const auto twice = std::adjacent_find(simplex.begin(), simplex.end()); twice != simplex.end()) {
+    return repeated(*twice, labels);
+  }
+  // Down from the simplex: the faces of a face that is there are there.
+  std::vector<std::set<std::vector<Label>>> levels{{simplex}};
+  std::size_t count = 0;
+  while (!levels.back().empty() && levels.back().begin()->size() > 1) {
+    std::set<std::vector<Label>> below;
+    for (const std::vector<Label>& above : levels.back()) {
+      for (std::size_t k = 0; k < above.size(); ++k) {
+        std::vector<Label> face = above;
+        face.erase(face.begin() + static_cast<std::ptrdiff_t>(k));
+        if (!contains(face)) {
+          below.insert(std::move(face));
+        }
+      }
+      if (count + below.size() > most_missing) {
+        return bad("the simplex " + in_braces(labels) + " lacks more than " + std::to_string(most_missing) + " faces");
+      }
+    }
+    count += below.size();
+    levels.push_back(std::move(below));
+  }
+  std::vector<std::vector<Label>> faces;
+  for (std::size_t k = levels.size(); k-- > 1;) {
+    faces.insert(faces.end(), levels[k].begin(), levels[k].end());
+  }
+  return faces;
 }
 
 /// The simplex of `layer` whose vertices are those given but for the one at k; `hash` is that of all of them.

@@ -42,12 +42,22 @@ class TowerComplex {
   /// Simplices have at most this dimension.
   static constexpr int largest_dimension = 63;
 
+  /// No more faces than that are found missing.
+  static constexpr std::size_t most_missing = std::size_t{1} << 20;
+
   /// Includes a simplex, whose facets must be there. Returns its slot; `facets` are those of this simplex then.
-  /// Errors: bad_input when a label is repeated, a facet is missing, the simplex is there or too large. Nothing has
-  /// changed then. Cost: O(dimension^2).
+  /// Errors: unknown_name when a facet is missing; bad_input when a label is repeated, the simplex is there or too
+  /// large. Nothing has changed then. Cost: O(dimension^2).
   Result<Slot> include(std::span<const Label> labels);
   /// The facets of the simplex last included, facet k being the one without vertex k. None for a vertex.
   [[nodiscard]] std::span<const Slot> facets() const { return {facets_.data(), facets_size_}; }
+
+  /// Whether the simplex with these labels, in any order, is there.
+  [[nodiscard]] bool contains(std::span<const Label> labels) const;
+  /// The faces of a simplex that are not there, by their labels, which ascend; by dimension, then lexicographically.
+  /// The simplex itself is not among them. Errors: bad_input when a label is repeated, or more than `most_missing`
+  /// faces are missing.
+  [[nodiscard]] Result<std::vector<std::vector<Label>>> missing_faces(std::span<const Label> labels) const;
 
   /// Works out the contraction of u into v, which have to be two vertices of the complex. It is carried out by
   /// `contract`, with nothing else in between. Errors: bad_input when one is not there, or both are the same.

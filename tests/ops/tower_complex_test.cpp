@@ -1,5 +1,7 @@
 #include "ops/tower_complex.hpp"
 
+#include <numeric>
+
 #include "ops/column_complex.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random_towers.hpp"
@@ -46,6 +48,56 @@ TEST_CASE("a tower leaves the simplices that a plain model has", "[ops][tower]")
     plain.apply(step);
     REQUIRE(simplices_of(complex) == plain.simplices());
   }
+}
+
+TEST_CASE("the faces that a simplex lacks are found, and make it one that can be included", "[ops][tower]") {
+  const std::uint32_t seed = GENERATE(range(0u, 20u));
+  CAPTURE(seed);
+  TowerComplex complex;
+  PlainComplex plain;
+  std::mt19937 random(seed);
+  for (const TowerStep& step : tests::random_tower(seed, 60, 7, seed % 5)) {
+    tests::apply(step, complex);
+    plain.apply(step);
+  }
+  for (int round = 0; round < 20; ++round) {
+    std::vector<Label> labels;
+    for (Label v = 0; v < 12; ++v) {
+      if (random() % 3 == 0) {
+        labels.push_back(v);
+      }
+    }
+    std::shuffle(labels.begin(), labels.end(), random);
+    const PlainComplex::Simplex simplex(labels.begin(), labels.end());
+    REQUIRE(complex.contains(labels) == plain.has(simplex));
+    if (labels.empty() || plain.has(simplex)) {
+      continue;
+    }
+    const auto faces = complex.missing_faces(labels);
+    REQUIRE(faces);
+    for (const std::vector<Label>& face : *faces) {
+      REQUIRE(plain.can_include({face.begin(), face.end()}));
+      REQUIRE(complex.include(face));
+      plain.apply({false, face});
+    }
+    REQUIRE(plain.can_include(simplex));
+    CHECK(complex.missing_faces(labels).value().empty());
+    REQUIRE(complex.include(labels));
+    plain.apply({false, labels});
+  }
+  CHECK(simplices_of(complex) == plain.simplices());
+}
+
+TEST_CASE("a simplex that lacks too many faces, or has a vertex twice, is refused", "[ops][tower]") {
+  TowerComplex complex;
+  std::vector<Label> labels(60);
+  std::iota(labels.begin(), labels.end(), Label{0});
+  CHECK_FALSE(complex.contains(labels));
+  CHECK_THAT(complex.missing_faces(labels).error().what, Catch::Contains("lacks more than 1048576 faces"));
+  labels = {3, 1, 3};
+  CHECK(complex.missing_faces(labels).error().what == "vertex 3 is repeated in {3 1 3}");
+  labels = {0, 1};
+  CHECK(complex.include(labels).error().code == Errc::unknown_name);
 }
 
 TEST_CASE("facet k of a simplex lacks vertex k of the order that orients it", "[ops][tower]") {
