@@ -36,7 +36,8 @@ Step round_step(double size, bool is_integral) {
 /// Of a multiple of the step, with no more decimals than the step has.
 std::string tick_label(double value, const Step& step, double largest) {
   if (largest >= 1e12 || step.exponent < -7) {
-    return number_text(value);
+    const double digits = std::clamp(std::ceil(std::log10(largest / step.size())) + 1, 3.0, 17.0);
+    return value == std::trunc(value) ? number_text(value) : fmt::format("{:.{}g}", value, static_cast<int>(digits));
   }
   std::string text = fmt::format("{:.{}f}", std::abs(value), std::max(0, -step.exponent));
   const std::size_t whole = std::min(text.find('.'), text.size());

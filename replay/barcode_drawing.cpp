@@ -29,7 +29,7 @@ void write_sheet(std::ostream& out, const Barcode& barcode, const Barcode& shown
 
 void write_svg(std::ostream& out, const Barcode& barcode, const Provenance& provenance, const DrawingOptions& options) {
   const Barcode shown = without_shorter(barcode, options.min_length);
-  const Panel bars = barcode_panel(shown, options.time_name, full_width);
+  const Panel bars = barcode_panel(shown, options.time_name, full_width, options.walls);
   const Panel diagram = diagram_panel(shown, options.time_name, half_width);
   const Panel curves = betti_panel(barcode, options.time_name, half_width, diagram.height);
   const double below = bars.height + 16;
@@ -40,7 +40,8 @@ void write_svg(std::ostream& out, const Barcode& barcode, const Provenance& prov
 void write_barcode_svg(std::ostream& out, const Barcode& barcode, const Provenance& provenance,
                        const DrawingOptions& options) {
   const Barcode shown = without_shorter(barcode, options.min_length);
-  write_sheet(out, barcode, shown, provenance, options, {{0, 0, barcode_panel(shown, options.time_name, full_width)}});
+  write_sheet(out, barcode, shown, provenance, options,
+              {{0, 0, barcode_panel(shown, options.time_name, full_width, options.walls)}});
 }
 
 void write_diagram_svg(std::ostream& out, const Barcode& barcode, const Provenance& provenance,

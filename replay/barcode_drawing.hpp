@@ -15,10 +15,17 @@
 
 namespace sesame::replay {
 
+/// How a great number of bars of one dimension and one length is drawn: see take_wall.
+enum class Walls {
+  thin,   ///< in a few lines, with their number
+  whole,  ///< as other bars are
+};
+
 struct DrawingOptions {
   std::string title;                    ///< empty: the source's name, or else "Barcode"
   std::string time_name = "operation";  ///< what births and deaths count, for the axes
   double min_length = 0;                ///< shorter bars are left out, but for the Betti curves
+  Walls walls = Walls::thin;
 };
 
 /// All three pictures in one file: the bars, and below them the diagram beside the Betti curves.

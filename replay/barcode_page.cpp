@@ -47,7 +47,7 @@ std::string dimension_table(const Barcode& barcode) {
   for (const DimensionSummary& summary : by_dimension(barcode)) {
     const bool some_end = summary.bars > summary.essential;
     text += row({named(summary.dimension), with_separators(summary.bars), with_separators(summary.essential),
-                 some_end ? number_text(summary.longest) : "\u2013"},
+                 some_end ? short_number_text(summary.longest) : "\u2013"},
                 "td");
   }
   return text + "</table>\n";
@@ -57,18 +57,22 @@ std::string bar_table(const std::vector<Bar>& bars) {
   std::string text = "<table>\n" + row({"", "birth", "death", "length"}, "th");
   for (const Bar& bar : bars) {
     const bool ends = bar.death != engine::never;
-    text += row({named(bar.dimension), number_text(bar.birth), ends ? number_text(bar.death) : "\u221E",
-                 ends ? number_text(bar.death - bar.birth) : "\u221E"},
+    text += row({named(bar.dimension), short_number_text(bar.birth), ends ? short_number_text(bar.death) : "\u221E",
+                 ends ? short_number_text(bar.death - bar.birth) : "\u221E"},
                 "td");
   }
   return text + "</table>\n";
 }
 
-/// A panel below a legend of its own, in a figure.
-std::string figure(const Panel& panel, const Barcode& barcode, const std::string& label) {
-  SheetHead head(panel.width);
+std::string figure(const Panel& panel, const std::string& label) {
+  return "<figure>\n" + sheet(SheetHead(panel.width).panel(), {{0, 0, panel}}, label, "") + "</figure>\n";
+}
+
+/// For all figures.
+std::string legend(const Barcode& barcode, double width) {
+  SheetHead head(width);
   head.legend(by_dimension(barcode));
-  return "<figure>\n" + sheet(head.panel(), {{0, 0, panel}}, label, "") + "</figure>\n";
+  return barcode.bars.empty() ? "" : "<div>\n" + sheet(head.panel(), {}, "Legend", "") + "</div>\n";
 }
 
 }  // namespace
@@ -88,9 +92,9 @@ void write_html(std::ostream& out, const Barcode& barcode, const Provenance& pro
       << "</title>\n<style>\n"
       << svg_style(false) << page_style << svg_style(true) << "}\n</style>\n</head>\n<body>\n<h1>" << title
       << "</h1>\n<p class=\"facts\">" << facts_line << "</p>\n"
-      << figure(barcode_panel(shown, options.time_name, 920), shown, "Barcode")
-      << figure(diagram_panel(shown, options.time_name, 640), shown, "Persistence diagram")
-      << figure(betti_panel(barcode, options.time_name, 920, 380), barcode, "Betti numbers")
+      << legend(shown, 920) << figure(barcode_panel(shown, options.time_name, 920, options.walls), "Barcode")
+      << figure(diagram_panel(shown, options.time_name, 640), "Persistence diagram")
+      << figure(betti_panel(barcode, options.time_name, 920, 380), "Betti numbers")
       << "<div class=\"tables\">\n<div>\n<h2>Dimensions</h2>\n"
       << dimension_table(shown) << "</div>\n<div>\n<h2>"
       << (lists_all ? "All bars"

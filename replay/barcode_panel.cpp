@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "replay/axis.hpp"
+#include "replay/bar_wall.hpp"
 #include "replay/barcode_panels.hpp"
 #include "replay/bars.hpp"
 #include "replay/svg.hpp"
+#include "replay/text_buffer.hpp"
 
 namespace sesame::replay {
 namespace {
@@ -21,21 +25,26 @@ constexpr double most_pitch = 14;     // from one bar to the next
 constexpr double least_pitch = 0.5;   // thinner lines cannot be seen even when the picture is enlarged
 constexpr double least_group = 14;    // of the bars of a dimension, for its name
 constexpr double group_gap = 8;
-constexpr double least_pitch_with_arrow = 5;  // below, the line just runs on to the end of the axis
+constexpr double least_pitch_with_arrow = 5;      // below, the line just runs on to the end of the axis
+constexpr double lane_pitch = 3, wall_text = 16;  // of a wall: from one line to the next, and for what it says
+constexpr std::size_t most_lanes = 8;
+constexpr double short_part = 0.05;  // of the axis; longer bars are no wall
 constexpr auto most_bars = static_cast<std::size_t>(most_height / least_pitch);
 
 bool is_essential(const Bar& bar) { return bar.death == engine::never; }
 
 class BarcodePanel {
  public:
-  BarcodePanel(const Barcode& barcode, const TimeName& time, double width)
-      : all_{barcode.bars.size()},
-        bars_{longest_bars(barcode, most_bars)},
-        time_{time},
-        range_{time_range(barcode)},
-        width_{width},
-        pitch_{std::clamp(most_height / static_cast<double>(std::max<std::size_t>(bars_.size(), 1)), least_pitch,
-                          most_pitch)} {
+  BarcodePanel(const Barcode& barcode, const TimeName& time, double width, Walls walls)
+      : time_{time}, range_{time_range(barcode)}, width_{width} {
+    Barcode others = barcode;
+    if (walls == Walls::thin) {
+      take_walls(others);
+    }
+    all_ = others.bars.size();
+    bars_ = longest_bars(others, most_bars);
+    pitch_ =
+        std::clamp(most_height / static_cast<double>(std::max<std::size_t>(bars_.size(), 1)), least_pitch, most_pitch);
     const double plain = width_ - 2 * least_margin;
     ticks_ = ticks_across(range_, plain - 60);
     const double half_label = label_width(ticks_) / 2;
@@ -60,29 +69,89 @@ class BarcodePanel {
   }
 
  private:
+  void take_walls(Barcode& barcode) {
+    std::vector<Bar> others;
+    for (auto begin = barcode.bars.begin(); begin != barcode.bars.end();) {
+      const int dimension = begin->dimension;
+      const auto end = std::find_if(begin, barcode.bars.end(), [&](const Bar& b) { return b.dimension != dimension; });
+      std::vector<Bar> own(begin, end);
+      if (BarWall wall = take_wall(own, short_part * (range_.high - range_.low), most_lanes); wall.bars > 0) {
+        walls_.emplace(dimension, std::move(wall));
+      }
+      others.insert(others.end(), own.begin(), own.end());
+      begin = end;
+    }
+    barcode.bars = std::move(others);
+  }
+
   /// Returns where the bars end.
   double draw_bars(Svg& svg) {
     double y = title_height;
-    if (bars_.empty()) {
+    if (bars_.empty() && walls_.empty()) {
       svg.text((left_ + right_) / 2, y + 34, Anchor::middle, "faint", "no bars");
       return y + 60;
     }
-    for (auto group = bars_.begin(); group != bars_.end();) {
-      const int dimension = group->dimension;
-      const auto end = std::find_if(group, bars_.end(), [&](const Bar& bar) { return bar.dimension != dimension; });
-      const auto bars = static_cast<double>(end - group);
-      const double height = std::max(least_group, pitch_ * bars);
-      const double pitch = std::min(height / bars, most_pitch);
-      svg.text(4, y + height / 2 + 4, Anchor::start, "ink", fmt::format("H{}", dimension));
-      svg.raw(fmt::format("<g class=\"{}\" fill=\"none\" stroke-width=\"{}\">\n", stroke_class(dimension),
-                          px(thickness(pitch))));
-      for (double at = y + pitch / 2; group != end; ++group, at += pitch) {
-        draw_bar(svg, *group, at, pitch);
-      }
-      svg.raw("</g>\n");
-      y += height + group_gap;
+    std::set<int> dimensions;
+    std::for_each(bars_.begin(), bars_.end(), [&](const Bar& bar) { dimensions.insert(bar.dimension); });
+    std::for_each(walls_.begin(), walls_.end(), [&](const auto& wall) { dimensions.insert(wall.first); });
+    for (const int dimension : dimensions) {
+      const double end = draw_wall(svg, dimension, draw_group(svg, dimension, y));
+      svg.text(4, (y + end) / 2 + 4, Anchor::start, "ink", fmt::format("H{}", dimension));
+      y = end + group_gap;
     }
     return y;
+  }
+
+  /// The bars of a dimension, from `y` down. Returns where they end.
+  double draw_group(Svg& svg, int dimension, double y) const {
+    const auto [begin, end] = std::equal_range(bars_.begin(), bars_.end(), Bar{dimension, 0, 0},
+                                               [](const Bar& a, const Bar& b) { return a.dimension < b.dimension; });
+    if (begin == end) {
+      return y;
+    }
+    const auto bars = static_cast<double>(end - begin);
+    const double height = std::max(least_group, pitch_ * bars);
+    const double pitch = std::min(height / bars, most_pitch);
+    svg.raw(fmt::format("<g class=\"{}\" fill=\"none\" stroke-width=\"{}\">\n", stroke_class(dimension),
+                        px(thickness(pitch))));
+    double at = y + pitch / 2;
+    for (auto bar = begin; bar != end; ++bar, at += pitch) {
+      draw_bar(svg, *bar, at, pitch);
+    }
+    svg.raw("</g>\n");
+    return y + height;
+  }
+
+  /// The wall of a dimension, if there is one: bars that touch are one line,
+  /// and their number is said.
+  double draw_wall(Svg& svg, int dimension, double y) const {
+    const auto found = walls_.find(dimension);
+    if (found == walls_.end()) {
+      return y;
+    }
+    const BarWall& wall = found->second;
+    const Scale scale(range_, left_, last_);
+    std::string path;
+    for (const std::vector<Bar>& lane : wall.lanes) {
+      y += lane_pitch;
+      double begin = 0, end = -1;  // of the present line; none yet
+      const auto finish = [&] { path += end < begin ? "" : fmt::format("M{} {}H{}", px(begin), px(y), px(end)); };
+      for (const Bar& bar : lane) {
+        const double from = scale(bar.birth), to = std::max(scale(bar.death), from + 1);
+        if (end < begin || from > end + 0.5) {
+          finish();
+          begin = from;
+        }
+        end = to;
+      }
+      finish();
+    }
+    svg.raw(fmt::format("<path class=\"{}\" fill=\"none\" stroke-width=\"1.5\" d=\"{}\"/>\n", stroke_class(dimension),
+                        path));
+    svg.text(left_, y + wall_text - 4, Anchor::start, "faint",
+             fmt::format("{} bars of length {}{}, drawn thin", with_separators(wall.bars), wall.is_even ? "" : "up to ",
+                         short_number_text(wall.length)));
+    return y + wall_text;
   }
 
   static double thickness(double pitch) { return pitch > 4 ? pitch * 0.5 : pitch > 1.5 ? pitch * 0.75 : pitch; }
@@ -90,7 +159,7 @@ class BarcodePanel {
   void draw_bar(Svg& svg, const Bar& bar, double y, double pitch) const {
     const Scale scale(range_, left_, last_);
     const double from = scale(bar.birth);
-    const std::string title = fmt::format("<title>H{} {}</title>", bar.dimension, interval_text(bar));
+    const std::string title = fmt::format("<title>H{} {}</title>", bar.dimension, short_interval_text(bar));
     if (!is_essential(bar)) {
       const double to = std::max(scale(bar.death), from + 1);
       svg.raw(fmt::format("<path d=\"M{} {}H{}\">{}</path>\n", px(from), px(y), px(to), title));
@@ -120,11 +189,12 @@ class BarcodePanel {
     svg_.text((left_ + right_) / 2, y + 36, Anchor::middle, "ink", time_);
   }
 
-  std::size_t all_;
-  std::vector<Bar> bars_;
+  std::size_t all_ = 0;           ///< bars that belong to no wall
+  std::vector<Bar> bars_;         ///< those of them that are drawn
+  std::map<int, BarWall> walls_;  ///< by dimension
   const TimeName& time_;
   Range range_;
-  double width_, pitch_;
+  double width_, pitch_ = 0;
   std::vector<Tick> ticks_;
   double left_ = 0, right_ = 0;  ///< the ends of the axis
   double last_ = 0;              ///< where the last finite time is
@@ -133,8 +203,8 @@ class BarcodePanel {
 
 }  // namespace
 
-Panel barcode_panel(const Barcode& barcode, const TimeName& time, double width) {
-  return BarcodePanel(barcode, time, width).drawn();
+Panel barcode_panel(const Barcode& barcode, const TimeName& time, double width, Walls walls) {
+  return BarcodePanel(barcode, time, width, walls).drawn();
 }
 
 }  // namespace sesame::replay

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/barcode.hpp"
+#include "replay/barcode_drawing.hpp"
 
 namespace sesame::replay {
 
@@ -21,7 +22,7 @@ using TimeName = std::string;
 
 /// A line per bar, by dimension, then by birth; essential bars end in an arrow. With many bars the lines get thinner,
 /// and when there are more than fit, as many as do are shown: see longest_bars. The panel says so.
-[[nodiscard]] Panel barcode_panel(const engine::Barcode& barcode, const TimeName& time, double width);
+[[nodiscard]] Panel barcode_panel(const engine::Barcode& barcode, const TimeName& time, double width, Walls walls);
 
 /// A symbol per bar at (birth, death) over the diagonal, those of essential bars on a line of their own. Points of one
 /// dimension that are too near to be told apart make one larger symbol, so the size of the picture is bounded.

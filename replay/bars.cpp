@@ -66,4 +66,9 @@ std::string interval_text(const Bar& bar) {
   return "[" + number_text(bar.birth) + ", " + death + ")";
 }
 
+std::string short_interval_text(const Bar& bar) {
+  const std::string death = bar.death == engine::never ? "\u221E" : short_number_text(bar.death);
+  return "[" + short_number_text(bar.birth) + ", " + death + ")";
+}
+
 }  // namespace sesame::replay

@@ -22,5 +22,7 @@ namespace sesame::replay {
 
 /// "[2, 7)", "[2, \u221e)".
 [[nodiscard]] std::string interval_text(const engine::Bar& bar);
+/// The same with short numbers, for pictures.
+[[nodiscard]] std::string short_interval_text(const engine::Bar& bar);
 
 }  // namespace sesame::replay

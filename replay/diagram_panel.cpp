@@ -111,7 +111,7 @@ class DiagramPanel {
   }
 
   static std::string title_of(const Mark& mark) {
-    const std::string interval = interval_text(mark.first);
+    const std::string interval = short_interval_text(mark.first);
     return mark.bars == 1 ? fmt::format("H{} {}", mark.dimension, interval)
                           : fmt::format("H{}, {} bars: {} and such", mark.dimension, mark.bars, interval);
   }

@@ -1,5 +1,7 @@
 #include "replay/text_buffer.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdint>
 
@@ -23,6 +25,8 @@ std::string number_text(double x) {
   char text[longest_number];
   return {text, write_number(text, x)};
 }
+
+std::string short_number_text(double x) { return x == std::trunc(x) ? number_text(x) : fmt::format("{:.6g}", x); }
 
 TextBuffer& TextBuffer::add_number(double x) {
   char text[longest_number];

@@ -13,6 +13,9 @@ namespace sesame::replay {
 /// The shortest text that reads back as the same double: "3", "0.1", "1e-07", "inf", "-inf".
 [[nodiscard]] std::string number_text(double x);
 
+/// To six digits, for people: "0.333333", "1e-07", "3"; whole numbers in full.
+[[nodiscard]] std::string short_number_text(double x);
+
 /// Collects text and hands it to a stream in large pieces, the last one when it is destroyed. Numbers are written as
 /// by number_text, whatever the locale: streams and formatting libraries take several times as long.
 class TextBuffer {

@@ -5,9 +5,11 @@
 #include <sstream>
 
 #include "replay/axis.hpp"
+#include "replay/bar_wall.hpp"
 #include "replay/barcode_panels.hpp"
 #include "replay/bars.hpp"
 #include "replay/svg.hpp"
+#include "replay/text_buffer.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace sesame;
@@ -158,6 +160,72 @@ TEST_CASE("of too many bars the longest are drawn, and the picture says how many
   const std::string bars = picture(replay::write_barcode_svg, random_barcode(5000, 2));
   CHECK_THAT(bars, Contains("the longest of each dimension: 2,000 of 5,000 bars; 3,000 are left out"));
   CHECK(count(bars, "<title>") == 2000);
+}
+
+TEST_CASE("a wall of bars of one length is thin, and says how many there are", "[replay]") {
+  Barcode assembly{{{0, 0, never}}, 0};
+  for (int k = 1; k < 1000; ++k) {  // each piece is apart for a step
+    assembly.bars.push_back({0, 2.0 * k, 2.0 * k + 1});
+  }
+  assembly.bars.push_back({1, 500, 1500});
+  const replay::DrawingOptions whole{"", "step", 0, replay::Walls::whole};
+  const std::string thin_text = picture(replay::write_barcode_svg, assembly),
+                    whole_text = picture(replay::write_barcode_svg, assembly, whole);
+  CHECK_THAT(thin_text, Contains("999 bars of length 1, drawn thin") && !Contains("left out</text>"));
+  CHECK_THAT(whole_text, !Contains("drawn thin"));
+  CHECK(replay::barcode_panel(assembly, "step", 960, replay::Walls::thin).height < 200);
+  CHECK(replay::barcode_panel(assembly, "step", 960, replay::Walls::whole).height > 1000);
+  CHECK(count(thin_text, "<title>H0") == 1);
+  CHECK(count(whole_text, "<title>H0") == 1000);
+  check_tags(thin_text);
+  for (Bar& bar : assembly.bars) {  // now some are shorter
+    bar.death -= bar.dimension == 0 && bar.death < 100 ? 0.5 : 0;
+  }
+  CHECK_THAT(picture(replay::write_html, assembly), Contains("999 bars of length up to 1, drawn thin"));
+}
+
+TEST_CASE("only short bars that are many and alike make a wall", "[replay]") {
+  const auto wall_of = [](std::size_t bars, double length, double step, double longest) {
+    std::vector<Bar> row;
+    for (std::size_t k = 0; k < bars; ++k) {
+      row.push_back({0, step * static_cast<double>(k), step * static_cast<double>(k) + length});
+    }
+    row.push_back({0, 1, never});
+    const replay::BarWall wall = replay::take_wall(row, longest, 4);
+    CHECK(wall.bars + row.size() == bars + 1);
+    return wall;
+  };
+  CHECK(wall_of(20, 1, 2, 1).bars == 20);
+  CHECK(wall_of(20, 1, 2, 1).lanes.size() == 1);
+  CHECK(wall_of(20, 3, 1, 3).lanes.size() == 3);
+  CHECK(wall_of(20, 9, 1, 9).lanes.size() == 4);  // as many as there may be
+  CHECK(wall_of(20, 9, 1, 9).bars == 20);
+  CHECK(wall_of(19, 1, 2, 1).bars == 0);
+  CHECK(wall_of(20, 2, 2, 1).bars == 0);
+  std::vector<Bar> uneven;
+  for (int k = 0; k < 50; ++k) {
+    uneven.push_back({0, 0, 1.0 + k});
+  }
+  CHECK(replay::take_wall(uneven, 100, 4).bars == 0);
+}
+
+TEST_CASE("a page has its legend once", "[replay]") {
+  CHECK(count(picture(replay::write_html, small), ">H0: 2 bars") == 1);
+  CHECK(count(picture(replay::write_svg, small), ">H0: 2 bars") == 1);
+}
+
+TEST_CASE("numbers in pictures are short", "[replay]") {
+  const Barcode fractions{{{0, 0.1 + 0.2, never}, {0, 1.0 / 3, 2.0 / 3}, {1, 1e-9 / 3, 3}, {1, 1e15 / 3, 1e15}}, 0};
+  const std::regex long_number(R"([0-9]\.[0-9]{8})");
+  for (const Write write : all_pictures) {
+    CHECK_FALSE(std::regex_search(picture(write, fractions), long_number));
+  }
+  CHECK_THAT(picture(replay::write_html, fractions), Contains("[0.333333, 0.666667)"));
+  CHECK(replay::short_number_text(12345678) == "12345678");
+  CHECK(replay::short_number_text(1e-9 / 3) == "3.33333e-10");
+  for (const replay::Tick& tick : replay::round_ticks({1e-9, 7e-9, false}, 8)) {
+    CHECK(tick.label.size() < 6);
+  }
 }
 
 TEST_CASE("each dimension keeps its share of the bars that are chosen, and the longest of it", "[replay]") {
