@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "replay/barcode_dialects.hpp"
 #include "replay/barcode_files.hpp"
 #include "replay/line_source.hpp"
 #include "replay/line_words.hpp"
@@ -145,12 +146,36 @@ class PersReader {
 Result<PersFile> read_pers(ByteSource source) {
   PersReader reader(source.name());
   LineSource lines(std::move(source));
+  RipserLines ripser;
+  std::optional<BarcodeDialect> dialect;
+  std::string json;
+  std::uint64_t json_line = 0;
   while (true) {
     const Result<std::optional<std::string_view>> text = lines.next();
     if (!text) return text.error();
-    if (!*text) return std::move(reader).finished();
-    if (Status done = reader.line(**text, lines.line()); !done) return done.error();
+    if (!*text) break;
+    if (!dialect && LineWords(**text).is_done()) continue;
+    if (!dialect) {
+      dialect = dialect_of(**text);
+      json_line = lines.line();
+    }
+    if (*dialect == BarcodeDialect::json) {
+      json.append(**text).append("\n");
+      continue;
+    }
+    const Result<std::string> bar =
+        *dialect == BarcodeDialect::ripser ? ripser.take(**text) : Result<std::string>{std::string{**text}};
+    if (!bar) return Error{Errc::bad_input, lines.place() + bar.error().what};
+    if (Status done = reader.line(*bar, lines.line()); !done) return done.error();
   }
+  if (dialect == BarcodeDialect::json) {
+    const Result<std::vector<PersLine>> bars = bars_of_json(json, lines.name(), json_line);
+    if (!bars) return bars.error();
+    for (const PersLine& bar : *bars) {
+      if (Status done = reader.line(bar.text, bar.number); !done) return done.error();
+    }
+  }
+  return std::move(reader).finished();
 }
 
 }  // namespace sesame::replay

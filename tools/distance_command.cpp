@@ -234,8 +234,10 @@ void add_distance_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("distance", "How far two barcodes are apart: bottleneck or Wasserstein");
   auto arguments = std::make_shared<Arguments>();
   command
-      ->add_option("A", arguments->left,
-                   "A .pers file, gzip or not: lines [[field] dimension] birth death; - for standard input")
+      ->add_option(
+          "A", arguments->left,
+          "A barcode, gzip or not: lines [[field] dimension] birth death, or what sesame tower --json or Ripser "
+          "prints; - for standard input")
       ->required();
   command->add_option("B", arguments->right, "Another one")->required();
   arguments->wasserstein =

@@ -76,6 +76,42 @@ class Distance(unittest.TestCase):
         self.assertIn("[3, 3.5) - diagonal: 0.25\n", text)
         self.assertIn("[0, \u221e) - [0.5, \u221e): 0.5\n", text)
 
+    def test_our_own_json_and_ripser_s_text_are_read_too(self):
+        json_text = json.dumps({"ring": "Z/2", "ops": 9, "bars": [[0, 0, None], [0, 1, 5], [1, 2, 10], [1, 3, 3.5]],
+                                "hidden": 1}) + "\n"
+        ripser = ("distance matrix with 4 points\nvalue range: [0.1,9]\npersistence intervals in dim 0:\n [0, )\n"
+                  " [1,5)\npersistence intervals in dim 1:\n [2,10):  {[0,1] (2), [1,2] (3)}\n [3,3.5)\n"
+                  "persistence intervals in dim 2:\n")
+        states = '{"ops":1,"time":0,"ring":"Z/2","cells":[1],"betti":[1]}\n'
+        for text in (json_text, states + json_text, json.dumps(json.loads(json_text), indent=2), "\n" + ripser,
+                     ripser[ripser.index("persistence"):], ripser.replace("\n", "\r\n")):
+            found = self.json_of(self.one, self.file("other", text))
+            self.assertEqual([row["bars"] for row in found["dims"]], [[2, 2], [2, 2]], text)
+            self.assertEqual(found["value"], 0, text)
+
+    def test_what_sesame_tower_prints_as_json_is_its_barcode(self):
+        tower = self.file("t.tower", "1 i 0\n2 i 1\n1732800000000000001 i 0 1\n")
+        done = subprocess.run([SESAME, "tower", tower, "--json", "--every", "1", "--pers", self.folder / "t.pers"],
+                              capture_output=True, text=True, timeout=60, check=True)
+        found = self.json_of(self.file("t.json", done.stdout), self.folder / "t.pers")
+        self.assertEqual((found["dims"][0]["bars"], found["value"]), ([2, 2], 0))
+
+    def test_what_is_wrong_in_json_and_ripser_s_text_is_told_with_its_line(self):
+        for text, line, what in (('{"ops":1,\n"bars":[[0,0,null]\n', 3, "this is no JSON"),
+                                 ('{"bars":[[0,0,null],[0,5,1]]}\n', 1, "the death 1 should not be before the birth 5"),
+                                 ('\n{"bars":[[0,0]]}\n', 2, "[0,0]"),
+                                 ('{"bars":[[0,null,1]]}\n', 1, "\"null\" should be a birth"),
+                                 ('{"rings":[{"bars":[]},{"bars":[]}]}\n', 1, "one --ring"),
+                                 ('{"groups":[]}\n', 1, "--ring Z/2"),
+                                 ('{"sesame":1,"ring":"Z"}\n', 1, "has no object with \"bars\""),
+                                 ("persistence intervals in dim 0:\n [0,1\n", 2, "should be an interval"),
+                                 ("value range: [0,1]\npersistence intervals in dim 0:\n [0,x)\n", 3, "\"x\"")):
+            path = self.file("wrong", text)
+            done = self.run_on(self.one, path)
+            self.assertEqual(done.returncode, 2, text)
+            self.assertIn(f"{path}:{line}: ", done.stderr)
+            self.assertIn(what, done.stderr)
+
     def test_people_get_a_table(self):
         lines = self.run_on(self.one, self.other).stdout.splitlines()
         self.assertIn("bottleneck distance, maximum metric", lines[0])
