@@ -81,12 +81,25 @@ void add_barcode_fields(TextBuffer& text, const Barcode& barcode, const Provenan
     is_first = false;
   }
   text.add(R"(],"hidden":)").add_integer(barcode.hidden).add(R"(,"source":)").add(quoted(provenance.source));
+  add_reading_fields(text, provenance);
   text.add(R"(,"version":")" SESAME_VERSION "\"");
 }
 
-void write_betti_csv(std::ostream& out, const Barcode& barcode, const Provenance& provenance) {
+void add_reading_fields(TextBuffer& text, const Provenance& provenance) {
+  if (!provenance.format.empty()) {
+    text.add(R"(,"format":)").add(quoted(provenance.format));
+  }
+  if (provenance.added_faces > 0) {
+    text.add(R"(,"added_faces":)").add_integer(provenance.added_faces);
+  }
+  if (provenance.already > 0) {
+    text.add(R"(,"already":)").add_integer(provenance.already);
+  }
+}
+
+void write_betti_csv(std::ostream& out, const Barcode& barcode) {
   TextBuffer text(out);
-  text.add("# ").add(provenance_line(barcode, provenance)).add("\ntime");
+  text.add("time");
   for (std::size_t p = 0; p < dimensions(barcode); ++p) {
     text.add(",b").add_integer(p);
   }

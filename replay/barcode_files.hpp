@@ -18,9 +18,11 @@ namespace sesame::replay {
 
 /// Where a barcode comes from; goes, with the version of sesame and the number of hidden bars, into every output.
 struct Provenance {
-  std::string ring;              ///< as people write it: "Z/2"
-  std::uint64_t operations = 0;  ///< that made the barcode
-  std::string source;            ///< the name of the input; may be empty
+  std::string ring;                            ///< as people write it: "Z/2"
+  std::uint64_t operations = 0;                ///< that made the barcode
+  std::string source;                          ///< the name of the input; may be empty
+  std::string format;                          ///< as options name it; empty when it is not known
+  std::uint64_t added_faces = 0, already = 0;  ///< see FaceAdder
 };
 
 /// "sesame 0.1.0, coefficients Z/2, 12 operations, 3 bars of length 0 left out, from torus.tower": one line, UTF-8.
@@ -43,12 +45,14 @@ class PersWriter {
 void write_pers(std::ostream& out, const engine::Barcode& barcode, const Provenance& provenance);
 
 /// The fields of a JSON object, without the braces: ring, ops, bars ([dim,birth,death], death null when essential),
-/// hidden, source and version.
+/// hidden, source, format (when it is known), added_faces and already (when there are some) and version.
 void add_barcode_fields(TextBuffer& text, const engine::Barcode& barcode, const Provenance& provenance);
 
-/// A comment line with the provenance, the header `time,b0,b1,...` and a row for each time at which a Betti number
-/// changes; see for_each_betti_change.
-void write_betti_csv(std::ostream& out, const engine::Barcode& barcode, const Provenance& provenance);
+/// The fields that say how an input was read: format, added_faces, already. Each begins with a comma.
+void add_reading_fields(TextBuffer& text, const Provenance& provenance);
+
+/// The header `time,b0,b1,...` and a row for each time at which a Betti number changes; see for_each_betti_change.
+void write_betti_csv(std::ostream& out, const engine::Barcode& barcode);
 
 /// What a `.pers` file says.
 struct PersFile {
@@ -61,7 +65,8 @@ inline constexpr int largest_dimension_read = 1000;
 
 /// Reads lines `[[field] dimension] birth death`, as GUDHI writes them too: 2, 3 or 4 numbers, the same count and the
 /// same field on all lines; `inf`, `Inf`, `infinity` for the death of an essential class; comments after `#`; line ends
-/// \n or \r\n. Lines may stand in any order.
+/// \n or \r\n. Lines may stand in any order. What `sesame tower --json` prints and Ripser's text are known by their
+/// first line, and read too: see barcode_dialects.hpp.
 /// Errors: `NAME:LINE: what, and what would be right` (bad_input); those of the source.
 [[nodiscard]] Result<PersFile> read_pers(ByteSource source);
 

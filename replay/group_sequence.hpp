@@ -49,6 +49,7 @@ class EngineTower {
 
   /// Applies the next operation, or leaves everything as it was. Errors: bad_input, without the place.
   Status apply(const TowerOperation& operation);
+  [[nodiscard]] const ops::TowerComplex& complex() const { return complex_.complex(); }
   [[nodiscard]] engine::Engine& engine() { return engine_; }
 
  private:

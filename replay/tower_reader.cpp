@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "replay/input_kind.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::replay {
@@ -16,19 +15,6 @@ constexpr std::size_t word_size = sizeof(std::uint64_t);
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
 bool is_operation(std::string_view word) { return word == "i" || word == "c"; }
-
-/// The format of an input whose first words are these; nothing when it is none.
-std::optional<TowerFormat> format_of(LineWords words) {
-  const std::size_t count = words.count();
-  const std::string_view first = words.word();
-  double number = 0;
-  if (first.starts_with('{')) return TowerFormat::script;
-  if (is_operation(first)) return TowerFormat::tower;
-  if (!words.take_number(number)) return std::nullopt;
-  if (is_operation(words.word())) return TowerFormat::tower;
-  if (count == 1) return TowerFormat::phat;
-  return count >= 3 ? std::optional{TowerFormat::gudhi} : std::nullopt;
-}
 
 /// Makes the window that long; false when the input is shorter.
 Result<bool> wait_for(ByteSource& source, std::size_t bytes) {
@@ -50,34 +36,11 @@ Result<std::unique_ptr<TowerReader>> TowerReader::open(const std::string& path, 
 
 Result<std::unique_ptr<TowerReader>> TowerReader::from(ByteSource source, TowerFormat format, std::size_t longest) {
   if (format == TowerFormat::automatic) {
-    const Result<TowerFormat> found = detect(source, longest);
+    const Result<TowerFormat> found = find_format(source, longest);
     if (!found) return found.error();
     format = *found;
   }
   return std::unique_ptr<TowerReader>(new TowerReader(std::move(source), format, longest));
-}
-
-/// Consumes nothing, so that lines can be counted from the first.
-Result<TowerFormat> TowerReader::detect(ByteSource& source, std::size_t longest) {
-  if (Result<bool> got = wait_for(source, word_size); !got) return got.error();
-  if (source.window().substr(0, word_size).find('\0') != std::string_view::npos) return TowerFormat::phat_binary;
-  std::size_t begin = 0;
-  for (std::uint64_t line = 1;; ++line) {
-    const Result<std::size_t> end = find_line_end(source, begin, line, longest);
-    if (!end) return end.error();
-    const std::string_view text = source.window().substr(begin, *end - begin);
-    const LineWords words(line == 1 ? without_mark(text) : text);
-    if (!words.is_done()) {
-      if (const std::optional<TowerFormat> format = format_of(words)) return *format;
-      return Error{
-          Errc::bad_input,
-          fmt::format("{}:{}: {} starts no format that is known: a tower starts with i, c or a time, a PHAT "
-                      "matrix with one number, a GUDHI list with `0 vertex value`{}",
-                      source.name(), line, shown(words.word()), advice_on(text, source.name(), "sesame tower"))};
-    }
-    if (*end == source.window().size()) return TowerFormat::tower;
-    begin = *end + 1;
-  }
 }
 
 std::string TowerReader::place() const {
@@ -110,6 +73,8 @@ Result<bool> TowerReader::read_operation(TowerOperation& into) {
       return read_phat_line(into);
     case TowerFormat::gudhi:
       return read_gudhi_line(into);
+    case TowerFormat::facets:
+      return read_facet(into);
     case TowerFormat::phat_binary:
       return read_column(into);
     case TowerFormat::automatic:
@@ -225,6 +190,32 @@ Result<bool> TowerReader::read_gudhi_line(TowerOperation& into) {
   }
   if (Status read = read_time(words, "the value of the simplex, a finite number"); !read) return read.error();
   into = {TowerOperation::Kind::insert, time_, dimension_, labels_};
+  return true;
+}
+
+Result<bool> TowerReader::read_facet(TowerOperation& into) {
+  if (!facets_) facets_.emplace(name());
+  std::optional<Facet> facet = facets_->next();
+  while (!facet) {
+    Result<bool> got = read_line();
+    if (!got || (!*got && is_stopped())) return got;
+    const Status taken = *got ? facets_->take(text_, line_) : facets_->finish();
+    if (!taken) return taken.error();
+    if (!*got) return false;
+    facet = facets_->next();
+  }
+  labels_.clear();
+  for (const std::string& label : facet->labels) {
+    LineWords word(label);
+    if (!word.take_number(labels_.emplace_back())) {
+      return error(
+          fmt::format("{} should be a vertex of a tower, a whole number from 0 to 2^64 - 1; in a script, which "
+                      "sesame import makes of the list, it may be any name",
+                      shown(label)));
+    }
+  }
+  into = {TowerOperation::Kind::insert, static_cast<double>(operations_), static_cast<int>(labels_.size() - 1),
+          labels_};
   return true;
 }
 

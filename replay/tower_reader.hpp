@@ -12,21 +12,14 @@
 #include <vector>
 
 #include "replay/byte_source.hpp"
+#include "replay/facet_list.hpp"
 #include "replay/line_source.hpp"
 #include "replay/line_words.hpp"
 #include "replay/script.hpp"
+#include "replay/tower_format.hpp"
 #include "sparse/result.hpp"
 
 namespace sesame::replay {
-
-enum class TowerFormat {
-  automatic,    ///< found out from the content
-  tower,        ///< lines `[t] i v0 ... vd` and `[t] c u v`
-  phat,         ///< a boundary matrix, a line `dim r1 r2 ...` a column
-  phat_binary,  ///< the same in 64 bit integers: the number of columns, then for each dim, the number of rows, the rows
-  gudhi,        ///< lines `dim v0 ... vd value`
-  script,       ///< a construction script (JSON Lines), which a ScriptReader reads: see `take_script`
-};
 
 struct TowerOperation {
   enum class Kind {
@@ -47,15 +40,11 @@ struct TowerOperation {
 /// end with CR LF.
 ///
 /// The time of an operation is what its line says, a finite number that is not less than the one before; where a format
-/// has none (phat) or a tower leaves it out on every line, operation k happens at time k, from 0 on. The reader checks
-/// what a line says by itself and against the times; what the labels mean is the caller's to check: repeated vertices,
-/// missing faces, rows whose dimension is not one less.
+/// has none (phat, facets) or a tower leaves it out on every line, operation k happens at time k, from 0 on. The reader
+/// checks what a line says by itself and against the times; what the labels mean is the caller's to check: repeated
+/// vertices, missing faces, rows whose dimension is not one less.
 ///
-/// An automatic format is found out from the first 8 bytes and the first line that says something. A zero byte among
-/// the 8 means phat_binary: no text has one, and every count of columns below 2^56 does. A line that starts with `{` is
-/// one of a script, a word `i` or `c` at the first or second place means tower. Of the formats with numbers only, the
-/// first column of a phat matrix is one number, as no row is less than 0, and the first simplex of a gudhi list, a
-/// vertex, is three. An empty input is a tower without operations.
+/// An automatic format is found out by `find_format`.
 ///
 /// Errors are `NAME:LINE: what, and what would be right`; in phat_binary, `NAME: column K: ...` with K from 0.
 /// Cost: proportional to the bytes read; memory: the longest line or column.
@@ -93,11 +82,11 @@ class TowerReader {
   TowerReader(ByteSource source, TowerFormat format, std::size_t longest)
       : source_{std::move(source)}, format_{format}, longest_{longest} {}
 
-  static Result<TowerFormat> detect(ByteSource& source, std::size_t longest);
   Result<bool> read_operation(TowerOperation& into);
   Result<bool> read_tower_line(TowerOperation& into);
   Result<bool> read_phat_line(TowerOperation& into);
   Result<bool> read_gudhi_line(TowerOperation& into);
+  Result<bool> read_facet(TowerOperation& into);
   Result<bool> read_column(TowerOperation& into);
   Result<bool> read_header();
   Result<bool> finish_columns();
@@ -121,6 +110,7 @@ class TowerReader {
   std::uint64_t line_ = 0;             ///< see line()
   std::uint64_t operations_ = 0;
   std::optional<std::uint64_t> columns_;  ///< that the header announces
+  std::optional<FacetParser> facets_;
   std::uint64_t first_line_ = 0;  ///< of a tower: the line of its first operation, which says whether all have times
   bool is_timed_ = false;
   double time_ = 0;    ///< of the last operation whose line says it

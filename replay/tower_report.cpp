@@ -87,6 +87,14 @@ std::vector<Bar> BarStatistics::longest() const {
 void write_tower_table(std::ostream& out, const TowerResult& result) {
   const Barcode counts{{}, result.hidden};
   out << provenance_line(counts, result.provenance) << '\n';
+  const Provenance& provenance = result.provenance;
+  if (provenance.added_faces > 0) {
+    out << provenance.added_faces << (provenance.added_faces == 1 ? " missing face" : " missing faces") << " added\n";
+  }
+  if (provenance.already > 0) {
+    out << provenance.already << (provenance.already == 1 ? " simplex that was" : " simplices that were")
+        << " there already left out\n";
+  }
   if (result.shorter > 0) {
     out << result.shorter << (result.shorter == 1 ? " shorter bar" : " shorter bars") << " left out\n";
   }

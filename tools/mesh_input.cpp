@@ -11,16 +11,22 @@ namespace sesame::tools {
 
 std::string name_of(const MeshInput& input) { return input.file == "-" ? "standard input" : input.file; }
 
-void add_mesh_input(CLI::App& command, MeshInput& input) {
-  command.add_option("MESH", input.file, "The mesh file (OFF, OBJ, PLY, STL), gzip or not; - for standard input")
+void add_mesh_input(CLI::App& command, MeshInput& input, bool takes_facets) {
+  command
+      .add_option("MESH", input.file,
+                  std::string{"The mesh file (OFF, OBJ, PLY, STL)"} + (takes_facets ? " or list of facets" : "") +
+                      ", gzip or not; - for standard input")
       ->required();
-  add_choice<Format>(command, "--format", input.format,
-                     {{"auto", Format::automatic},
-                      {"off", Format::off},
-                      {"obj", Format::obj},
-                      {"ply", Format::ply},
-                      {"stl", Format::stl}},
-                     "The mesh format; default: by extension, else by content");
+  Choices<Format> formats{{"auto", Format::automatic},
+                          {"off", Format::off},
+                          {"obj", Format::obj},
+                          {"ply", Format::ply},
+                          {"stl", Format::stl}};
+  if (takes_facets) {
+    formats.emplace_back("facets", Format::facets);
+  }
+  add_choice<Format>(command, "--format", input.format, formats,
+                     "What the file is; default: by extension, else by content");
   command.add_option("--weld", input.weld, "Make one of points within this distance (STL: equal points always are)");
 }
 

@@ -6,7 +6,9 @@
 #include <memory>
 #include <span>
 
+#include "replay/facet_list.hpp"
 #include "replay/replay.hpp"
+#include "replay/tower_format.hpp"
 #include "tools/commands.hpp"
 #include "tools/interrupt.hpp"
 #include "tools/log_file.hpp"
@@ -95,6 +97,33 @@ Result<replay::ByteSource> open_script(const Arguments& arguments) {
   return replay::ByteSource::from(std::make_unique<PromptedInput>(std::move(*input)), "standard input");
 }
 
+struct Script {
+  replay::ByteSource source;
+  bool is_list_of_facets = false;
+};
+
+/// A list of facets becomes the script that inserts them; anything else stays what it is.
+Result<Script> as_script(replay::ByteSource source, const Arguments& arguments) {
+  if (arguments.follow || is_prompted(arguments)) {
+    return Script{std::move(source)};
+  }
+  const Result<replay::TowerFormat> format = replay::find_format(source, arguments.longest_line);
+  if (!format || *format != replay::TowerFormat::facets) {
+    return Script{std::move(source)};  // what is wrong with it, the reader of scripts will tell
+  }
+  const std::string name = source.name();
+  Result<std::vector<replay::Facet>> facets =
+      replay::read_facets(replay::LineSource(std::move(source), arguments.longest_line));
+  if (!facets) {
+    return facets.error();
+  }
+  if (!arguments.quiet) {
+    std::cerr << fmt::format("{}: read as a list of facets: {} facets, in one insertion\n", name, facets->size());
+  }
+  const std::string script = script_of(std::move(*facets), "Z", name, replay::FacetSteps::one);
+  return Script{replay::ByteSource::of_text(script, name + " as a script"), true};
+}
+
 /// The exit status, that of the outcome unless the log could not be kept.
 int close_log(LogFile* log, const std::string& path, Outcome outcome, bool keeps_going) {
   if (log != nullptr) {
@@ -123,14 +152,15 @@ int run_replay(const Arguments& arguments) {
   }
   catch_interrupt();
   Result<replay::ByteSource> source = open_script(arguments);
-  if (!source && stop_requested().load()) {
+  Result<Script> found = source ? as_script(std::move(*source), arguments) : source.error();
+  if (!found && stop_requested().load()) {
     return static_cast<int>(Outcome::interrupted);
   }
-  if (!source && source.error().code == Errc::io) {
-    return wrong_usage(source.error().what);
+  if (!found && found.error().code == Errc::io) {
+    return wrong_usage(found.error().what);
   }
-  if (!source) {
-    std::cerr << source.error().what << '\n';
+  if (!found) {
+    std::cerr << found.error().what << '\n';
     return static_cast<int>(Outcome::wrong_script);
   }
   std::unique_ptr<LogFile> log;
@@ -151,7 +181,8 @@ int run_replay(const Arguments& arguments) {
     }
   }
   const bool shows_progress = !arguments.quiet && isatty(STDERR_FILENO) == 1 && !is_prompted(arguments);
-  const std::optional<std::uint64_t> operations = operations_of(arguments, shows_progress);
+  const std::optional<std::uint64_t> operations =
+      found->is_list_of_facets ? 1 : operations_of(arguments, shows_progress);
   const std::uint64_t shown = operations.value_or(most_steps_reported_by_default);
   if (arguments.every > 0) {
     options.every = arguments.every;
@@ -181,7 +212,7 @@ int run_replay(const Arguments& arguments) {
   if (shows_progress) {
     progress = std::make_unique<replay::Progress>(std::cerr, operations);
   }
-  replay::ScriptReader script(std::move(*source), arguments.longest_line);
+  replay::ScriptReader script(std::move(found->source), arguments.longest_line);
   const Outcome outcome = replay::replay(script, options, reporter.get(), std::cerr, progress.get());
   return close_log(log.get(), arguments.log, outcome, options.keep_going);
 }
@@ -191,7 +222,8 @@ int run_replay(const Arguments& arguments) {
 void add_replay_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("replay", "Replay a construction script, with the homology after every step");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("FILE", arguments->file, "The script, JSON Lines; - for standard input")->required();
+  command->add_option("FILE", arguments->file, "The script, JSON Lines, or a list of facets; - for standard input")
+      ->required();
   command->add_option("--ring", arguments->ring, "Compute over Z or Z/p instead of the ring that the script names");
   command->add_option("--until", arguments->until, "Stop after that many steps")->check(from_one_on());
   command

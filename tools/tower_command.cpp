@@ -42,7 +42,7 @@ struct Arguments {
   std::uint64_t until = 0, every = 0;
   std::size_t longest_line = replay::longest_line;
   std::optional<replay::GeneratorOptions> generators;
-  bool json = false, partial = false, quiet = false;
+  bool json = false, add_faces = false, all_bars = false, partial = false, quiet = false;
 };
 
 int say(Outcome outcome, const std::string& what) {
@@ -62,10 +62,7 @@ struct Outputs {
 /// Where the bars over one ring go.
 class BarSink {
  public:
-  BarSink(const sparse::AnyRing& ring, const std::string& source, double min_length, bool keeps_bars,
-          replay::PersWriter* pers)
-      : pers_{pers} {
-    result_.provenance = {sparse::ring_name(ring), 0, source};
+  BarSink(double min_length, bool keeps_bars, replay::PersWriter* pers) : pers_{pers} {
     result_.min_length = min_length;
     if (keeps_bars) {
       result_.barcode.emplace();
@@ -87,8 +84,8 @@ class BarSink {
   }
 
   /// The result, once all bars have been added.
-  TowerResult finish(std::uint64_t operations, std::uint64_t hidden) {
-    result_.provenance.operations = operations;
+  TowerResult finish(replay::Provenance provenance, std::uint64_t hidden) {
+    result_.provenance = std::move(provenance);
     result_.hidden = hidden;
     if (result_.barcode) {
       result_.barcode->hidden = hidden;
@@ -132,6 +129,7 @@ class Run {
     if (!arguments_.quiet && isatty(STDERR_FILENO) == 1) {
       progress_.emplace(std::cerr, std::nullopt);
     }
+    say_format();
     start_ = Clock::now();
     const Outcome outcome = reader_->format() == TowerFormat::script ? run_script()
                             : is_integral()                          ? run_groups()
@@ -148,6 +146,29 @@ class Run {
   [[nodiscard]] bool is_integral() const { return std::holds_alternative<sparse::Integers>(rings_[0]); }
   [[nodiscard]] bool is_matrix() const {
     return reader_->format() == TowerFormat::phat || reader_->format() == TowerFormat::phat_binary;
+  }
+
+  /// Whether the table and the states of `--every` are printed: not into an output that standard output has become.
+  [[nodiscard]] bool prints() const { return !arguments_.json && !arguments_.quiet && !fills_standard_output(); }
+  [[nodiscard]] bool fills_standard_output() const {
+    const auto paths = {arguments_.pers, arguments_.csv, arguments_.svg, arguments_.html};
+    return std::ranges::any_of(paths, is_standard_output);
+  }
+
+  /// What was found out from numbers alone is said; words and braces speak for themselves, and so does JSON.
+  void say_format() {
+    const TowerFormat format = reader_->format();
+    faces_.adds_faces = arguments_.add_faces || format == TowerFormat::facets;
+    const bool is_obvious = format == TowerFormat::tower || format == TowerFormat::script;
+    if (arguments_.format == TowerFormat::automatic && !is_obvious && !arguments_.json && !arguments_.quiet) {
+      std::cerr << source_ << ": read as " << replay::format_description(format) << '\n';
+    }
+  }
+
+  [[nodiscard]] replay::Provenance provenance(const sparse::AnyRing& ring, std::uint64_t operations) const {
+    return {
+        sparse::ring_name(ring), operations, source_, std::string{replay::format_name(reader_->format())}, faces_.added,
+        faces_.already};
   }
 
   std::string read_rings() {
@@ -179,6 +200,13 @@ class Run {
         !arguments_.pers.empty() || !arguments_.csv.empty() || !arguments_.svg.empty() || !arguments_.html.empty();
     if (is_matrix() && !is_z2) {
       return "a boundary matrix of PHAT has no signs, so only Z/2 is possible";
+    }
+    if (arguments_.add_faces && (is_matrix() || format == TowerFormat::script)) {
+      return "--add-faces is for simplices that are listed by their vertices; in a script `insert` adds faces by "
+             "itself";
+    }
+    if (arguments_.json && fills_standard_output()) {
+      return "--json writes to standard output, and so would the output that is called -";
     }
     if (rings_.size() > 1 && (has_files || arguments_.generators)) {
       return "--pers, --csv, --svg, --html and --generators take one ring; run them with --ring";
@@ -223,7 +251,9 @@ class Run {
       }
       const Status status = apply(operation);
       if (!status) {
-        return fail({Errc::bad_input, reader_->place() + status.error().what});
+        const bool lacks_face = status.error().code == Errc::unknown_name;
+        return fail({Errc::bad_input, reader_->place() + status.error().what +
+                                          (lacks_face ? ", or let --add-faces add them at that time" : "")});
       }
       ++done;
       after(operation);
@@ -261,7 +291,7 @@ class Run {
     const engine::Slots slots = is_matrix() ? engine::Slots::shared : engine::Slots::by_dimension;
     sinks.reserve(rings_.size());
     for (const sparse::AnyRing& ring : rings_) {
-      sinks.emplace_back(ring, source_, arguments_.min_length, keeps_bars, pers ? &*pers : nullptr);
+      sinks.emplace_back(arguments_.min_length, keeps_bars, pers ? &*pers : nullptr);
       const auto add = [sink = &sinks.back()](const Bar& bar) { sink->add(bar); };
       if (arguments_.generators) {
         auto tracker = engine::make_cycle_tracker(ring, add);
@@ -274,18 +304,19 @@ class Run {
     }
     replay::TowerHistory history;
     replay::TowerReplay tower(told, cycles != nullptr ? &history : nullptr);
-    const Outcome outcome = read_all([&](const TowerOperation& operation) { return tower.apply(operation); },
+    const Outcome outcome = read_all([&](const TowerOperation& operation) { return faces_.apply(tower, operation); },
                                      [&](const TowerOperation& operation) { report_state(operation, tower, told); });
+    const std::uint64_t operations = reader_->operations();
     if (!is_reported(outcome)) {
       return outcome;
     }
     std::vector<TowerResult> results;
     for (std::size_t r = 0; r < rings_.size(); ++r) {
       std::ranges::for_each(trackers[r]->open_bars(), [&](const Bar& bar) { sinks[r].add(bar); });
-      results.push_back(sinks[r].finish(tower.operations(), trackers[r]->hidden()));
+      results.push_back(sinks[r].finish(provenance(rings_[r], operations), trackers[r]->hidden()));
     }
     if (pers) {
-      pers->finish(tower.operations(), results[0].hidden);
+      pers->finish(operations, results[0].hidden);
     }
     std::optional<replay::CycleReport> report;
     if (cycles != nullptr) {
@@ -300,17 +331,18 @@ class Run {
   /// With --every: cells and Betti numbers now and then.
   void report_state(const TowerOperation& operation, const replay::TowerReplay& tower,
                     std::span<engine::BarcodeTracker* const> trackers) const {
-    if (arguments_.every == 0 || tower.operations() % arguments_.every != 0 || (arguments_.quiet && !arguments_.json)) {
+    const std::uint64_t operations = reader_->operations();
+    if (arguments_.every == 0 || operations % arguments_.every != 0 || !(prints() || arguments_.json)) {
       return;
     }
     for (const engine::BarcodeTracker* tracker : trackers) {
       if (arguments_.json) {
-        std::cout << fmt::format(R"({{"ops":{},"time":{},"ring":"{}","cells":[{}],"betti":[{}]}})", tower.operations(),
+        std::cout << fmt::format(R"({{"ops":{},"time":{},"ring":"{}","cells":[{}],"betti":[{}]}})", operations,
                                  replay::number_text(operation.time), sparse::ring_name(tracker->ring()),
                                  fmt::join(tower.cells(), ","), fmt::join(tracker->betti(), ","))
                   << '\n';
       } else {
-        std::cout << fmt::format("{:>10}  {:<24}  Betti numbers over {}: {}\n", tower.operations(),
+        std::cout << fmt::format("{:>10}  {:<24}  Betti numbers over {}: {}\n", operations,
                                  fmt::format("{} cells", fmt::join(tower.cells(), " ")),
                                  sparse::ring_name(tracker->ring()), fmt::join(tracker->betti(), " "));
       }
@@ -320,22 +352,25 @@ class Run {
 
   [[nodiscard]] replay::DrawingOptions drawing() const {
     const double min_length = arguments_.min_length;
+    const replay::Walls walls = arguments_.all_bars ? replay::Walls::whole : replay::Walls::thin;
     switch (reader_->format()) {
       case TowerFormat::gudhi:
-        return {"", "filtration value", min_length};
+        return {"", "filtration value", min_length, walls};
       case TowerFormat::phat:
       case TowerFormat::phat_binary:
-        return {"", "column", min_length};
+        return {"", "column", min_length, walls};
       case TowerFormat::script:
-        return {"", "step", min_length};
+        return {"", "step", min_length, walls};
+      case TowerFormat::facets:
+        return {"", "facet", min_length, walls};
       default:
-        return {"", "time", min_length};
+        return {"", "time", min_length, walls};
     }
   }
 
   void write(std::span<const TowerResult> results, const replay::CycleReport* cycles) {
     if (outputs_.csv != nullptr) {
-      replay::write_betti_csv(*outputs_.csv, *results[0].barcode, results[0].provenance);
+      replay::write_betti_csv(*outputs_.csv, *results[0].barcode);
     }
     if (outputs_.svg != nullptr) {
       replay::write_svg(*outputs_.svg, *results[0].barcode, results[0].provenance, drawing());
@@ -347,7 +382,7 @@ class Run {
       replay::write_tower_json(std::cout, results, cycles, start_);
       return;
     }
-    if (arguments_.quiet) {
+    if (!prints()) {
       return;
     }
     for (const TowerResult& result : results) {
@@ -364,11 +399,10 @@ class Run {
   // ---- groups over Z
 
   Outcome run_groups() {
-    const bool prints = !arguments_.json && !arguments_.quiet;
-    replay::GroupSequence groups(prints ? &std::cout : nullptr);
+    replay::GroupSequence groups(prints() ? &std::cout : nullptr);
     replay::EngineTower tower(rings_[0]);
     std::uint64_t operations = 0;
-    const Outcome outcome = read_all([&](const TowerOperation& operation) { return tower.apply(operation); },
+    const Outcome outcome = read_all([&](const TowerOperation& operation) { return faces_.apply(tower, operation); },
                                      [&](const TowerOperation& operation) {
                                        ++operations;
                                        groups.add(operation.time, tower.engine().homology(), rings_[0]);
@@ -385,6 +419,7 @@ class Run {
       replay::TextBuffer text(std::cout);
       text.add(R"({"ring":"Z","ops":)").add_integer(operations).add(R"(,"groups":)");
       groups.add_json(text);
+      replay::add_reading_fields(text, provenance(rings_[0], operations));
       const std::chrono::duration<double> seconds = Clock::now() - start_;
       text.add(R"(,"seconds":)").add_number(seconds.count()).add("}\n");
     }
@@ -417,8 +452,7 @@ class Run {
   };
 
   Outcome run_script() {
-    const bool prints = !arguments_.json && !arguments_.quiet;
-    replay::GroupSequence groups(prints ? &std::cout : nullptr);
+    replay::GroupSequence groups(prints() ? &std::cout : nullptr);
     ScriptListener listener(is_integral() ? &groups : nullptr);
     replay::ReplayOptions options;
     options.ring = rings_[0];
@@ -448,9 +482,9 @@ class Run {
     if (outputs_.pers != nullptr) {
       pers.emplace(*outputs_.pers, sparse::ring_name(rings_[0]), source_);
     }
-    BarSink sink(rings_[0], source_, arguments_.min_length, true, pers ? &*pers : nullptr);
+    BarSink sink(arguments_.min_length, true, pers ? &*pers : nullptr);
     std::ranges::for_each(barcode.bars, [&](const Bar& bar) { sink.add(bar); });
-    const TowerResult result = sink.finish(steps, barcode.hidden);
+    const TowerResult result = sink.finish(provenance(rings_[0], steps), barcode.hidden);
     if (pers) {
       pers->finish(steps, result.hidden);
     }
@@ -460,6 +494,7 @@ class Run {
   const Arguments& arguments_;
   std::vector<sparse::AnyRing> rings_;
   std::unique_ptr<TowerReader> reader_;
+  replay::FaceAdder faces_;
   std::string source_;  ///< what outputs and messages call the input
   OutputFiles files_;
   Outputs outputs_;
@@ -479,6 +514,7 @@ void add_tower_command(CLI::App& app, int& status) {
                            {"phat", TowerFormat::phat},
                            {"phat-binary", TowerFormat::phat_binary},
                            {"gudhi", TowerFormat::gudhi},
+                           {"facets", TowerFormat::facets},
                            {"script", TowerFormat::script}},
                           "What the file is; default: by content");
   CLI::Option* ring = command->add_option("--ring", arguments->ring,
@@ -488,13 +524,19 @@ void add_tower_command(CLI::App& app, int& status) {
       ->excludes(ring);
   command->add_flag("--json", arguments->json,
                     "One JSON object on standard output; with --every more of them before it");
-  command->add_option("--pers", arguments->pers, "Write the bars, a line `dim birth death` for each as it ends");
+  command->add_option("--pers", arguments->pers,
+                      "Write the bars, a line `dim birth death` for each as it ends; - for standard output, instead of "
+                      "the table");
   command->add_option("--csv", arguments->csv, "Write the Betti numbers, a row for each time at which they change");
   command->add_option("--svg", arguments->svg, "Draw barcode, persistence diagram and Betti curves");
   command->add_option("--html", arguments->html, "A page with the drawings and the longest bars");
+  command->add_flag("--all-bars", arguments->all_bars,
+                    "Draw each bar by itself, also where many of a dimension have one length");
   add_generator_options(*command, arguments->generators,
                         "For each bar the cycle that is born, and the chain that it comes to bound; =1 or =0-2,4: of "
                         "these dimensions only");
+  command->add_flag("--add-faces", arguments->add_faces,
+                    "Add the faces that a simplex lacks, at its time; those that are there already are counted");
   command
       ->add_option("--min-length", arguments->min_length,
                    "Leave out bars that are shorter (not from --csv and Betti curves)")

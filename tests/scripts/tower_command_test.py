@@ -73,6 +73,28 @@ class Tower(unittest.TestCase):
 
     # ---- what it says
 
+    def test_an_output_may_be_standard_output_instead_of_the_table(self):
+        path = self.file("c.tower", CIRCLE)
+        for kind in ("pers", "csv", "svg", "html"):
+            out = self.folder / f"c.{kind}"
+            self.assertEqual(self.run_on(path, f"--{kind}", out, "--quiet").returncode, 0)
+            for name in ("-", "/dev/stdout"):
+                done = self.run_on(path, f"--{kind}", name)
+                self.assertEqual((done.returncode, done.stdout, done.stderr), (0, out.read_bytes(), b""), kind)
+        for arguments in (("--pers", "-", "--csv", "-"), ("--svg", "-", "--html", "/dev/stdout"), ("--svg", "-", "--json")):
+            done = self.run_on(path, *arguments)
+            self.assertEqual((done.returncode, done.stdout), (1, b""), arguments)
+            self.assertNotEqual(done.stderr, b"")
+        done = self.run_on(path, "--pers", "-", "--every", "1")
+        self.assertTrue(all(line[:1] in b"#012" for line in done.stdout.splitlines()))
+
+    def test_the_csv_begins_with_the_names_of_its_columns(self):
+        out = self.folder / "c.csv"
+        self.assertEqual(self.run_on(self.file("c.tower", CIRCLE), "--csv", out, "--quiet").returncode, 0)
+        rows = [line.split(",") for line in out.read_text().splitlines()]
+        self.assertEqual(rows[0], ["time", "b0", "b1"])
+        self.assertEqual([row for row in rows[1:] if len(row) != 3 or not all(map(str.isdigit, row))], [])
+
     def test_every_shipped_tower_has_the_bars_that_its_comment_and_the_oracle_say(self):
         paths = sorted(EXAMPLES.glob("*.tower"))
         self.assertGreaterEqual(len(paths), 5)
@@ -160,7 +182,7 @@ class Tower(unittest.TestCase):
         path = self.file("t.tower", random_text(5, 200))
         out = self.folder / "t.csv"
         bars = [bar for bar in self.bars(path, "--csv", out)]
-        rows = list(csv.DictReader(line for line in out.read_text().splitlines() if not line.startswith("#")))
+        rows = list(csv.DictReader(out.read_text().splitlines()))
         self.assertGreater(len(rows), 20)
         for row in rows:
             time = float(row["time"])
@@ -194,7 +216,7 @@ class Tower(unittest.TestCase):
         path, out = self.file("c.tower", CIRCLE), self.folder / "c.csv"
         (found,) = self.objects(path, "--min-length", "2", "--csv", out)
         self.assertEqual((found["bars"], found["shorter"]), (CIRCLE_BARS[:3], 1))
-        rows = list(csv.DictReader(line for line in out.read_text().splitlines() if not line.startswith("#")))
+        rows = list(csv.DictReader(out.read_text().splitlines()))
         self.assertEqual([int(row["b1"]) for row in rows if row["time"] == "5"], [1])
         plane = EXAMPLES / "projective_plane.tower"
         (found,) = self.objects(plane, "--rings", "Z/2,Z/3", "--min-length", "20")

@@ -17,20 +17,6 @@ namespace {
 
 constexpr std::string_view known_formats = "an OFF, OBJ, PLY or STL mesh is expected";
 
-/// That of `mesh.off` and of `mesh.off.gz`.
-Format format_of_extension(std::string_view name) {
-  constexpr std::string_view packed = ".gz";
-  if (name.ends_with(packed)) name.remove_suffix(packed.size());
-  const auto dot = name.find_last_of("./\\");
-  if (dot == std::string_view::npos || name[dot] != '.') return Format::automatic;
-  const std::string extension = lower_case(name.substr(dot + 1));
-  if (extension == "off") return Format::off;
-  if (extension == "obj") return Format::obj;
-  if (extension == "ply") return Format::ply;
-  if (extension == "stl") return Format::stl;
-  return Format::automatic;
-}
-
 bool has_obj_vertex(std::string_view bytes) {
   LineReader lines{bytes, {}};
   while (lines.next_with_words()) {
@@ -59,6 +45,9 @@ Result<Mesh> read_as(Format format, std::string_view bytes, std::string_view nam
       return read_ply(bytes, name);
     case Format::stl:
       return read_stl(bytes, name);
+    case Format::facets:
+      return Error{Errc::bad_input,
+                   fmt::format("{}:1: a list of facets is no mesh; `sesame import` makes a script of it", name)};
     case Format::automatic:
       break;
   }
@@ -82,6 +71,19 @@ Status check_readable(std::string_view bytes, std::string_view name) {
 }
 
 }  // namespace
+
+Format format_of_extension(std::string_view name) {
+  constexpr std::string_view packed = ".gz";
+  if (name.ends_with(packed)) name.remove_suffix(packed.size());
+  const auto dot = name.find_last_of("./\\");
+  if (dot == std::string_view::npos || name[dot] != '.') return Format::automatic;
+  const std::string extension = lower_case(name.substr(dot + 1));
+  if (extension == "off") return Format::off;
+  if (extension == "obj") return Format::obj;
+  if (extension == "ply") return Format::ply;
+  if (extension == "stl") return Format::stl;
+  return Format::automatic;
+}
 
 Result<Mesh> parse_mesh(std::string_view bytes, std::string_view name, const ReadOptions& options) {
   if (options.weld && !(std::isfinite(*options.weld) && *options.weld >= 0)) {

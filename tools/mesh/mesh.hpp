@@ -56,7 +56,11 @@ struct Mesh {
   std::vector<std::string> remarks;  ///< what was left out, welded, or changed on the way; one sentence each
 };
 
-enum class Format { automatic, off, obj, ply, stl };
+/// A list of facets is no mesh, and is refused; `import` reads it otherwise.
+enum class Format { automatic, off, obj, ply, stl, facets };
+
+/// By its extension, that of `mesh.off` and of `mesh.off.gz`; automatic when that tells nothing.
+[[nodiscard]] Format format_of_extension(std::string_view name);
 
 struct ReadOptions {
   Format format = Format::automatic;  ///< automatic: by the extension, else by the content
