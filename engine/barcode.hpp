@@ -7,14 +7,16 @@
 #include <limits>
 #include <vector>
 
+#include "engine/time.hpp"
+
 namespace sesame::engine {
 
-inline constexpr double never = std::numeric_limits<double>::infinity();
+inline constexpr Time never{std::numeric_limits<double>::infinity()};
 
 /// A class of dimension `dimension` that lives in the half-open interval [birth, death); death = never: to the end.
 struct Bar {
   int dimension;
-  double birth, death;
+  Time birth, death;
 
   friend auto operator<=>(const Bar&, const Bar&) = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 errs
 };

@@ -19,7 +19,7 @@ class Tracker final : public BarcodeTracker {
   Tracker(R ring, OnBar on_bar, Slots slots)
       : ring_{ring}, any_ring_{ring}, on_bar_{std::move(on_bar)}, has_shared_slots_{slots == Slots::shared} {}
 
-  void include(int dimension, Slot slot, std::span<const Slot> facets, double time) override {
+  void include(int dimension, Slot slot, std::span<const Slot> facets, Time time) override {
     const auto d = static_cast<std::size_t>(dimension);
     reach(d);
     ClassSpace<R>& own_space = levels_[d].space;
@@ -55,7 +55,7 @@ class Tracker final : public BarcodeTracker {
     }
   }
 
-  void contract(const TowerComplex& complex, const TowerComplex::Changes& changes, double time) override {
+  void contract(const TowerComplex& complex, const TowerComplex::Changes& changes, Time time) override {
     sparse::expects(!has_shared_slots_, "a complex of columns has no contractions");
     reach(changes.size());
     // A class that is born and dies within the contraction is nobody's: it has no bar.
@@ -103,17 +103,15 @@ class Tracker final : public BarcodeTracker {
     return alive;
   }
 
-  [[nodiscard]] std::vector<Bar> open_bars() const override {
-    std::vector<Bar> bars;
+  void for_each_open_bar(const OnBar& visit) const override {
     for (std::size_t d = 0; d < levels_.size(); ++d) {
       const ClassSpace<R>& space = levels_[d].space;
       for (std::uint32_t node = 0; node < space.nodes(); ++node) {
         if (space.is_alive(node)) {
-          bars.push_back({static_cast<int>(d), space.birth(node), never});
+          visit({static_cast<int>(d), space.birth(node), never});
         }
       }
     }
-    return bars;
   }
 
   [[nodiscard]] std::uint64_t hidden() const override { return hidden_; }
@@ -156,13 +154,13 @@ class Tracker final : public BarcodeTracker {
   }
 
   /// Kills the sum of a dimension; its bar is nobody's when the class was born as one of the nodes from `first` on.
-  void close(std::size_t dimension, double time, std::uint32_t first) {
+  void close(std::size_t dimension, Time time, std::uint32_t first) {
     ClassSpace<R>& space = levels_[dimension].space;
     const std::uint32_t dead = space.kill_sum();
     if (dead >= first) {
       return;
     }
-    const double birth = space.birth(dead);
+    const Time birth = space.birth(dead);
     if (birth == time) {
       ++hidden_;
     } else {
@@ -180,7 +178,7 @@ class Tracker final : public BarcodeTracker {
   }
 
   /// A generator that kills a class is 0 in homology, and no correction.
-  void apply(const TowerComplex& complex, std::size_t d, const TowerComplex::Change& change, double time,
+  void apply(const TowerComplex& complex, std::size_t d, const TowerComplex::Change& change, Time time,
              std::uint32_t first) {
     Level& level = levels_[d];
     ClassRef& ref = level.refs[change.slot];

@@ -32,10 +32,10 @@ class BarcodeTracker {
   /// A cell is added, with boundary sum (-1)^k facets[k], slots of cells of one dimension less; a slot may have been
   /// that of a cell that is gone. Times must not decrease.
   /// Cost: amortised, what has changed in the classes of the facets.
-  virtual void include(int dimension, Slot slot, std::span<const Slot> facets, double time) = 0;
+  virtual void include(int dimension, Slot slot, std::span<const Slot> facets, Time time) = 0;
 
   /// A contraction that the complex has worked out, and not yet carried out. Cost: as that of the changes in turn.
-  virtual void contract(const ops::TowerComplex& complex, const ops::TowerComplex::Changes& changes, double time) = 0;
+  virtual void contract(const ops::TowerComplex& complex, const ops::TowerComplex::Changes& changes, Time time) = 0;
 
   /// Begins to load what is kept of cells that may soon be facets, for a tracker with shared slots: the references of
   /// `far`, and what those of `near` refer to. Any numbers may be among them.
@@ -44,8 +44,8 @@ class BarcodeTracker {
 
   /// The number of classes alive, per dimension, up to the largest that ever had one.
   [[nodiscard]] virtual std::vector<std::uint64_t> betti() const = 0;
-  /// The bars of the classes that are alive, by dimension and birth; death = never.
-  [[nodiscard]] virtual std::vector<Bar> open_bars() const = 0;
+  /// Visits the bars of the classes that are alive, by dimension and birth; death = never.
+  virtual void for_each_open_bar(const OnBar& visit) const = 0;
   /// The number of bars so far whose birth and death were different operations at the same time.
   [[nodiscard]] virtual std::uint64_t hidden() const = 0;
   [[nodiscard]] virtual const sparse::AnyRing& ring() const = 0;

@@ -60,7 +60,7 @@ void ClassSpace<R>::store(Record& record, std::span<const TermType> terms) {
 }
 
 template <Ring R>
-typename ClassSpace<R>::Node ClassSpace<R>::add(double birth) {
+typename ClassSpace<R>::Node ClassSpace<R>::add(Time birth) {
   expects(nodes_.size() < ClassRef::most_nodes, "fewer than 2^31 classes are held");
   nodes_.push_back({{0}, alive_mark});
   births_.push_back(birth);
@@ -257,7 +257,7 @@ void ClassSpace<R>::retire(std::span<ClassRef> refs) {
   Node next = 0;
   for (Node node = 0; node < nodes_.size(); ++node) {
     if (is_alive(node) || stays[node]) {
-      births_[next] = births_[node];
+      births_.copy(node, next);
       number[node] = next++;
     }
   }
@@ -281,7 +281,7 @@ void ClassSpace<R>::retire(std::span<ClassRef> refs) {
     nodes_[number[node]] = record;
   }
   nodes_.resize(next);
-  births_.resize(next);
+  births_.truncate(next);
   pool_.swap(fresh);
   garbage_ = 0;
   for (ClassRef& ref : refs) {

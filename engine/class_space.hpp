@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "engine/time_list.hpp"
 #include "sparse/ring.hpp"
 
 namespace sesame::engine {
@@ -62,12 +63,12 @@ class ClassSpace {
   explicit ClassSpace(R ring) : ring_{ring} {}
 
   /// A new class. It is younger than all others.
-  Node add(double birth);
+  Node add(Time birth);
   /// The number of classes alive.
   [[nodiscard]] std::size_t alive() const { return alive_; }
   [[nodiscard]] std::size_t nodes() const { return nodes_.size(); }
   [[nodiscard]] bool is_alive(Node node) const { return nodes_[node].size == alive_mark; }
-  [[nodiscard]] double birth(Node node) const { return births_[node]; }
+  [[nodiscard]] Time birth(Node node) const { return births_[node]; }
   /// Begins to load what `add_to_sum` of this node will read first.
   void prefetch(Node node) const { __builtin_prefetch(nodes_.data() + node); }
 
@@ -114,7 +115,7 @@ class ClassSpace {
 
   R ring_;
   std::vector<Record> nodes_;
-  std::vector<double> births_;
+  TimeList births_;
   std::vector<TermType> pool_;  ///< terms of sums, each sum by descending node
   std::size_t garbage_ = 0;     ///< terms of the pool that are no longer used
   std::size_t alive_ = 0;

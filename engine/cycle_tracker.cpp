@@ -8,6 +8,7 @@
 #include "engine/class_space.hpp"
 #include "engine/contraction_shifts.hpp"
 #include "engine/descending_sum.hpp"
+#include "engine/time_list.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::engine {
@@ -23,7 +24,7 @@ class Tracker final : public CycleTracker {
  public:
   Tracker(R ring, OnBar on_bar) : ring_{ring}, any_ring_{ring}, on_bar_{std::move(on_bar)}, sum_{ring} {}
 
-  void include(int dimension, Slot slot, std::span<const Slot> facets, double time) override {
+  void include(int dimension, Slot slot, std::span<const Slot> facets, Time time) override {
     times_.push_back(time);
     const auto d = static_cast<std::size_t>(dimension);
     reach(d);
@@ -41,7 +42,7 @@ class Tracker final : public CycleTracker {
     append(d, inclusions_++);
   }
 
-  void contract(const TowerComplex& complex, const TowerComplex::Changes& changes, double time) override {
+  void contract(const TowerComplex& complex, const TowerComplex::Changes& changes, Time time) override {
     times_.push_back(time);
     reach(changes.size());
     for (std::size_t d = 0; d < changes.size(); ++d) {
@@ -63,7 +64,7 @@ class Tracker final : public CycleTracker {
     return alive;
   }
 
-  [[nodiscard]] std::vector<Bar> open_bars() const override {
+  void for_each_open_bar(const OnBar& visit) const override {
     std::vector<Bar> bars;
     for (const Cell& generator : generators_) {
       if (generator.partner == alive_mark) {
@@ -71,7 +72,7 @@ class Tracker final : public CycleTracker {
       }
     }
     std::ranges::sort(bars);
-    return bars;
+    std::ranges::for_each(bars, visit);
   }
 
   [[nodiscard]] std::uint64_t hidden() const override { return hidden_; }
@@ -365,7 +366,7 @@ class Tracker final : public CycleTracker {
   sparse::AnyRing any_ring_;
   OnBar on_bar_;
   std::vector<Cell> generators_;
-  std::vector<double> times_;  ///< per operation
+  TimeList times_;  ///< per operation
   std::uint64_t hidden_ = 0;
   std::uint64_t terms_touched_ = 0;
   std::uint32_t inclusions_ = 0;

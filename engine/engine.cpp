@@ -246,8 +246,8 @@ Result<Barcode> Engine::barcode() const {
     if (life.born == life.died) {
       continue;  // born and dead within one step: no class of any space; two steps never have one time
     }
-    const double death = life.died == Lifetime::never ? never : static_cast<double>(steps_[life.died]);
-    barcode.bars.push_back({life.degree, static_cast<double>(steps_[life.born]), death});
+    const Time death = life.died == Lifetime::never ? never : Time{steps_[life.died]};
+    barcode.bars.push_back({life.degree, steps_[life.born], death});
   }
   std::sort(barcode.bars.begin(), barcode.bars.end());
   return barcode;

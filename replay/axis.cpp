@@ -13,6 +13,8 @@
 namespace sesame::replay {
 namespace {
 
+using engine::Time;
+
 /// A step of `digit` times 10^exponent.
 struct Step {
   int digit, exponent;
@@ -47,17 +49,38 @@ std::string tick_label(double value, const Step& step, double largest) {
   return value < 0 ? "-" + text : text;
 }
 
+/// A multiple of a power of ten, at least the distance of the two, nearest to the lower one on the side of 0, so that
+/// all that is round when counted from there is round; 0 when their distance is no double.
+Time round_origin(Time low, Time high) {
+  constexpr double most = 1e15;
+  const double distance = (high - low).nearest();
+  if (distance > most) {
+    return {};
+  }
+  std::uint64_t power = 10;
+  while (static_cast<double>(power) < distance) {
+    power *= 10;
+  }
+  const std::uint64_t whole = low.modulo_2_64();
+  if (low < Time{}) {
+    const auto negative = static_cast<std::int64_t>(whole);
+    return negative - negative % static_cast<std::int64_t>(power);
+  }
+  return whole - whole % power;
+}
+
 }  // namespace
 
 Range time_range(const engine::Barcode& barcode) {
   if (barcode.bars.empty()) {
     return {};
   }
-  Range range{barcode.bars.front().birth, barcode.bars.front().birth, true};
-  const auto include = [&range](double x) {
-    range.low = std::min(range.low, x);
-    range.high = std::max(range.high, x);
-    range.is_integral = range.is_integral && x == std::trunc(x);
+  Time low = barcode.bars.front().birth, high = low;
+  bool is_integral = true;
+  const auto include = [&](Time x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+    is_integral = is_integral && x.nearest() == std::trunc(x.nearest());
   };
   for (const engine::Bar& bar : barcode.bars) {
     include(bar.birth);
@@ -65,6 +88,8 @@ Range time_range(const engine::Barcode& barcode) {
       include(bar.death);
     }
   }
+  const Time origin = low.is_large() || high.is_large() ? round_origin(low, high) : Time{};
+  Range range{(low - origin).nearest(), (high - origin).nearest(), is_integral, origin};
   if (range.low == range.high) {
     const double at = range.low;
     const double around = at == std::trunc(at) && std::abs(at) < 1e6 ? 1 : std::abs(at) / 2;
@@ -77,7 +102,11 @@ Range time_range(const engine::Barcode& barcode) {
 Range widened(const Range& range, double part) {
   constexpr double largest = std::numeric_limits<double>::max();
   const double more = 2 * part * (range.high / 2 - range.low / 2);
-  return {std::max(range.low - more, -largest), std::min(range.high + more, largest), range.is_integral};
+  return {std::max(range.low - more, -largest), std::min(range.high + more, largest), range.is_integral, range.origin};
+}
+
+std::string axis_name(const std::string& time_name, const Range& range) {
+  return range.origin == Time{} ? time_name : fmt::format("{}, counted from {}", time_name, number_text(range.origin));
 }
 
 std::vector<Tick> round_ticks(const Range& range, std::size_t most) {

@@ -13,10 +13,15 @@ namespace sesame::replay {
 struct Range {
   double low = 0, high = 1;
   bool is_integral = true;  ///< only whole numbers matter
+  engine::Time origin = 0;  ///< from which low and high, and the values of ticks, are counted
 };
 
-/// From the first birth to the last birth or death that is finite.
+/// From the first birth to the last birth or death that is finite. Whole numbers that are near to each other, but no
+/// doubles, are counted from a round one near the first.
 [[nodiscard]] Range time_range(const engine::Barcode& barcode);
+
+/// The name of an axis for times, which says from where they are counted.
+[[nodiscard]] std::string axis_name(const std::string& time_name, const Range& range);
 
 /// The range with a part of its length more on both sides.
 [[nodiscard]] Range widened(const Range& range, double part);
@@ -26,10 +31,13 @@ struct Range {
 class Scale {
  public:
   Scale(const Range& range, double from, double to)
-      : low_{range.low}, length_{range.high - low_}, from_{from}, to_{to} {}
+      : origin_{range.origin}, low_{range.low}, length_{range.high - low_}, from_{from}, to_{to} {}
+  /// Of a number that is counted from the origin of the range.
   double operator()(double x) const { return from_ + (to_ - from_) * static_cast<double>((x - low_) / length_); }
+  [[nodiscard]] double at(engine::Time time) const { return operator()((time - origin_).nearest()); }
 
  private:
+  engine::Time origin_;
   long double low_, length_;
   double from_, to_;
 };

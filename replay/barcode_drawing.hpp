@@ -24,7 +24,7 @@ enum class Walls {
 struct DrawingOptions {
   std::string title;                    ///< empty: the source's name, or else "Barcode"
   std::string time_name = "operation";  ///< what births and deaths count, for the axes
-  double min_length = 0;                ///< shorter bars are left out, but for the Betti curves
+  engine::Time min_length = 0;          ///< shorter bars are left out, but for the Betti curves
   Walls walls = Walls::thin;
 };
 

@@ -72,11 +72,11 @@ void add_barcode_fields(TextBuffer& text, const Barcode& barcode, const Provenan
   text.add(R"(,"bars":[)");
   bool is_first = true;
   for (const Bar& bar : barcode.bars) {
-    text.add(is_first ? "[" : ",[").add_integer(bar.dimension).add(',').add_number(bar.birth).add(',');
+    text.add(is_first ? "[" : ",[").add_integer(bar.dimension).add(',').add_json_number(bar.birth).add(',');
     if (bar.death == engine::never) {
       text.add("null]");
     } else {
-      text.add_number(bar.death).add(']');
+      text.add_json_number(bar.death).add(']');
     }
     is_first = false;
   }
@@ -104,7 +104,7 @@ void write_betti_csv(std::ostream& out, const Barcode& barcode) {
     text.add(",b").add_integer(p);
   }
   text.add('\n');
-  for_each_betti_change(barcode, [&text](double time, std::span<const std::uint64_t> betti) {
+  for_each_betti_change(barcode, [&text](engine::Time time, std::span<const std::uint64_t> betti) {
     text.add_number(time);
     for (const std::uint64_t b : betti) {
       text.add(',').add_integer(b);

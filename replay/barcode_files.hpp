@@ -1,7 +1,7 @@
 /// \file
 /// Barcodes in files: `.pers`, JSON, and Betti numbers against time as CSV.
 ///
-/// All numbers are written as the shortest text that reads back as the same double, and the same barcode gives the same
+/// All numbers are written as a short text that reads back as the same time, and the same barcode gives the same
 /// bytes (but for the seconds in JSON).
 #pragma once
 
@@ -12,6 +12,7 @@
 #include "engine/barcode.hpp"
 #include "replay/byte_source.hpp"
 #include "replay/text_buffer.hpp"
+#include "replay/time_reader.hpp"
 #include "sparse/result.hpp"
 
 namespace sesame::replay {
@@ -67,7 +68,8 @@ inline constexpr int largest_dimension_read = 1000;
 /// same field on all lines; `inf`, `Inf`, `infinity` for the death of an essential class; comments after `#`; line ends
 /// \n or \r\n. Lines may stand in any order. What `sesame tower --json` prints and Ripser's text are known by their
 /// first line, and read too: see barcode_dialects.hpp.
+/// `times`: of this file and of those with which it will be compared.
 /// Errors: `NAME:LINE: what, and what would be right` (bad_input); those of the source.
-[[nodiscard]] Result<PersFile> read_pers(ByteSource source);
+[[nodiscard]] Result<PersFile> read_pers(ByteSource source, TimeReader& times);
 
 }  // namespace sesame::replay

@@ -158,10 +158,10 @@ class BarcodePanel {
 
   void draw_bar(Svg& svg, const Bar& bar, double y, double pitch) const {
     const Scale scale(range_, left_, last_);
-    const double from = scale(bar.birth);
+    const double from = scale.at(bar.birth);
     const std::string title = fmt::format("<title>H{} {}</title>", bar.dimension, short_interval_text(bar));
     if (!is_essential(bar)) {
-      const double to = std::max(scale(bar.death), from + 1);
+      const double to = std::max(scale.at(bar.death), from + 1);
       svg.raw(fmt::format("<path d=\"M{} {}H{}\">{}</path>\n", px(from), px(y), px(to), title));
     } else if (pitch < least_pitch_with_arrow) {
       svg.raw(fmt::format("<path d=\"M{} {}H{}\">{}</path>\n", px(from), px(y), px(right_), title));
@@ -186,7 +186,7 @@ class BarcodePanel {
     if (std::any_of(bars_.begin(), bars_.end(), is_essential)) {
       svg_.text(right_, y + 17, Anchor::middle, "ink", "\u221E");
     }
-    svg_.text((left_ + right_) / 2, y + 36, Anchor::middle, "ink", time_);
+    svg_.text((left_ + right_) / 2, y + 36, Anchor::middle, "ink", axis_name(time_, range_));
   }
 
   std::size_t all_ = 0;           ///< bars that belong to no wall

@@ -15,7 +15,7 @@ struct DimensionSummary {
   int dimension;
   std::uint64_t bars = 0;
   std::uint64_t essential = 0;
-  double longest = 0;  ///< of those that end; 0 when none does
+  engine::Time longest = 0;  ///< of those that end; 0 when none does
 };
 
 [[nodiscard]] std::vector<DimensionSummary> by_dimension(const engine::Barcode& barcode);

@@ -9,14 +9,18 @@
 namespace sesame::replay {
 
 using engine::Bar;
+using engine::Time;
 
 bool is_longer(const Bar& x, const Bar& y) {
-  // The lengths themselves may be too large for a double.
-  const double x_length = x.death / 2 - x.birth / 2, y_length = y.death / 2 - y.birth / 2;
+  Time x_length = x.death - x.birth, y_length = y.death - y.birth;
+  if (!x_length.is_finite() && !y_length.is_finite()) {  // they never end, or are too long for a double
+    x_length = x.death.half() - x.birth.half();
+    y_length = y.death.half() - y.birth.half();
+  }
   return x_length != y_length ? x_length > y_length : x < y;
 }
 
-engine::Barcode without_shorter(const engine::Barcode& barcode, double min_length) {
+engine::Barcode without_shorter(const engine::Barcode& barcode, Time min_length) {
   engine::Barcode longer{{}, barcode.hidden};
   std::copy_if(barcode.bars.begin(), barcode.bars.end(), std::back_inserter(longer.bars),
                [min_length](const Bar& bar) { return bar.death - bar.birth >= min_length; });

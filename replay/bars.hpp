@@ -13,7 +13,7 @@ namespace sesame::replay {
 [[nodiscard]] bool is_longer(const engine::Bar& x, const engine::Bar& y);
 
 /// The barcode without the bars that are shorter.
-[[nodiscard]] engine::Barcode without_shorter(const engine::Barcode& barcode, double min_length);
+[[nodiscard]] engine::Barcode without_shorter(const engine::Barcode& barcode, engine::Time min_length);
 
 /// Up to `most` bars, in their order: each dimension gets an equal share at least, as far as it has bars, and half of
 /// it at least goes to bars that end, as far as there are any. Within its share, and of what the others leave, the

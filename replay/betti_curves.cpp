@@ -10,9 +10,9 @@ std::size_t dimensions(const engine::Barcode& barcode) {
 }
 
 void for_each_betti_change(const engine::Barcode& barcode,
-                           const std::function<void(double, std::span<const std::uint64_t>)>& visit) {
+                           const std::function<void(engine::Time, std::span<const std::uint64_t>)>& visit) {
   struct Event {
-    double time;
+    engine::Time time;
     std::size_t dimension;
     bool is_birth;
   };
@@ -29,7 +29,7 @@ void for_each_betti_change(const engine::Barcode& barcode,
 
   std::vector<std::uint64_t> betti(dimensions(barcode)), before = betti;
   for (auto event = events.begin(); event != events.end();) {
-    const double time = event->time;
+    const engine::Time time = event->time;
     for (; event != events.end() && event->time == time; ++event) {
       betti[event->dimension] += event->is_birth ? std::uint64_t{1} : ~std::uint64_t{0};  // modulo 2^64: one less
     }

@@ -18,6 +18,6 @@ namespace sesame::replay {
 /// one of its dimension begins changes nothing.
 /// Requires: bars sorted. Cost: O(bars * log bars), plus the dimensions for each time.
 void for_each_betti_change(const engine::Barcode& barcode,
-                           const std::function<void(double, std::span<const std::uint64_t>)>& visit);
+                           const std::function<void(engine::Time, std::span<const std::uint64_t>)>& visit);
 
 }  // namespace sesame::replay

@@ -87,7 +87,7 @@ class StepPath {
 };
 
 /// Behind the last change the numbers go on.
-Range with_room(const Range& range) { return {range.low, widened(range, 0.03).high, range.is_integral}; }
+Range with_room(const Range& range) { return {range.low, widened(range, 0.03).high, range.is_integral, range.origin}; }
 
 class BettiPanel {
  public:
@@ -98,7 +98,7 @@ class BettiPanel {
         height_{height},
         range_{with_room(time_range(barcode))},
         largest_(dimensions(barcode)) {
-    for_each_betti_change(barcode, [this](double, std::span<const std::uint64_t> betti) {
+    for_each_betti_change(barcode, [this](engine::Time, std::span<const std::uint64_t> betti) {
       for (std::size_t p = 0; p < betti.size(); ++p) {
         largest_[p] = std::max(largest_[p], betti[p]);
       }
@@ -163,7 +163,7 @@ class BettiPanel {
       svg_.text(left_ - 7, y + 4, Anchor::end, "ink", tick.label);
     }
     svg_.line(left_, bottom_, right_, bottom_, "axis").line(left_, title_height, left_, bottom_, "axis");
-    svg_.text((left_ + right_) / 2, bottom_ + 36, Anchor::middle, "ink", time_);
+    svg_.text((left_ + right_) / 2, bottom_ + 36, Anchor::middle, "ink", axis_name(time_, range_));
     svg_.raw(fmt::format("<g transform=\"translate(12 {}) rotate(-90)\">\n", px((title_height + bottom_) / 2)));
     svg_.text(0, 0, Anchor::middle, "ink", is_logarithmic_ ? "Betti number (logarithmic)" : "Betti number");
     svg_.raw("</g>\n");
@@ -172,9 +172,9 @@ class BettiPanel {
   void draw_curves() {
     const Scale across(range_, left_, right_);
     std::vector<StepPath> paths(largest_.size(), StepPath(left_, bottom_));
-    for_each_betti_change(barcode_, [&](double time, std::span<const std::uint64_t> betti) {
+    for_each_betti_change(barcode_, [&](engine::Time time, std::span<const std::uint64_t> betti) {
       for (std::size_t p = 0; p < betti.size(); ++p) {
-        paths[p].step(across(time), height_of(static_cast<double>(betti[p])));
+        paths[p].step(across.at(time), height_of(static_cast<double>(betti[p])));
       }
     });
     const auto curves = std::count_if(largest_.begin(), largest_.end(), [](std::uint64_t b) { return b > 0; });

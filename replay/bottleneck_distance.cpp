@@ -4,9 +4,11 @@
 // So there are two bipartite problems without diagonal points, each solved as by Hopcroft and Karp, where the edges are
 // not listed but found by a search tree from which visited points are taken (Efrat, Itai and Katz).
 // Which r: doubles from 0 on are ordered as their bit patterns are, so halving an interval of patterns ends after at
-// most 64 questions, at the least double that is enough, which is one of the distances, exactly as computed.
+// most 64 questions, at the least double that is enough. It is one of the distances, exactly as computed; or beyond
+// 2^53 the one that is looked for may be a whole number below it, which is no double: at most 11 questions more.
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <numeric>
 
 #include "replay/point_tree.hpp"
@@ -15,11 +17,12 @@
 namespace sesame::replay {
 namespace {
 
+using engine::Time;
 using Points = std::span<const DiagramPoint>;
 
-double to_diagonal(const DiagramPoint& x) { return distance_to_diagonal(x, GroundMetric::maximum); }
+Time to_diagonal(const DiagramPoint& x) { return distance_to_diagonal(x, GroundMetric::maximum); }
 
-double between(const DiagramPoint& x, const DiagramPoint& y) { return ground_distance(x, y, GroundMetric::maximum); }
+Time between(const DiagramPoint& x, const DiagramPoint& y) { return ground_distance(x, y, GroundMetric::maximum); }
 
 std::vector<PointId> all_of(Points points) {
   std::vector<PointId> all(points.size());
@@ -35,7 +38,7 @@ class FarMatching {
       : from_{from}, to_{to}, tree_(to, all_of(to)), partner_(from.size(), no_point), owner_(to.size(), no_point) {}
 
   /// Whether all points of `from` that are farther than r from the diagonal can be matched within r.
-  bool is_enough(double r) {
+  bool is_enough(Time r) {
     drop_edges(r);
     while (!free_.empty()) {
       if (!find_layers(r)) {
@@ -53,7 +56,7 @@ class FarMatching {
 
  private:
   /// Keeps the edges that can still be used, and lists the far points without one.
-  void drop_edges(double r) {
+  void drop_edges(Time r) {
     free_.clear();
     for (PointId x = 0; x < from_.size(); ++x) {
       const bool is_far = to_diagonal(from_[x]) > r;
@@ -69,7 +72,7 @@ class FarMatching {
 
   /// The points of `to` by the length of the shortest alternating path from a free point, up to the first layer with
   /// points that have no owner; of that layer only those. False when there is no such layer.
-  bool find_layers(double r) {
+  bool find_layers(Time r) {
     tree_.restore();
     layers_.clear();
     std::vector<PointId> ends = free_, layer, unowned;
@@ -94,7 +97,7 @@ class FarMatching {
 
   /// Follows layer after layer from a free point, taking what it meets, and turns the path around when it reaches the
   /// last.
-  bool augment(PointId x, double r) {
+  bool augment(PointId x, Time r) {
     path_.assign(1, {x, no_point});
     while (!path_.empty()) {
       Edge& edge = path_.back();
@@ -147,28 +150,49 @@ std::vector<PointId> merged(const FarMatching& of_left, const FarMatching& of_ri
   return partner;
 }
 
+/// The least number from first to last that is enough. Requires: the last is, and so are all above one that is.
+template <class IsEnough>
+std::uint64_t least(std::uint64_t first, std::uint64_t last, IsEnough&& is_enough) {
+  while (first < last) {
+    const std::uint64_t middle = first + (last - first) / 2;
+    if (is_enough(middle)) {
+      last = middle;
+    } else {
+      first = middle + 1;
+    }
+  }
+  return first;
+}
+
+/// The least time that is enough, when x is the least double that is: the whole numbers before it are times too.
+template <class IsEnough>
+Time least_between_doubles(double x, IsEnough&& is_enough) {
+  constexpr double two_to_64 = 18446744073709551616.0;
+  const double before = std::nextafter(x, 0.0);
+  if (x - before <= 1 || x > two_to_64) {
+    return x;
+  }
+  const auto gap = static_cast<std::uint64_t>(x - before);
+  const auto time = [&](std::uint64_t k) { return k == gap ? Time{x} : Time{static_cast<std::uint64_t>(before) + k}; };
+  return time(least(1, gap, [&](std::uint64_t k) { return is_enough(time(k)); }));
+}
+
 }  // namespace
 
 std::vector<PointId> bottleneck_partners(Points left, Points right) {
   FarMatching of_left(left, right), of_right(right, left);
-  double enough = 0;
+  const auto is_enough = [&](Time r) { return of_left.is_enough(r) && of_right.is_enough(r); };
+  Time most;
   for (const Points side : {left, right}) {
     for (const DiagramPoint& point : side) {
-      enough = std::max(enough, to_diagonal(point));
+      most = std::max(most, to_diagonal(point));
     }
   }
-  auto low = std::bit_cast<std::uint64_t>(0.0), high = std::bit_cast<std::uint64_t>(enough);
-  while (low < high) {
-    const std::uint64_t middle = low + (high - low) / 2;
-    const auto r = std::bit_cast<double>(middle);
-    if (of_left.is_enough(r) && of_right.is_enough(r)) {
-      high = middle;
-    } else {
-      low = middle + 1;
-    }
-  }
-  const auto least = std::bit_cast<double>(low);
-  sparse::expects(of_left.is_enough(least) && of_right.is_enough(least), "the cost that was found is enough");
+  const std::uint64_t last = std::bit_cast<std::uint64_t>(most.nearest()) + (most > most.nearest() ? 1 : 0);
+  const auto least_double = std::bit_cast<double>(
+      least(0, last, [&](std::uint64_t pattern) { return is_enough(std::bit_cast<double>(pattern)); }));
+  const Time found = least_between_doubles(least_double, is_enough);
+  sparse::expects(is_enough(found), "the cost that was found is enough");
   return merged(of_left, of_right);
 }
 

@@ -24,11 +24,11 @@ enum class GroundMetric { maximum, euclidean };
 /// Two bars that are matched, by their places in the diagrams given; none: the diagonal.
 struct Match {
   std::optional<std::size_t> left, right;
-  double cost;  ///< their distance in the ground metric; infinite for an essential bar without a partner
+  engine::Time cost;  ///< their distance in the ground metric; infinite for an essential bar without a partner
 };
 
 struct DiagramDistance {
-  double value;
+  engine::Time value;
   std::vector<Match> matching;  ///< every bar once: those on the left in order, then the unmatched ones on the right
 };
 

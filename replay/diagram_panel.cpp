@@ -66,9 +66,10 @@ class DiagramPanel {
     svg_.line(left_, bottom_, right_, top_, "axis");
     svg_.line(left_, infinity_line(), right_, infinity_line(), "axis dashed");
     svg_.text(left_ - 7, infinity_line() + 4, Anchor::end, "ink", "\u221E");
-    svg_.text((left_ + right_) / 2, bottom_ + 36, Anchor::middle, "ink", fmt::format("birth ({})", time_));
+    svg_.text((left_ + right_) / 2, bottom_ + 36, Anchor::middle, "ink",
+              fmt::format("birth ({})", axis_name(time_, range_)));
     svg_.raw(fmt::format("<g transform=\"translate(12 {}) rotate(-90)\">\n", px((top_ + bottom_) / 2)));
-    svg_.text(0, 0, Anchor::middle, "ink", fmt::format("death ({})", time_)).raw("</g>\n");
+    svg_.text(0, 0, Anchor::middle, "ink", fmt::format("death ({})", axis_name(time_, range_))).raw("</g>\n");
   }
 
   /// Bars whose points fall into one cell of a grid of `cell` pixels are one mark, in a deterministic order.
@@ -77,8 +78,8 @@ class DiagramPanel {
     std::vector<Mark> marks;
     marks.reserve(barcode_.bars.size());
     for (const Bar& bar : barcode_.bars) {
-      const double y = bar.death == engine::never ? infinity_line() : up(bar.death);
-      marks.push_back({bar.dimension, std::llround(across(bar.birth) / cell), std::llround(y / cell), 1, bar});
+      const double y = bar.death == engine::never ? infinity_line() : up.at(bar.death);
+      marks.push_back({bar.dimension, std::llround(across.at(bar.birth) / cell), std::llround(y / cell), 1, bar});
     }
     const auto place = [](const Mark& mark) { return std::tie(mark.dimension, mark.x, mark.y); };
     std::stable_sort(marks.begin(), marks.end(), [&](const Mark& m, const Mark& n) { return place(m) < place(n); });
@@ -104,8 +105,8 @@ class DiagramPanel {
     svg_.raw("<g fill-opacity=\"0.8\">\n");
     for (const Mark& mark : marks) {
       const double radius = std::min(least * (1 + 0.25 * std::log2(static_cast<double>(mark.bars))), 3.5 * least);
-      const double y = mark.first.death == engine::never ? infinity_line() : up(mark.first.death);
-      svg_.symbol(across(mark.first.birth), y, radius, mark.dimension, has_titles ? title_of(mark) : "");
+      const double y = mark.first.death == engine::never ? infinity_line() : up.at(mark.first.death);
+      svg_.symbol(across.at(mark.first.birth), y, radius, mark.dimension, has_titles ? title_of(mark) : "");
     }
     svg_.raw("</g>\n");
   }

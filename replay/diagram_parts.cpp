@@ -8,20 +8,25 @@
 
 namespace sesame::replay {
 
-double ground_distance(const DiagramPoint& x, const DiagramPoint& y, GroundMetric ground) {
-  const double across = std::abs(x.birth - y.birth), up = std::abs(x.death - y.death);
-  return ground == GroundMetric::maximum ? std::max(across, up) : std::hypot(across, up);
+using engine::Time;
+
+Time distance(Time x, Time y) { return x < y ? y - x : x - y; }
+
+Time ground_distance(const DiagramPoint& x, const DiagramPoint& y, GroundMetric ground) {
+  const Time across = distance(x.birth, y.birth), up = distance(x.death, y.death);
+  return ground == GroundMetric::maximum ? std::max(across, up) : Time{std::hypot(across.nearest(), up.nearest())};
 }
 
-double distance_to_diagonal(const DiagramPoint& x, GroundMetric ground) {
-  const double half = x.death / 2 - x.birth / 2;  // the difference itself may be too large for a double
-  return ground == GroundMetric::maximum ? half : half * std::numbers::sqrt2;
+Time distance_to_diagonal(const DiagramPoint& x, GroundMetric ground) {
+  const Time length = x.death - x.birth;
+  const Time half = length.is_finite() ? length.half() : x.death.half() - x.birth.half();  // too long for a double
+  return ground == GroundMetric::maximum ? half : Time{half.nearest() * std::numbers::sqrt2};
 }
 
 DiagramParts::DiagramParts(std::span<const engine::Bar> bars) {
   sparse::expects(bars.size() < no_point, "a diagram has fewer than 2^32 - 1 bars");
   for (std::size_t i = 0; i < bars.size(); ++i) {
-    sparse::expects(std::isfinite(bars[i].birth) && bars[i].death >= bars[i].birth, "a bar begins, and then ends");
+    sparse::expects(bars[i].birth.is_finite() && bars[i].death >= bars[i].birth, "a bar begins, and then ends");
     if (bars[i].death == engine::never) {
       essential.push_back(i);
     } else {
@@ -52,7 +57,7 @@ std::vector<Match> whole_matching(std::span<const engine::Bar> left, std::span<c
   const std::vector<std::size_t>&ours = left_parts.essential, &theirs = right_parts.essential;
   for (std::size_t i = 0; i < ours.size(); ++i) {
     if (i < theirs.size()) {
-      matching[ours[i]] = {ours[i], theirs[i], std::abs(left[ours[i]].birth - right[theirs[i]].birth)};
+      matching[ours[i]] = {ours[i], theirs[i], distance(left[ours[i]].birth, right[theirs[i]].birth)};
       is_matched[theirs[i]] = true;
     } else {
       matching[ours[i]] = {ours[i], std::nullopt, engine::never};

@@ -12,11 +12,12 @@
 namespace sesame::replay {
 
 struct DiagramPoint {
-  double birth, death;
+  engine::Time birth, death;
 };
 
-[[nodiscard]] double ground_distance(const DiagramPoint& x, const DiagramPoint& y, GroundMetric ground);
-[[nodiscard]] double distance_to_diagonal(const DiagramPoint& x, GroundMetric ground);
+[[nodiscard]] engine::Time distance(engine::Time x, engine::Time y);
+[[nodiscard]] engine::Time ground_distance(const DiagramPoint& x, const DiagramPoint& y, GroundMetric ground);
+[[nodiscard]] engine::Time distance_to_diagonal(const DiagramPoint& x, GroundMetric ground);
 
 using PointId = std::uint32_t;
 inline constexpr PointId no_point = std::numeric_limits<PointId>::max();

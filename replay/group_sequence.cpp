@@ -8,7 +8,7 @@
 
 namespace sesame::replay {
 
-void GroupSequence::add(double time, const engine::Homology& homology, const sparse::AnyRing& ring) {
+void GroupSequence::add(engine::Time time, const engine::Homology& homology, const sparse::AnyRing& ring) {
   if (present_ && present_->time != time) {
     finish();
   }
@@ -39,7 +39,7 @@ void GroupSequence::add_json(TextBuffer& text) const {
   text.add('[');
   for (std::size_t at = 0; at < changes_.size(); ++at) {
     const Change& change = changes_[at];
-    text.add(at == 0 ? "[" : ",[").add_number(change.time).add(",[");
+    text.add(at == 0 ? "[" : ",[").add_json_number(change.time).add(",[");
     for (std::size_t p = 0; p < change.ranks.size(); ++p) {
       text.add(p == 0 ? R"({"rank":)" : R"(,{"rank":)").add_integer(change.ranks[p]).add(R"(,"torsion":[)");
       for (std::size_t k = 0; k < change.torsion[p].size(); ++k) {

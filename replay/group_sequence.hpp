@@ -23,7 +23,7 @@ class GroupSequence {
   /// With `lines`, a line for each change is written there once its time is over, and nothing is kept.
   explicit GroupSequence(std::ostream* lines) : lines_{lines} {}
 
-  void add(double time, const engine::Homology& homology, const sparse::AnyRing& ring);
+  void add(engine::Time time, const engine::Homology& homology, const sparse::AnyRing& ring);
   /// After the last operation.
   void finish();
   /// [[time,[{"rank":1,"torsion":[]},...]],...]: the groups from a time on, one per dimension, those that are 0 at the
@@ -32,7 +32,7 @@ class GroupSequence {
 
  private:
   struct Change {
-    double time;
+    engine::Time time;
     std::vector<std::uint64_t> ranks;
     std::vector<std::vector<sparse::Integer>> torsion;
   };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "replay/barcode_files.hpp"
 #include "replay/line_source.hpp"
 #include "replay/line_words.hpp"
+#include "replay/time_reader.hpp"
 
 namespace sesame::replay {
 namespace {
@@ -36,7 +36,7 @@ bool parse(std::string_view word, Number& value) {
 /// Takes the lines one after the other.
 class PersReader {
  public:
-  explicit PersReader(std::string name) : name_{std::move(name)} {}
+  PersReader(std::string name, TimeReader& times) : name_{std::move(name)}, times_{times} {}
 
   /// Reads one line, counted from `number`, without its end. Errors: bad_input.
   Status line(std::string_view text, std::uint64_t number) {
@@ -97,11 +97,14 @@ class PersReader {
                                  largest_dimension_read));
       }
     }
-    if (!parse(birth, bar.birth) || !std::isfinite(bar.birth)) {
+    if (Status done = time(birth, "a birth, a finite number", bar.birth); !done) {
+      return done;
+    }
+    if (!bar.birth.is_finite()) {
       return error(fmt::format("{} should be a birth, a finite number", shown(birth)));
     }
-    if (!parse(death, bar.death) || std::isnan(bar.death)) {
-      return error(fmt::format("{} should be a death, a number or inf", shown(death)));
+    if (Status done = time(death, "a death, a number or inf", bar.death); !done) {
+      return done;
     }
     if (bar.death < bar.birth) {
       return error(fmt::format("the death {} should not be before the birth {}", shown(death), shown(birth)));
@@ -111,6 +114,15 @@ class PersReader {
     } else {
       file_.barcode.bars.push_back(bar);
     }
+    return Done{};
+  }
+
+  Status time(std::string_view word, std::string_view what, engine::Time& into) {
+    const Result<engine::Time> read = times_.read(without_plus(word), what, name_, line_);
+    if (!read) {
+      return error(read.error().what);
+    }
+    into = *read;
     return Done{};
   }
 
@@ -135,6 +147,7 @@ class PersReader {
   }
 
   std::string name_;
+  TimeReader& times_;
   PersFile file_;
   std::uint64_t line_ = 0, first_line_ = 0;  ///< the present line, and the first with numbers (0: none yet)
   std::size_t count_ = 0;                    ///< of numbers on it
@@ -143,8 +156,8 @@ class PersReader {
 
 }  // namespace
 
-Result<PersFile> read_pers(ByteSource source) {
-  PersReader reader(source.name());
+Result<PersFile> read_pers(ByteSource source, TimeReader& times) {
+  PersReader reader(source.name(), times);
   LineSource lines(std::move(source));
   RipserLines ripser;
   std::optional<BarcodeDialect> dialect;

@@ -5,8 +5,10 @@
 namespace sesame::replay {
 namespace {
 
+using engine::Time;
+
 /// Of x from the interval [low, high]. Rounding is monotonic: no point in the interval is computed to be nearer.
-double gap(double x, double low, double high) { return std::max({low - x, x - high, 0.0}); }
+Time gap(Time x, Time low, Time high) { return x < low ? low - x : x > high ? x - high : Time{}; }
 
 }  // namespace
 
@@ -33,7 +35,7 @@ void PointTree::build(std::size_t node, std::size_t begin, std::size_t end) {
   }
   const auto at = [&](std::size_t i) { return members_.begin() + static_cast<std::ptrdiff_t>(i); };
   const std::size_t middle = begin + (end - begin) / 2;
-  const double DiagramPoint::*const side =
+  Time DiagramPoint::*const side =
       high.birth - low.birth > high.death - low.death ? &DiagramPoint::birth : &DiagramPoint::death;
   std::nth_element(at(begin), at(middle), at(end),
                    [&](PointId x, PointId y) { return points_[x].*side < points_[y].*side; });
@@ -41,12 +43,11 @@ void PointTree::build(std::size_t node, std::size_t begin, std::size_t end) {
   build(2 * node + 2, middle, end);
 }
 
-PointId PointTree::take_within(const DiagramPoint& centre, double radius) {
+PointId PointTree::take_within(const DiagramPoint& centre, Time radius) {
   return members_.empty() ? no_point : take(0, 0, members_.size(), centre, radius);
 }
 
-PointId PointTree::take(std::size_t node, std::size_t begin, std::size_t end, const DiagramPoint& centre,
-                        double radius) {
+PointId PointTree::take(std::size_t node, std::size_t begin, std::size_t end, const DiagramPoint& centre, Time radius) {
   Node& here = nodes_[node];
   if (here.present == 0 || gap(centre.birth, here.low.birth, here.high.birth) > radius ||
       gap(centre.death, here.low.death, here.high.death) > radius) {

@@ -19,7 +19,7 @@ class PointTree {
   /// Takes a point whose distance from `centre` is at most `radius` out of the tree; no_point when there is none.
   /// Distances are compared as ground_distance computes them, to the last bit.
   /// Cost: O(sqrt n) at worst, mostly O(log n).
-  PointId take_within(const DiagramPoint& centre, double radius);
+  PointId take_within(const DiagramPoint& centre, engine::Time radius);
 
   /// Puts all points back. Cost: O(n / leaf size).
   void restore();
@@ -34,7 +34,7 @@ class PointTree {
   };
 
   void build(std::size_t node, std::size_t begin, std::size_t end);
-  PointId take(std::size_t node, std::size_t begin, std::size_t end, const DiagramPoint& centre, double radius);
+  PointId take(std::size_t node, std::size_t begin, std::size_t end, const DiagramPoint& centre, engine::Time radius);
   void restore(std::size_t node, std::size_t begin, std::size_t end);
 
   std::span<const DiagramPoint> points_;

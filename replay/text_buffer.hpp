@@ -8,10 +8,17 @@
 #include <string>
 #include <string_view>
 
+#include "engine/time.hpp"
+
 namespace sesame::replay {
 
-/// The shortest text that reads back as the same double: "3", "0.1", "1e-07", "inf", "-inf".
+/// A short text that reads back as the same double: "3", "2000000", "0.1", "1e-07", "inf", "-inf". Beyond 2^53 it has
+/// an exponent: digits alone are for whole numbers that are known exactly.
 [[nodiscard]] std::string number_text(double x);
+/// All digits of a whole number, and other times as doubles.
+[[nodiscard]] std::string number_text(engine::Time time);
+/// The same as JSON, whose readers take numbers for doubles: a whole number beyond 2^53 is a string of digits.
+[[nodiscard]] std::string json_number_text(engine::Time time);
 
 /// To six digits, for people: "0.333333", "1e-07", "3"; whole numbers in full.
 [[nodiscard]] std::string short_number_text(double x);
@@ -39,6 +46,9 @@ class TextBuffer {
     return add(std::string_view{digits, std::to_chars(digits, digits + sizeof digits, x).ptr});
   }
   TextBuffer& add_number(double x);
+  TextBuffer& add_number(engine::Time time);
+  /// As by json_number_text.
+  TextBuffer& add_json_number(engine::Time time);
 
   void flush();
 

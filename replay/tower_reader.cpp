@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "replay/text_buffer.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::replay {
@@ -124,16 +124,15 @@ Status TowerReader::read_labels(LineWords& words, std::size_t count, const char*
   return Done{};
 }
 
-Status TowerReader::read_time(LineWords& words, const char* what) {
-  const std::string_view text = words.word();
-  double time = 0;
-  if (!words.take_number(time) || !std::isfinite(time)) {
-    return error(fmt::format("{} should be {}", shown(text), what));
+Status TowerReader::read_time(LineWords& words, std::string_view what) {
+  const std::string_view text = words.take();
+  const Result<engine::Time> time = times_.read(text, what, source_.name(), line_);
+  if (!time) return error(time.error().what);
+  if (!time->is_finite()) return error(fmt::format("{} should be {}", shown(text), what));
+  if (operations_ > 0 && *time < time_) {
+    return error(fmt::format("{} comes after {}: times should not decrease", number_text(*time), number_text(time_)));
   }
-  if (operations_ > 0 && time < time_) {
-    return error(fmt::format("{} comes after {}: times should not decrease", time, time_));
-  }
-  time_ = time;
+  time_ = *time;
   return Done{};
 }
 
@@ -149,7 +148,7 @@ Status TowerReader::read_optional_time(LineWords& words) {
         words, "i (a simplex is included) or c (a vertex is contracted), perhaps after a time, a finite number");
     if (!read) return read;
   } else {
-    time_ = static_cast<double>(operations_);
+    time_ = operations_;
   }
   if (is_timed == is_timed_) return Done{};
   return error(fmt::format("an operation {} a time, but the one of line {} {}: all should have one, or none",
@@ -249,7 +248,7 @@ Result<bool> TowerReader::read_phat_line(TowerOperation& into) {
   if (Status read = read_labels(words, no_limit, "a row"); !read) return read.error();
   std::span<const std::uint64_t> rows = labels_;
   if (Status checked = check_rows(rows); !checked) return checked.error();
-  into = {TowerOperation::Kind::column, static_cast<double>(operations_), dimension_, rows};
+  into = {TowerOperation::Kind::column, operations_, dimension_, rows};
   return true;
 }
 
@@ -311,7 +310,7 @@ Result<bool> TowerReader::read_column(TowerOperation& into) {
   if (Status checked = check_rows(rows); !checked) return checked.error();
   const std::span<const std::uint64_t> ahead{reinterpret_cast<const std::uint64_t*>(source_.window().data()),
                                              source_.window().size() / word_size};
-  into = {TowerOperation::Kind::column, static_cast<double>(operations_), static_cast<int>(dimension), rows, ahead};
+  into = {TowerOperation::Kind::column, operations_, static_cast<int>(dimension), rows, ahead};
   return true;
 }
 

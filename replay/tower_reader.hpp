@@ -16,6 +16,7 @@
 #include "replay/line_source.hpp"
 #include "replay/line_words.hpp"
 #include "replay/script.hpp"
+#include "replay/time_reader.hpp"
 #include "replay/tower_format.hpp"
 #include "sparse/result.hpp"
 
@@ -28,7 +29,7 @@ struct TowerOperation {
     column,    ///< of a boundary matrix; labels are its rows, ascending, none twice, all less than its own index
   };
   Kind kind;
-  double time;
+  engine::Time time;
   int dimension;                          ///< 0 for a contraction
   std::span<const std::uint64_t> labels;  ///< valid until the next operation is read
   /// Of a binary input, what follows it as far as it is in memory: rows of later columns among other numbers, of which
@@ -39,10 +40,10 @@ struct TowerOperation {
 /// Reads all formats, packed by gzip or not. In texts, `#` starts a comment, empty lines mean nothing, and lines may
 /// end with CR LF.
 ///
-/// The time of an operation is what its line says, a finite number that is not less than the one before; where a format
-/// has none (phat, facets) or a tower leaves it out on every line, operation k happens at time k, from 0 on. The reader
-/// checks what a line says by itself and against the times; what the labels mean is the caller's to check: repeated
-/// vertices, missing faces, rows whose dimension is not one less.
+/// The time of an operation is what its line says, a finite number (see TimeReader) that is not less than the one
+/// before; where a format has none (phat, facets) or a tower leaves it out on every line, operation k happens at time k, from 0
+/// on. The reader checks what a line says by itself and against the times; what the labels mean is the caller's to
+/// check: repeated vertices, missing faces, rows whose dimension is not one less.
 ///
 /// An automatic format is found out by `find_format`.
 ///
@@ -96,7 +97,7 @@ class TowerReader {
   Result<bool> read_content_line();
   Status read_dimension(LineWords& words);
   Status read_labels(LineWords& words, std::size_t count, const char* what);
-  Status read_time(LineWords& words, const char* what);
+  Status read_time(LineWords& words, std::string_view what);
   Status read_optional_time(LineWords& words);
   Status check_rows(std::span<const std::uint64_t>& rows);
   [[nodiscard]] bool is_stopped() const { return source_.is_stopped(); }
@@ -113,7 +114,8 @@ class TowerReader {
   std::optional<FacetParser> facets_;
   std::uint64_t first_line_ = 0;  ///< of a tower: the line of its first operation, which says whether all have times
   bool is_timed_ = false;
-  double time_ = 0;    ///< of the last operation whose line says it
+  TimeReader times_;
+  engine::Time time_;  ///< of the last operation whose line says it
   int dimension_ = 0;  ///< of the present line
   bool is_done_ = false;
 };

@@ -6,7 +6,7 @@ using ops::Label;
 using ops::TowerComplex;
 
 void TowerReplay::include(int dimension, TowerComplex::Slot slot, std::span<const TowerComplex::Slot> facets,
-                          double time) {
+                          engine::Time time) {
   for (engine::BarcodeTracker* tracker : trackers_) {
     tracker->include(dimension, slot, facets, time);
   }

@@ -47,7 +47,7 @@ class TowerReplay {
 
  private:
   void include(int dimension, ops::TowerComplex::Slot slot, std::span<const ops::TowerComplex::Slot> facets,
-               double time);
+               engine::Time time);
   void prefetch(const TowerOperation& operation) const;
 
   std::vector<engine::BarcodeTracker*> trackers_;

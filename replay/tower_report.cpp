@@ -42,11 +42,11 @@ void add_chain(TextBuffer& text, const TowerHistory::NamedChain& chain) {
 }
 
 void add_bar(TextBuffer& text, const Bar& bar) {
-  text.add('[').add_integer(bar.dimension).add(',').add_number(bar.birth).add(',');
+  text.add('[').add_integer(bar.dimension).add(',').add_json_number(bar.birth).add(',');
   if (bar.death == never) {
     text.add("null]");
   } else {
-    text.add_number(bar.death).add(']');
+    text.add_json_number(bar.death).add(']');
   }
 }
 
@@ -180,7 +180,7 @@ template <class Visit>
 void CycleReport::for_each_bar(Visit&& visit) const {
   const std::uint32_t p = std::visit([](const auto& ring) { return ring.characteristic(); }, tracker_.ring());
   for (const engine::CycleTracker::TracedBar& traced : tracker_.bars()) {
-    const double length = traced.bar.death - traced.bar.birth;
+    const engine::Time length = traced.bar.death - traced.bar.birth;
     if (length == 0 || length < min_length_ || !options_.wants(traced.bar.dimension)) {
       continue;
     }
@@ -224,13 +224,13 @@ void CycleReport::add_json(TextBuffer& text) const {
         .add(R"("dim":)")
         .add_integer(bar.dimension)
         .add(R"(,"birth":)")
-        .add_number(bar.birth);
+        .add_json_number(bar.birth);
     is_first = false;
     text.add(R"(,"death":)");
     if (bar.death == never) {
       text.add("null");
     } else {
-      text.add_number(bar.death);
+      text.add_json_number(bar.death);
     }
     add_member(text, "cycle", cycle);
     add_member(text, bar.death == never ? "now" : "bounds", second);

@@ -24,7 +24,7 @@ class BarStatistics {
  public:
   struct Row {
     std::uint64_t bars = 0, open = 0;
-    double longest = 0;  ///< of those that have ended
+    engine::Time longest = 0;  ///< of those that have ended
   };
   /// Adds a bar that will not change any more.
   void add(const engine::Bar& bar);
@@ -43,8 +43,8 @@ class BarStatistics {
 struct TowerResult {
   Provenance provenance;
   std::uint64_t hidden = 0;
-  double min_length = 0;      ///< the statistics and the lists of bars leave shorter ones out
-  std::uint64_t shorter = 0;  ///< how many these are
+  engine::Time min_length = 0;  ///< the statistics and the lists of bars leave shorter ones out
+  std::uint64_t shorter = 0;    ///< how many these are
   BarStatistics statistics;
   std::optional<engine::Barcode> barcode;  ///< the short ones too: Betti numbers and differences are those of all bars
 };
@@ -61,7 +61,7 @@ void write_differences(std::ostream& out, std::span<const TowerResult> results);
 class CycleReport {
  public:
   /// `stop`, set from outside: no more bars after the one at hand.
-  CycleReport(engine::CycleTracker& tracker, const TowerHistory& history, std::uint64_t operations, double min_length,
+  CycleReport(engine::CycleTracker& tracker, const TowerHistory& history, std::uint64_t operations, engine::Time min_length,
               GeneratorOptions options, const std::atomic<bool>* stop)
       : tracker_{tracker},
         history_{history},
@@ -87,7 +87,7 @@ class CycleReport {
   engine::CycleTracker& tracker_;
   const TowerHistory& history_;
   std::uint64_t operations_;
-  double min_length_;
+  engine::Time min_length_;
   GeneratorOptions options_;
   const std::atomic<bool>* stop_;
 };

@@ -61,7 +61,7 @@ class Costs {
   [[nodiscard]] std::size_t columns() const { return columns_.size(); }
 
  private:
-  [[nodiscard]] double raised(double x) const { return std::min(power(x / unit_, q_), never_wanted_); }
+  [[nodiscard]] double raised(engine::Time x) const { return std::min(power(x.nearest() / unit_, q_), never_wanted_); }
 
   [[nodiscard]] double computed(std::size_t i, std::size_t j) const {
     return raised(ground_distance(rows_[i], columns_[j], ground_)) - of_rows_[i] - of_columns_[j];
@@ -191,7 +191,7 @@ class Assignment {
 /// The largest cost of a match of points.
 double largest_cost(const DiagramParts& left, const DiagramParts& right, std::span<const PointId> partners,
                     GroundMetric ground) {
-  double largest = 0;
+  engine::Time largest;
   std::vector<bool> is_matched(right.points.size());
   for (std::size_t i = 0; i < partners.size(); ++i) {
     const bool has_partner = partners[i] != no_point;
@@ -204,22 +204,22 @@ double largest_cost(const DiagramParts& left, const DiagramParts& right, std::sp
   for (std::size_t j = 0; j < right.points.size(); ++j) {
     largest = std::max(largest, is_matched[j] ? 0 : distance_to_diagonal(right.points[j], ground));
   }
-  return largest;
+  return largest.nearest();
 }
 
 /// (sum of cost^q)^(1/q).
 double norm(const std::vector<Match>& matching, double q) {
   double largest = 0;
   for (const Match& match : matching) {
-    largest = std::max(largest, match.cost);
+    largest = std::max(largest, match.cost.nearest());
   }
-  if (largest == 0 || largest == engine::never) {
+  if (largest == 0 || std::isinf(largest)) {
     return largest;
   }
   const double unit = q == 1 ? 1 : largest;  // powers may be too large for a double, sums are not
   double sum = 0;
   for (const Match& match : matching) {
-    sum += power(match.cost / unit, q);
+    sum += power(match.cost.nearest() / unit, q);
   }
   return q == 1 ? sum : unit * std::pow(sum, 1 / q);
 }

@@ -19,6 +19,7 @@ namespace sesame::tools {
 namespace {
 
 using engine::Bar;
+using engine::Time;
 using replay::DiagramDistance;
 using replay::GroundMetric;
 using replay::number_text;
@@ -46,7 +47,7 @@ struct Row {
 struct Comparison {
   bool has_dimensions;
   std::vector<Row> rows;
-  double value = 0;  ///< of all dimensions together
+  Time value = 0;  ///< of all dimensions together
 };
 
 int fail(const std::string& what, Outcome outcome) {
@@ -54,12 +55,12 @@ int fail(const std::string& what, Outcome outcome) {
   return static_cast<int>(outcome);
 }
 
-Result<PersFile> read_file(const std::string& name) {
+Result<PersFile> read_file(const std::string& name, replay::TimeReader& times) {
   Result<replay::ByteSource> source = replay::ByteSource::open(name);
   if (!source) {
     return source.error();
   }
-  return replay::read_pers(std::move(*source));
+  return replay::read_pers(std::move(*source), times);
 }
 
 std::vector<Bar> bars_of(const PersFile& file, int dimension) {
@@ -74,12 +75,14 @@ int largest_dimension(const PersFile& file) {
 }
 
 /// The largest of two, or the q-th root of the sum of their q-th powers.
-double together(double x, double y, const Arguments& arguments) {
+Time together(Time x, Time y, const Arguments& arguments) {
   const auto [less, more] = std::minmax(x, y);
-  if (arguments.wasserstein->count() == 0 || more == 0 || more == engine::never) {
+  if (arguments.wasserstein->count() == 0 || less == 0 || more == engine::never) {
     return more;
   }
-  return arguments.q == 1 ? x + y : more * std::pow(1 + std::pow(less / more, arguments.q), 1 / arguments.q);
+  const double ratio = less.nearest() / more.nearest();
+  return arguments.q == 1 ? x.nearest() + y.nearest()
+                          : more.nearest() * std::pow(1 + std::pow(ratio, arguments.q), 1 / arguments.q);
 }
 
 Comparison compare(const PersFile& left, const PersFile& right, const Arguments& arguments) {
@@ -106,11 +109,16 @@ std::ptrdiff_t essential(const std::vector<Bar>& bars) {
 
 // ------------------------------------------------------------------------------------------------------- for programs
 
-Json number(double x) { return x == engine::never ? Json(nullptr) : Json(x); }
+Json number(Time x) {
+  if (x.is_large()) {
+    return number_text(x);
+  }
+  return x == engine::never ? Json(nullptr) : Json(x.nearest());
+}
 
 Json matching_array(const Row& row) {
   const auto interval = [](const std::vector<Bar>& bars, const std::optional<std::size_t>& place) {
-    return place ? Json::array({bars[*place].birth, number(bars[*place].death)}) : Json(nullptr);
+    return place ? Json::array({number(bars[*place].birth), number(bars[*place].death)}) : Json(nullptr);
   };
   Json out = Json::array();
   for (const replay::Match& match : row.distance.matching) {
@@ -193,8 +201,9 @@ int run_distance(const Arguments& arguments) {
     return fail("sesame distance: standard input can be one of the two barcodes, not both", Outcome::wrong_usage);
   }
   std::vector<PersFile> files;
+  replay::TimeReader times;
   for (const std::string& name : {arguments.left, arguments.right}) {
-    Result<PersFile> file = read_file(name);
+    Result<PersFile> file = read_file(name, times);
     if (!file) {
       return fail(file.error().what, file.error().code == Errc::io ? Outcome::wrong_usage : Outcome::wrong_script);
     }

@@ -38,7 +38,7 @@ struct Arguments {
   std::string ring;
   std::vector<std::string> rings;
   std::string pers, csv, svg, html;
-  double min_length = 0;
+  engine::Time min_length = 0;
   std::uint64_t until = 0, every = 0;
   std::size_t longest_line = replay::longest_line;
   std::optional<replay::GeneratorOptions> generators;
@@ -52,6 +52,12 @@ int say(Outcome outcome, const std::string& what) {
 
 int wrong_usage(const std::string& what) { return say(Outcome::wrong_usage, what); }
 
+Result<engine::Time> length_of(const std::string& text) {
+  constexpr const char* what = "a length, from 0 on";
+  Result<engine::Time> length = replay::TimeReader().read(text, what, "--min-length", 0);
+  return !length || *length >= 0 ? length : Error{Errc::bad_input, replay::shown(text) + " should be " + what};
+}
+
 /// Streams to what is wanted; null for what is not.
 struct Outputs {
   std::ostream *pers = nullptr, *csv = nullptr, *svg = nullptr, *html = nullptr;
@@ -62,7 +68,7 @@ struct Outputs {
 /// Where the bars over one ring go.
 class BarSink {
  public:
-  BarSink(double min_length, bool keeps_bars, replay::PersWriter* pers) : pers_{pers} {
+  BarSink(engine::Time min_length, bool keeps_bars, replay::PersWriter* pers) : pers_{pers} {
     result_.min_length = min_length;
     if (keeps_bars) {
       result_.barcode.emplace();
@@ -73,7 +79,7 @@ class BarSink {
     if (result_.barcode) {
       result_.barcode->bars.push_back(bar);
     }
-    if (bar.death - bar.birth < result_.min_length) {
+    if (result_.min_length > 0 && bar.death - bar.birth < result_.min_length) {
       ++result_.shorter;
       return;
     }
@@ -312,7 +318,7 @@ class Run {
     }
     std::vector<TowerResult> results;
     for (std::size_t r = 0; r < rings_.size(); ++r) {
-      std::ranges::for_each(trackers[r]->open_bars(), [&](const Bar& bar) { sinks[r].add(bar); });
+      trackers[r]->for_each_open_bar([&](const Bar& bar) { sinks[r].add(bar); });
       results.push_back(sinks[r].finish(provenance(rings_[r], operations), trackers[r]->hidden()));
     }
     if (pers) {
@@ -338,7 +344,7 @@ class Run {
     for (const engine::BarcodeTracker* tracker : trackers) {
       if (arguments_.json) {
         std::cout << fmt::format(R"({{"ops":{},"time":{},"ring":"{}","cells":[{}],"betti":[{}]}})", operations,
-                                 replay::number_text(operation.time), sparse::ring_name(tracker->ring()),
+                                 replay::json_number_text(operation.time), sparse::ring_name(tracker->ring()),
                                  fmt::join(tower.cells(), ","), fmt::join(tracker->betti(), ","))
                   << '\n';
       } else {
@@ -351,7 +357,7 @@ class Run {
   }
 
   [[nodiscard]] replay::DrawingOptions drawing() const {
-    const double min_length = arguments_.min_length;
+    const engine::Time min_length = arguments_.min_length;
     const replay::Walls walls = arguments_.all_bars ? replay::Walls::whole : replay::Walls::thin;
     switch (reader_->format()) {
       case TowerFormat::gudhi:
@@ -434,7 +440,7 @@ class Run {
     void step(engine::Engine& engine, const replay::ReportedStep& reported) override {
       steps = reported.step.step;
       if (groups_ != nullptr) {
-        groups_->add(static_cast<double>(steps), reported.homology, engine.ring());
+        groups_->add(steps, reported.homology, engine.ring());
       }
     }
     void summary(engine::Engine& engine, const replay::Summary& summary) override {
@@ -538,14 +544,14 @@ void add_tower_command(CLI::App& app, int& status) {
   command->add_flag("--add-faces", arguments->add_faces,
                     "Add the faces that a simplex lacks, at its time; those that are there already are counted");
   command
-      ->add_option("--min-length", arguments->min_length,
-                   "Leave out bars that are shorter (not from --csv and Betti curves)")
+      ->add_option_function<std::string>(
+          "--min-length", [arguments](const std::string& text) { arguments->min_length = length_of(text).value(); },
+          "Leave out bars that are shorter (not from --csv and Betti curves)")
       ->check([](const std::string& text) {
-        double length = 0;
-        return CLI::detail::lexical_cast(text, length) && length >= 0  // false for nan too
-                   ? std::string{}
-                   : "\"" + text + "\" should be a length, from 0 on";
-      });
+        const Result<engine::Time> length = length_of(text);
+        return length ? std::string{} : length.error().what;
+      })
+      ->option_text("LENGTH");
   command->add_option("--until", arguments->until, "Stop after that many operations")->check(from_one_on());
   command->add_option("--every", arguments->every, "Report cells and Betti numbers every N operations")
       ->check(from_one_on());

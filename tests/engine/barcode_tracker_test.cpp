@@ -36,7 +36,7 @@ Run run(const std::vector<TowerStep>& tower, std::int64_t p, const std::vector<d
   for (std::size_t k = 0; k < tower.size(); ++k) {
     tests::apply(tower[k], complex, {&told, 1}, times.empty() ? static_cast<double>(k) : times[k]);
   }
-  std::ranges::copy(tracker->open_bars(), std::back_inserter(run.bars));
+  tracker->for_each_open_bar(on_bar);
   std::ranges::sort(run.bars);
   run.hidden = tracker->hidden();
   return run;

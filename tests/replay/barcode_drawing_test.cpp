@@ -297,6 +297,26 @@ TEST_CASE("a Betti curve that would be too flat makes the axis logarithmic", "[r
   CHECK_THAT(picture(replay::write_betti_svg, barcode), Contains("Betti number (logarithmic)"));
 }
 
+TEST_CASE("whole numbers beyond 2^53 are drawn as near to each other as they are, from where the axis says",
+          "[replay][time]") {
+  const auto from = [](std::int64_t now) {
+    return Barcode{{{0, now, never}, {0, now + 1, now + 3}, {1, now + 4, now + 40}}, 0};
+  };
+  const std::regex times("operation(, counted from [0-9]+)?|<title>[^<]*</title>|<td>[^<]*</td>");
+  for (const Write write : all_pictures) {
+    const std::string near = picture(write, from(3)), far = picture(write, from(1732800000000000003));
+    CHECK_THAT(far, Contains("operation, counted from 1732800000000000000"));
+    CHECK(std::regex_replace(far, times, "") == std::regex_replace(near, times, ""));
+  }
+  const std::string bars = picture(replay::write_barcode_svg, from(1732800000000000003));
+  CHECK_THAT(bars, Contains("<title>H0 [1732800000000000004, 1732800000000000006)</title>"));
+  const Range before_0 = replay::time_range(from(-1732800000000000097));
+  CHECK(before_0.origin == -1732800000000000000);
+  CHECK(before_0.low == -97);
+  CHECK(before_0.high == -57);
+  CHECK(replay::time_range({{{0, -9223372036854775807, 9223372036854775807}}, 0}).origin == 0);
+}
+
 TEST_CASE("dimensions differ in colour or shape", "[replay]") {
   std::vector<std::string> symbols;
   for (int p = 0; p < 32; ++p) {

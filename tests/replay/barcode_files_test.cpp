@@ -50,7 +50,8 @@ std::string json(const Barcode& barcode, const Provenance& where) {
 }
 
 Result<replay::PersFile> read(const std::string& text) {
-  return replay::read_pers(replay::ByteSource::of_text(text, "b.pers"));
+  replay::TimeReader times;
+  return replay::read_pers(replay::ByteSource::of_text(text, "b.pers"), times);
 }
 
 std::vector<Bar> bars_in(const std::string& text) {
@@ -103,6 +104,25 @@ TEST_CASE("what is written as .pers is read back to the last bit", "[replay][law
   CHECK(file->has_dimensions);
 }
 
+TEST_CASE("whole numbers beyond 2^53 keep all their digits in every file", "[replay][time]") {
+  constexpr std::int64_t now = 1732800000000000001;
+  const Barcode barcode{{{0, now, never}, {0, now + 1, now + 3}}, 0};
+  const std::string text = pers(barcode);
+  CHECK_THAT(text, Catch::Contains("0 1732800000000000001 inf\n0 1732800000000000002 1732800000000000004\n"));
+  CHECK(bars_in(text) == barcode.bars);
+  CHECK_THAT(json(barcode, provenance), Catch::Contains(R"([[0,"1732800000000000001",null],)"
+                                                        R"([0,"1732800000000000002","1732800000000000004"]])"));
+  CHECK_THAT(csv(barcode), Catch::EndsWith("\n1732800000000000001,1\n1732800000000000002,2\n1732800000000000004,1\n"));
+}
+
+TEST_CASE("files that are compared have whole numbers beyond 2^53, or fractions, but not both", "[replay][time]") {
+  replay::TimeReader times;
+  REQUIRE(read_pers(replay::ByteSource::of_text("0 0.5 1\n", "a.pers"), times));
+  const auto file = read_pers(replay::ByteSource::of_text("0 0 1\n0 1 9007199254740993\n", "b.pers"), times);
+  REQUIRE_FALSE(file);
+  CHECK_THAT(file.error().what, Catch::StartsWith("b.pers:2: 9007199254740993, but a.pers:1 has 0.5: "));
+}
+
 TEST_CASE("the JSON of a barcode says all of it", "[replay]") {
   CHECK(json(small, provenance) ==
         "{\"ring\":\"Z/2\",\"ops\":12,\"bars\":[[0,0,null],[0,1,2.5],[1,3,4]],\"hidden\":7,"
@@ -124,8 +144,9 @@ TEST_CASE("Betti numbers are those of the bars that are alive", "[replay][law]")
   const unsigned seed = GENERATE(range(0U, 30U));
   CAPTURE(seed);
   const Barcode barcode = random_barcode(seed, true);
-  std::map<double, std::vector<std::uint64_t>> rows{{-1, std::vector<std::uint64_t>(replay::dimensions(barcode))}};
-  replay::for_each_betti_change(barcode, [&](double time, std::span<const std::uint64_t> betti) {
+  std::map<engine::Time, std::vector<std::uint64_t>> rows{
+      {-1, std::vector<std::uint64_t>(replay::dimensions(barcode))}};
+  replay::for_each_betti_change(barcode, [&](engine::Time time, std::span<const std::uint64_t> betti) {
     CHECK(time > rows.rbegin()->first);
     CHECK(std::vector<std::uint64_t>(betti.begin(), betti.end()) != rows.rbegin()->second);
     rows[time].assign(betti.begin(), betti.end());

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <thread>
 
+#include "replay/text_buffer.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/inputs.hpp"
 #include "tests/support/temporary_file.hpp"
@@ -76,7 +77,7 @@ Lines read_all(TowerReader& reader, const std::string& path) {
     }
     if (!*got) return seen;
     const char* kinds[] = {"i", "c", "column"};
-    seen.push_back(fmt::format("{}: {} {} {} [{}]", reader.line(), operation.time,
+    seen.push_back(fmt::format("{}: {} {} {} [{}]", reader.line(), replay::number_text(operation.time),
                                kinds[static_cast<std::size_t>(operation.kind)], operation.dimension,
                                fmt::join(operation.labels, " ")));
   }
@@ -181,6 +182,26 @@ TEST_CASE("A tower may have times, which may be equal, negative and fractional",
   CHECK(read("-1.5 i 3\n-1.5 i 18446744073709551615\n0 i 3 18446744073709551615\n1e2 c 3 18446744073709551615\n") ==
         Lines{"1: -1.5 i 0 [3]", "2: -1.5 i 0 [18446744073709551615]", "3: 0 i 1 [3 18446744073709551615]",
               "4: 100 c 0 [3 18446744073709551615]"});
+}
+
+TEST_CASE("Times that are whole numbers of 64 bits are exact", "[tower_reader][time]") {
+  CHECK(read("1732800000000000001 i 0\n1732800000000000002 i 1\n18446744073709551615 i 0 1\n") ==
+        Lines{"1: 1732800000000000001 i 0 [0]", "2: 1732800000000000002 i 0 [1]", "3: 18446744073709551615 i 1 [0 1]"});
+  CHECK(read("9007199254740993 i 0\n9007199254740992 i 1\n").back() ==
+        "FILE:2: 9007199254740992 comes after 9007199254740993: times should not decrease");
+  CHECK(read("0 0 -9007199254740993\n0 1 -9007199254740992\n") ==
+        Lines{"1: -9007199254740993 i 0 [0]", "2: -9007199254740992 i 0 [1]"});
+  CHECK(read("0 0 9007199254740993\n0 1 9007199254740992\n").back() ==
+        "FILE:2: 9007199254740992 comes after 9007199254740993: times should not decrease");
+  CHECK(
+      read("9007199254740992 i 0\n18446744073709551616 i 1\n").back().starts_with("FILE:2: \"18446744073709551616\""));
+}
+
+TEST_CASE("Times that cannot be told apart are refused with both lines", "[tower_reader][time]") {
+  CHECK(read("0.5 i 0\n\n9007199254740993 i 1\n").back().starts_with("FILE:3: 9007199254740993, but FILE:1 has 0.5: "));
+  CHECK(read("0 0 0\n0 1 9007199254740993\n0 2 9007199254740993.5\n")
+            .back()
+            .starts_with("FILE:3: 9007199254740993.5, but FILE:2 has 9007199254740993: "));
 }
 
 TEST_CASE("Malformed lines of a tower are reported with their line and what would be right", "[tower_reader]") {
