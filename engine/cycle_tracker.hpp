@@ -36,6 +36,9 @@ class CycleTracker : public BarcodeTracker {
 
   /// All bars so far, by dimension, birth and death; those of length 0 too, but not what one operation bears and kills.
   [[nodiscard]] virtual std::vector<TracedBar> bars() const = 0;
+  /// The last operation at the time of one: all operations at one time are one map, and the complex at that time is the
+  /// one after the last of them. Cost: the logarithm of the number of operations.
+  [[nodiscard]] virtual std::uint64_t last_operation_with(std::uint64_t operation) const = 0;
   /// A cycle that is born with a bar, and dies with it.
   [[nodiscard]] virtual InclusionChain cycle(const TracedBar& bar) = 0;
   /// The chain that the cycle bounds from the death on. Requires: the bar has ended.

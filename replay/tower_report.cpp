@@ -190,8 +190,9 @@ void CycleReport::for_each_bar(Visit&& visit) const {
     const bool is_open = traced.bar.death == never;
     const auto cycle = tracker_.cycle(traced);
     const auto second = is_open ? cycle : tracker_.bounded_chain(traced);
-    visit(traced.bar, history_.image(cycle, traced.born_by, p),
-          history_.image(second, is_open ? operations_ - 1 : traced.killed_by, p));
+    const std::uint64_t last = is_open ? operations_ - 1 : tracker_.last_operation_with(traced.killed_by);
+    visit(traced.bar, history_.image(cycle, tracker_.last_operation_with(traced.born_by), p),
+          history_.image(second, last, p));
   }
 }
 
