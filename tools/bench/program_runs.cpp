@@ -53,13 +53,11 @@ BarSet bars_of_pairs(const std::string& matrix, const std::string& pairs) {
   }
   BarSet bars;
   std::vector<bool> is_paired(dimensions.size());
-  const auto add = [&](std::uint64_t birth, double death) {
-    bars.add({dimensions.at(birth), static_cast<double>(birth), death});
-  };
+  const auto add = [&](std::uint64_t birth, engine::Time death) { bars.add({dimensions.at(birth), birth, death}); };
   std::ifstream pairs_in(pairs, std::ios::binary);
   for (std::uint64_t left = next_word(pairs_in); left > 0 && pairs_in; --left) {
     const std::uint64_t birth = next_word(pairs_in), death = next_word(pairs_in);
-    add(birth, static_cast<double>(death));
+    add(birth, death);
     is_paired.at(birth) = is_paired.at(death) = true;
   }
   for (std::uint64_t cell = 0; cell < dimensions.size(); ++cell) {

@@ -107,9 +107,7 @@ class Tracked {
   /// Those and the others.
   [[nodiscard]] BarSet all_bars() const {
     BarSet all = bars_;
-    for (const engine::Bar& bar : tracker_->open_bars()) {
-      all.add(bar);
-    }
+    tracker_->for_each_open_bar([&all](const engine::Bar& bar) { all.add(bar); });
     return all;
   }
 
@@ -138,7 +136,7 @@ std::string wrong_end(const Tracked& tracked, const replay::TowerReplay& tower, 
 
 void BarSet::add(const engine::Bar& bar) {
   std::uint64_t mixed = static_cast<std::uint64_t>(bar.dimension);
-  for (const double time : {bar.birth, bar.death}) {
+  for (const double time : {bar.birth.nearest(), bar.death.nearest()}) {
     mixed = (mixed ^ std::bit_cast<std::uint64_t>(time)) * 0x9e3779b97f4a7c15;
     mixed ^= mixed >> 29;
   }
