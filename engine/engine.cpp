@@ -340,11 +340,11 @@ Result<CellChain> Engine::chain(const std::vector<std::pair<Integer, std::string
   CellChain chain;
   bool is_first = true;
   for (const auto& [coefficient, name] : terms) {
-    const Result<ops::CellId> node = planner_.resolve(name);
-    if (!node) {
-      return node.error();
+    const Result<ops::Value> value = planner_.resolve(name);
+    if (!value) {
+      return value.error();
     }
-    const int dimension = structure_.dimension(*node);
+    const int dimension = structure_.types().info(value->type).dimension;
     if (std::exchange(is_first, false)) {
       chain.degree = dimension;
     } else if (chain.degree != dimension) {
@@ -352,9 +352,9 @@ Result<CellChain> Engine::chain(const std::vector<std::pair<Integer, std::string
                                         "\" has dimension " + std::to_string(chain.degree) + " and \"" + name +
                                         "\" has dimension " + std::to_string(dimension)};
     }
-    if (const auto [cell, sign] = structure_.find_oriented(*node); cell != ops::none) {  // a degenerate one counts as 0
-      const bool agrees = sign * structure_.sign_of_name(name) * structure_.sign_of_name(cell) > 0;
-      chain.terms.push_back({agrees ? coefficient : -coefficient, cell});
+    if (!value->is_degenerate()) {  // which counts as 0
+      const bool agrees = structure_.maps().sign(value->order) * structure_.sign_of_name(value->cell) > 0;
+      chain.terms.push_back({agrees ? coefficient : -coefficient, value->cell});
     }
   }
   add_up(chain.terms);

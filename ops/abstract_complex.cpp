@@ -119,29 +119,39 @@ CellId AbstractComplex::find(std::span<const VertexId> vertices) const {
   return number == none ? none : cells_[number].id;
 }
 
-std::optional<AbstractComplex::Named> AbstractComplex::find_named(std::string_view name) const {
+std::optional<std::vector<VertexId>> AbstractComplex::vertices_named(std::string_view name) const {
   if (empty() || name.size() < 3 || name.front() != '{' || name.back() != '}') {
     return std::nullopt;
   }
-  std::vector<std::string_view> texts;
-  for (std::string_view rest = name.substr(1, name.size() - 2);; rest.remove_prefix(texts.back().size() + 1)) {
-    texts.push_back(rest.substr(0, rest.find(',')));
-    if (texts.back().size() == rest.size()) {
-      break;
-    }
-  }
-  std::sort(texts.begin(), texts.end(), [](auto a, auto b) { return compare_labels(a, b) < 0; });
+  std::vector<LabelId> labels;
   std::vector<VertexId> vertices;
-  for (const std::string_view text : texts) {
+  for (std::string_view rest = name.substr(1, name.size() - 2);;) {
+    const std::string_view text = rest.substr(0, rest.find(','));
     const LabelId known = label(text);
-    if (known == none || std::find(vertices.begin(), vertices.end(), vertex(known)) != vertices.end()) {
+    if (known == none || std::find(labels.begin(), labels.end(), known) != labels.end() ||
+        static_cast<int>(labels.size()) > largest_dimension) {
       return std::nullopt;
     }
+    labels.push_back(known);
     vertices.push_back(vertex(known));
+    if (text.size() == rest.size()) {
+      return vertices;
+    }
+    rest.remove_prefix(text.size() + 1);
   }
-  const std::uint32_t number = find_number(vertices);
+}
+
+std::optional<AbstractComplex::Named> AbstractComplex::find_named(std::string_view name) const {
+  const auto listed = vertices_named(name);
+  if (!listed) {
+    return std::nullopt;
+  }
+  std::vector<VertexId> different = *listed;
+  std::sort(different.begin(), different.end());
+  different.erase(std::unique(different.begin(), different.end()), different.end());
+  const std::uint32_t number = find_number(different);
   return number == none ? std::nullopt
-                        : std::optional{Named{cells_[number].id, places_in(vertices_of(number), vertices)}};
+                        : std::optional{Named{cells_[number].id, places_in(vertices_of(number), *listed)}};
 }
 
 std::vector<CellId> AbstractComplex::star(VertexId vertex) const {

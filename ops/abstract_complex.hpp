@@ -54,13 +54,16 @@ class AbstractComplex {
   [[nodiscard]] std::span<const VertexId> vertices(CellId cell) const { return vertices_of(number_[cell]); }
   /// The simplex on some different vertices, in any order; or none. Cost: their number squared, on average.
   [[nodiscard]] CellId find(std::span<const VertexId> vertices) const;
-  /// What a name {a,b,...} denotes: the cell on the vertices that the labels denote, and their order, as labels are
-  /// sorted, against that of the cell. Nothing for a name of another form, and when there is no such simplex.
+  /// What a name {a,b,...} denotes: the simplex on the vertices that the labels have now. It is degenerate when some of
+  /// them have become one vertex.
   struct Named {
     CellId cell;
-    std::vector<std::uint8_t> places;  ///< per label as sorted: the place of its vertex in the order of the cell
+    std::vector<std::uint8_t> places;  ///< per label as listed: the place of its vertex in the order of the cell
   };
+  /// Nothing for a name of another form, when a label is unknown or listed twice, and when there is no such simplex.
   [[nodiscard]] std::optional<Named> find_named(std::string_view name) const;
+  /// How often labels have been looked up. Only grows.
+  [[nodiscard]] std::uint64_t labels_looked_up() const { return texts_.looked_up(); }
   /// The number of simplices that have a vertex.
   [[nodiscard]] std::uint32_t star_size(VertexId vertex) const { return vertices_[vertex].star_size; }
   /// Those simplices, in no particular order. Cost: their number.
@@ -123,6 +126,8 @@ class AbstractComplex {
   [[nodiscard]] std::uint32_t end_of(std::uint32_t number) const;
   [[nodiscard]] std::span<const VertexId> vertices_of(std::uint32_t number) const;
   [[nodiscard]] std::uint32_t find_number(std::span<const VertexId> vertices) const;
+  /// The vertices of the labels in a name {a,b,...}, in the order listed.
+  [[nodiscard]] std::optional<std::vector<VertexId>> vertices_named(std::string_view name) const;
   void link(std::uint32_t incidence);
   void unlink(std::uint32_t incidence);
   void enter(std::uint32_t number);

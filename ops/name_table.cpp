@@ -1,7 +1,6 @@
 #include "ops/name_table.hpp"
 
 #include <boost/locale/utf.hpp>
-#include <functional>
 
 #include "sparse/contract.hpp"
 
@@ -31,12 +30,27 @@ bool is_name(std::string_view name) {
   return !name.empty();
 }
 
+PartHashes::PartHashes(std::string_view text) {
+  words_.reserve(text.size() + 1);
+  powers_.reserve(text.size() + 1);
+  TextHash hash;
+  words_.push_back(hash.word());
+  powers_.push_back(1);
+  for (const char c : text) {
+    hash.add(c);
+    words_.push_back(hash.word());
+    powers_.push_back(powers_.back() * TextHash::multiplier);
+  }
+}
+
 std::uint32_t NameTable::hash_of(std::string_view text) {
-  const std::size_t hash = std::hash<std::string_view>{}(text);
-  return static_cast<std::uint32_t>(hash ^ (hash >> 32U));
+  TextHash hash;
+  hash.add(text);
+  return hash.value();
 }
 
 const NameTable::Name* NameTable::find(std::string_view text, std::uint32_t hash) const {
+  ++looked_up_;
   if (slots_.empty()) {
     return nullptr;
   }

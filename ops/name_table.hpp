@@ -13,6 +13,44 @@ namespace sesame::ops {
 /// Not empty, UTF-8, without white space or control characters.
 [[nodiscard]] bool is_name(std::string_view text);
 
+/// The hash of a text, one character after the other, as NameTable has it.
+class TextHash {
+ public:
+  void add(char c) { word_ = word_ * multiplier + static_cast<unsigned char>(c) + 1; }
+  void add(std::string_view text) {
+    for (const char c : text) {
+      add(c);
+    }
+  }
+  /// A polynomial in the multiplier, modulo 2^64.
+  [[nodiscard]] std::uint64_t word() const { return word_; }
+  [[nodiscard]] std::uint32_t value() const { return value_of(word_); }
+
+  static constexpr std::uint64_t multiplier = 0x9e37'79b9'7f4a'7c15U;
+  /// Its low bits depend on low bits of the characters only: the table takes high ones of a product.
+  static std::uint32_t value_of(std::uint64_t word) {
+    return static_cast<std::uint32_t>((word ^ word >> 32U) * 0xbf58'476d'1ce4'e5b9U >> 32U);
+  }
+
+ private:
+  std::uint64_t word_ = 0;
+};
+
+/// The hashes of all parts of a text. Cost: once the length of the text, then O(1) each.
+///
+/// Source: R. Karp and M. Rabin, "Efficient randomized pattern-matching algorithms" (1987).
+class PartHashes {
+ public:
+  explicit PartHashes(std::string_view text);
+  [[nodiscard]] std::uint32_t value(std::size_t begin, std::size_t end) const {
+    return TextHash::value_of(words_[end] - words_[begin] * powers_[end - begin]);
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;   // of the first k characters
+  std::vector<std::uint64_t> powers_;  // of the multiplier
+};
+
 /// What names denote, in the order in which they were given. The last names can be taken back.
 ///
 /// The index is one open table of (hash, number) pairs: a lookup that fails, as each new name's does, reads one cache
@@ -27,8 +65,12 @@ class NameTable {
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(names_.size()); }
   [[nodiscard]] const Name& operator[](std::uint32_t number) const { return names_[number]; }
-  /// The name of a text, or null. Cost O(1).
+  /// The name of a text, or null. Cost: the length of the text.
   [[nodiscard]] const Name* find(std::string_view text) const { return find(text, hash_of(text)); }
+  /// The same with its hash, TextHash::value. Cost O(1) when there is none.
+  [[nodiscard]] const Name* find(std::string_view text, std::uint32_t hash) const;
+  /// How often something has been looked up. Only grows.
+  [[nodiscard]] std::uint64_t looked_up() const { return looked_up_; }
   /// Requires: the text is not in the table.
   void add(std::string_view text, std::uint32_t cell, std::uint32_t body);
   void pop_back();
@@ -38,12 +80,12 @@ class NameTable {
     std::uint32_t hash;
     std::uint32_t number;
   };
-  [[nodiscard]] const Name* find(std::string_view text, std::uint32_t hash) const;
   static std::uint32_t hash_of(std::string_view text);
   void grow();
   void insert(Slot slot);
 
   std::deque<Name> names_;
+  mutable std::uint64_t looked_up_ = 0;
   std::vector<Slot> slots_;  // a power of two of them, at most half in use
 };
 

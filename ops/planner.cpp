@@ -13,6 +13,17 @@ namespace {
 
 Error bad_input(std::string what) { return {Errc::bad_input, std::move(what)}; }
 
+/// A name that may have any length, for a sentence: the beginning of a long one.
+std::string shortened(std::string_view name) {
+  constexpr std::size_t most = 200;
+  std::size_t length = std::min(name.size(), most);
+  while (length < name.size() && (static_cast<unsigned char>(name[length]) & 0xc0U) == 0x80U) {
+    --length;  // not within a character
+  }
+  return length == name.size() ? std::string{name}
+                               : fmt::format("{}... ({} bytes)", name.substr(0, length), name.size());
+}
+
 /// Ends the name begun at the end of plan.names and adds the cell that bears it.
 void add_cell(Plan& plan, TypeId type, std::size_t first_face) {
   plan.cells.push_back({type, static_cast<std::uint32_t>(first_face), plan.names.size()});
@@ -198,21 +209,38 @@ class ComplexPlanner {
 
 }  // namespace
 
-Result<CellId> Planner::resolve(const std::string& name) const {
-  const auto node = structure_.lookup(name);
-  if (!node) {
-    return Error{Errc::unknown_name,
-                 fmt::format("there is no cell \"{}\"{}", name,
-                             structure_.lookup_body(name) ? ": this is the name of a body; name a cell of it" : "")};
+Result<Value> Planner::resolve(const std::string& name) const {
+  NameReader reader(structure_, name);
+  auto named = reader.read();
+  if (!named) {
+    return Error{Errc::unknown_name, why_unreadable(name, reader.failure())};
   }
-  if (structure_.is_consumed(*node)) {
-    const LazyFamily& product = structure_.family(structure_.consumed_by(structure_.body_of(*node)));
+  Lineage(structure_).advance_to_now(*named);
+  if (structure_.is_consumed(named->cell)) {
+    const LazyFamily& product = structure_.family(structure_.consumed_by(structure_.body_of(named->cell)));
     return Error{
         Errc::unknown_name,
         fmt::format("the cell \"{}\" went into the product \"{}\", whose cells have names such as \"{}.(a|b)\"", name,
                     product.name, product.name)};
   }
-  return *node;
+  return *named;
+}
+
+std::string Planner::why_unreadable(const std::string& name, NameReader::Failure failure) const {
+  switch (failure) {
+    case NameReader::Failure::nested:
+      return fmt::format("the name \"{}\" has more than {} products and cones within one another, the limit",
+                         shortened(name), NameReader::most_nested);
+    case NameReader::Failure::ambiguous:
+      return fmt::format(
+          "the name \"{}\" can be taken apart in too many ways, since there are names with brackets that "
+          "do not match or with bars outside of brackets",
+          shortened(name));
+    case NameReader::Failure::unknown:
+      break;
+  }
+  return fmt::format("there is no cell \"{}\"{}", shortened(name),
+                     structure_.lookup_body(name) ? ": this is the name of a body; name a cell of it" : "");
 }
 
 Status Planner::check_orders(BodyId body) const {
@@ -224,14 +252,6 @@ Status Planner::check_orders(BodyId body) const {
                              structure_.body_name(body))};
   }
   return Done{};
-}
-
-Result<Value> Planner::resolve_value(const std::string& name) const {
-  const Result<CellId> node = resolve(name);
-  if (!node) {
-    return node.error();
-  }
-  return structure_.maps().reordered(structure_.order_of_name(name), structure_.value(*node));
 }
 
 Result<BodyId> Planner::resolve_body(const std::string& name) const {
@@ -259,11 +279,24 @@ Status Planner::check_new_name(const std::string& name) const {
   return Done{};
 }
 
-Status Planner::check_new_prefix(const std::string& name) const {
+Status Planner::check_new_apex(const std::string& name) const {
   if (Status s = check_new_name(name); !s) {
     return s;
   }
-  if (structure_.is_prefix_taken(name) || structure_.extends_family_name(name)) {
+  if (structure_.is_ambiguous_prefix(name)) {
+    return bad_input(fmt::format(
+        "the name \"{}\", or that of an apex or a product, goes on after the other with \"*\" or \".(\", so that names "
+        "of their cells could be mistaken for one another: choose another",
+        name));
+  }
+  return Done{};
+}
+
+Status Planner::check_new_prefix(const std::string& name) const {
+  if (Status s = check_new_apex(name); !s) {
+    return s;
+  }
+  if (structure_.is_prefix_taken(name)) {
     return bad_input(fmt::format(
         "names that begin with \"{0}*\" or \"{0}.(\", as those of the new cells would, can be those of other cells: "
         "choose another",
@@ -429,11 +462,11 @@ Result<std::vector<CellId>> Planner::closure(const std::vector<std::string>& nam
   std::unordered_set<CellId> seen;
   std::vector<CellId> pending;
   for (const std::string& name : names) {
-    const Result<CellId> node = resolve(name);
-    if (!node) {
-      return node.error();
+    const Result<Value> named = resolve(name);
+    if (!named) {
+      return named.error();
     }
-    pending.push_back(structure_.value(*node).cell);
+    pending.push_back(named->cell);
   }
   while (!pending.empty()) {
     const CellId c = pending.back();
@@ -450,7 +483,7 @@ Result<std::vector<CellId>> Planner::closure(const std::vector<std::string>& nam
 
 Status Planner::plan(const MakeCone& operation, Plan& plan) {
   plan.clear();
-  if (Status s = check_new_name(operation.apex); !s) {
+  if (Status s = check_new_apex(operation.apex); !s) {
     return s;
   }
   const auto bodies = coned_bodies(operation.over);
@@ -467,12 +500,19 @@ Status Planner::plan(const MakeCone& operation, Plan& plan) {
 Status Planner::plan(const MakeSuspension& operation, Plan& plan) {
   plan.clear();
   for (const std::string& apex : operation.apexes) {
-    if (Status s = check_new_name(apex); !s) {
+    if (Status s = check_new_apex(apex); !s) {
       return s;
     }
   }
-  if (operation.apexes[0] == operation.apexes[1]) {
-    return bad_input(fmt::format("both apexes are called \"{}\": names are unique", operation.apexes[0]));
+  const auto& [one, other] = operation.apexes;
+  if (one == other) {
+    return bad_input(fmt::format("both apexes are called \"{}\": names are unique", one));
+  }
+  if (extends_name(one, other) || extends_name(other, one)) {
+    return bad_input(
+        fmt::format("of the apexes \"{}\" and \"{}\" one goes on after the other with \"*\" or \".(\", so "
+                    "that names of their cells could be mistaken for one another: choose others",
+                    one, other));
   }
   const auto bodies = coned_bodies(operation.over);
   if (!bodies) {
@@ -495,8 +535,10 @@ class ConePlanner {
  public:
   ConePlanner(const std::string& apex, const Structure& structure, bool by_edges, Plan& plan)
       : structure_{structure}, by_edges_{by_edges}, plan_{plan}, apex_{next()} {
+    const auto position = static_cast<std::uint32_t>(plan_.cells.size());
     plan_.names += apex;
     add_cell(plan_, structure_.types().vertex(), plan_.faces.size());
+    plan_.cones.push_back({position, position + 1, by_edges});
   }
 
   /// `name` is that of v*c, where c has its vertices in the order of its canonical name. Requires: the faces of c have
@@ -521,6 +563,7 @@ class ConePlanner {
     add_faces(plan_, faces);
     plan_.names += name;
     add_cell(plan_, structure_.types().coned(type, by_edges_), first_face);
+    plan_.cones.back().end = static_cast<std::uint32_t>(plan_.cells.size());
   }
 
  private:
@@ -575,16 +618,12 @@ Status Planner::plan_explicit_cones(std::span<const std::string> apexes, std::ve
     }
   }
   std::vector<std::string> names;  // of the cones, apex by apex
-  std::unordered_set<std::string_view> met(apexes.begin(), apexes.end());
   names.reserve(apexes.size() * coned.size());
   for (const std::string& apex : apexes) {
     for (const CellId c : coned) {
       const std::string& name = names.emplace_back(fmt::format("{}*{}", apex, structure_.name(c)));
       if (structure_.is_name_taken(name)) {
         return bad_input(fmt::format("the name \"{}\" is in use: choose another apex", name));
-      }
-      if (apexes.size() > 1 && !met.insert(name).second) {
-        return bad_input(fmt::format("two of the new cells would have the name \"{}\": choose other apexes", name));
       }
     }
   }
@@ -647,6 +686,14 @@ Status Planner::check_family(const NewFamily& family) const {
   if (static_cast<int>(family.counts.size()) - 1 > largest_dimension) {
     return Error{Errc::refused, fmt::format("\"{}\" would have cells of dimension {}; the limit is {}", family.name,
                                             family.counts.size() - 1, largest_dimension)};
+  }
+  constexpr int most_nested = NameReader::most_nested - largest_dimension;  // cones that are written out come to that
+  for (const BodyId body : family.bodies) {
+    if (structure_.nesting_of(body) >= most_nested) {
+      return Error{Errc::refused, fmt::format("\"{}\" would be made of {} products and cones that are made of one "
+                                              "another, the limit",
+                                              family.name, most_nested)};
+    }
   }
   const auto others = structure_.counts();
   std::uint64_t sum = std::accumulate(others.begin(), others.end(), std::uint64_t{0});
@@ -943,8 +990,8 @@ Status Planner::plan(const Identify& operation, Plan& plan) {
   std::vector<std::pair<Value, Value>> equations;
   for (std::size_t k = 0; k < operation.pairs.size(); ++k) {
     const auto& [one, other] = operation.pairs[k];
-    const Result<Value> a = resolve_value(one);
-    Result<Value> b = resolve_value(other);
+    const Result<Value> a = resolve(one);
+    Result<Value> b = resolve(other);
     if (!a || !b) {
       return a ? b.error() : a.error();
     }
@@ -968,7 +1015,7 @@ Status Planner::plan(const Identify& operation, Plan& plan) {
 
 Status Planner::plan(const Degenerate& operation, Plan& plan) {
   plan.clear();
-  const Result<Value> cell = resolve_value(operation.cell);
+  const Result<Value> cell = resolve(operation.cell);
   if (!cell) {
     return cell.error();
   }
@@ -1041,7 +1088,7 @@ class SplitPlanner {
   }
 
   Status add_copy(const Deidentify::Split& split) {
-    const Result<Value> named = planner_.resolve_value(split.cell);
+    const Result<Value> named = planner_.resolve(split.cell);
     if (!named) {
       return named.error();
     }
@@ -1064,7 +1111,7 @@ class SplitPlanner {
       named.cell = copy->second;
       named.order = copies_[copy->second - first_copy].order;
     } else {
-      const Result<Value> found = planner_.resolve_value(name);
+      const Result<Value> found = planner_.resolve(name);
       if (!found) {
         return found.error();
       }

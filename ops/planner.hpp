@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "ops/name_reader.hpp"
 #include "ops/operation.hpp"
 #include "ops/structure.hpp"
 #include "sparse/result.hpp"
@@ -48,15 +49,16 @@ class Planner {
   Status plan(const Collapse& operation, Plan& plan);
 
   [[nodiscard]] const Limits& limits() const { return limits_; }
-  /// The node that a name denotes, of a cell of the object, or unknown_name with what would be right.
-  [[nodiscard]] Result<CellId> resolve(const std::string& name) const;
-  /// What a name denotes, in normal form: its vertices in the order in which the name stands for them.
-  [[nodiscard]] Result<Value> resolve_value(const std::string& name) const;
+  /// What a name denotes, of a cell of the object, in normal form: its vertices in the order in which the name stands
+  /// for them. Or unknown_name, with what would be right.
+  [[nodiscard]] Result<Value> resolve(const std::string& name) const;
 
  private:
   Status check_new_name(const std::string& name) const;
+  Status check_new_apex(const std::string& name) const;
   /// The name of a lazy family, whose cells' names begin with it.
   Status check_new_prefix(const std::string& name) const;
+  [[nodiscard]] std::string why_unreadable(const std::string& name, NameReader::Failure failure) const;
   Status check_room(std::int64_t new_cells) const;
   Status check_size(const CellType& type) const;
   Status check_standard(const CellType& type) const;

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "ops/name_reader.hpp"
+#include "ops/name_text.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::ops {
@@ -25,6 +27,7 @@ void Plan::clear() {
   sources.clear();
   name_orders.clear();
   moves.clear();
+  cones.clear();
   family.reset();
   abstract.reset();
   new_body.reset();
@@ -113,6 +116,10 @@ Structure::Oriented Structure::oriented_face_at(CellId c, std::uint32_t k, const
   });
   const Oriented face = find_oriented_at(node, moment.links);
   return {face.cell, sign * face.sign};
+}
+
+LinkId Structure::links_before_step(LinkId link) const {
+  return *std::prev(std::upper_bound(first_links_.begin(), first_links_.end(), link));
 }
 
 CellId Structure::last_root(CellId c) const {
@@ -488,146 +495,42 @@ std::string Structure::lazy_name(const LazyKey& key) const {
 
 namespace {
 
-/// "a^0,2" as ("a", {0, 2}); nothing when the text does not end that way.
-std::optional<std::pair<std::string_view, Degeneracy>> split_degeneracy(std::string_view text) {
-  const std::size_t mark = text.rfind('^');
-  if (mark == std::string_view::npos || mark + 1 == text.size()) {
-    return std::nullopt;
-  }
-  Degeneracy collapsed = 0;
-  int number = -1;
-  for (const char c : text.substr(mark + 1)) {
-    if (c >= '0' && c <= '9') {
-      number = std::max(number, 0) * 10 + (c - '0');
-      if (number > largest_dimension) {
-        return std::nullopt;
-      }
-      continue;
-    }
-    if (c != ',' || number < 0) {
-      return std::nullopt;
-    }
-    collapsed |= Degeneracy{1} << number;
-    number = -1;
-  }
-  if (number < 0) {
-    return std::nullopt;
-  }
-  return std::pair{text.substr(0, mark), collapsed | Degeneracy{1} << number};
-}
-
-/// The parts of a name before which a family's name may end: before each "*", and before each ".(".
+/// Calls visit(prefix, hash) for the parts of a name before which that of a lazy family may end.
 template <class Visit>
 void for_each_prefix(std::string_view name, Visit visit) {
-  for (std::size_t k = 1; k < name.size(); ++k) {
-    if (name[k] == '*' || (name[k] == '.' && k + 1 < name.size() && name[k + 1] == '(')) {
-      visit(name.substr(0, k), name.substr(k));
+  TextHash hash;
+  for (std::size_t k = 0; k < name.size(); ++k) {
+    if (ends_prefix(name, k)) {
+      visit(name.substr(0, k), hash);
     }
+    hash.add(name[k]);
   }
 }
 
 }  // namespace
 
-/// The node of a name, whatever has become of its body.
-std::optional<Incidence> Structure::lookup_any(std::string_view name) const {
-  if (const NameTable::Name* found = names_.find(name); found != nullptr && found->cell != none) {
-    return Incidence{found->cell, order_of_own_name(found->cell)};
-  }
-  if (const auto named = abstract_.find_named(name)) {
-    return Incidence{named->cell, maps_->order(named->places)};
-  }
-  std::optional<Incidence> cell;
-  if (families_.empty()) {
-    return cell;
-  }
-  for_each_prefix(name, [&](std::string_view prefix, std::string_view rest) {
-    const auto at = family_names_.find(std::string{prefix});
-    if (cell || at == family_names_.end()) {
-      return;
-    }
-    const LazyFamily& family = families_[at->second];
-    if (rest.front() == '*' && family.kind == FamilyKind::cone) {
-      if (const auto base = lookup_in(rest.substr(1), family.bodies)) {
-        cell = lazy_face(at->second, LazyPart::coned, *base);
-      }
-    } else if (rest.front() == '.' && family.kind != FamilyKind::cone && rest.back() == ')') {
-      cell = lookup_pair(at->second, rest.substr(2, rest.size() - 3));
-    }
-  });
-  return cell;
-}
-
-/// The cell of a product whose name has "left|right" in its parentheses.
-std::optional<Incidence> Structure::lookup_pair(FamilyId id, std::string_view inside) const {
-  const LazyFamily& family = families_[id];
-  const bool is_simplicial = family.kind == FamilyKind::simplicial_product;
-  const auto part = [&](std::string_view text, BodyId body) -> std::optional<Value> {
-    const BodyId bodies[] = {body};
-    if (auto found = lookup_in(text, bodies)) {
-      return found;
-    }
-    const auto split = split_degeneracy(text);
-    if (!is_simplicial || !split) {
-      return std::nullopt;
-    }
-    auto found = lookup_in(split->first, bodies);
-    if (found) {
-      const int n = types_->info(found->type).dimension + std::popcount(split->second);
-      if (n > largest_dimension || split->second >> n != 0) {
-        return std::nullopt;
-      }
-      *found = maps_->compose({none, types_->simplex(n), split->second}, *found);
-    }
-    return found;
-  };
-  for (std::size_t k = inside.find('|'); k != std::string_view::npos; k = inside.find('|', k + 1)) {
-    const auto left = part(inside.substr(0, k), family.bodies[0]);
-    const auto right = left ? part(inside.substr(k + 1), family.bodies[1]) : std::nullopt;
-    if (right && (!is_simplicial || left->type == right->type)) {
-      return lazy_face(id, LazyPart::pair, *left, *right);
-    }
-  }
-  return std::nullopt;
-}
-
-/// What a name denotes among the cells of some frozen bodies.
-std::optional<Value> Structure::lookup_in(std::string_view name, std::span<const BodyId> bodies) const {
-  const auto found = lookup_any(name);
-  if (!found) {
+std::optional<Incidence> Structure::lookup_in_order(std::string_view name) const {
+  const auto named = NameReader(*this, name).read();
+  if (!named) {
     return std::nullopt;
   }
-  for (Value v = maps_->reordered(found->order, value(found->node));;) {
-    const BodyId body = body_of(v.cell);
-    if (std::find(bodies.begin(), bodies.end(), body) != bodies.end()) {
-      return v;
-    }
-    const FamilyId family = bodies_[body].consumed_by;
-    if (family == none || families_[family].kind != FamilyKind::cone) {
-      return std::nullopt;
-    }
-    const Incidence base = lazy_face(family, LazyPart::base, v);
-    v = maps_->reordered(base.order, value(base.node));
-  }
-}
-
-std::optional<Incidence> Structure::lookup_in_order(std::string_view name) const {
-  auto found = lookup_any(name);
-  while (found && is_consumed(found->node)) {
-    const FamilyId family = consumed_by(nodes_->body[found->node]);
+  Incidence found = named->is_degenerate() ? incidence_of(normal_form(*named)) : Incidence{named->cell, named->order};
+  while (is_consumed(found.node)) {
+    const FamilyId family = consumed_by(nodes_->body[found.node]);
     if (families_[family].kind != FamilyKind::cone) {
       break;
     }
-    found = lazy_face(family, LazyPart::base, maps_->reordered(found->order, value(found->node)));
+    found = lazy_face(family, LazyPart::base, maps_->reordered(found.order, value(found.node)));
   }
   return found;
 }
 
 bool Structure::is_name_taken(std::string_view name) const {
-  return names_.find(name) != nullptr || ((!families_.empty() || !abstract_.empty()) && lookup_any(name).has_value());
+  return names_.find(name) != nullptr || NameReader(*this, name).read().has_value();
 }
 
 OrderId Structure::order_of_name(std::string_view name) const {
-  const auto found = abstract_.empty() && !has_orders_ ? std::nullopt : lookup_in_order(name);
+  const auto found = lookup_in_order(name);
   return found ? found->order : same_order;
 }
 
@@ -658,22 +561,89 @@ OrderId Structure::order_of_own_name(CellId node) const {
 }
 
 bool Structure::is_prefix_taken(std::string_view prefix) const {
-  const auto at = prefixes_.find(std::string{prefix});
-  return at != prefixes_.end() && at->second > 0;
+  TextHash hash;
+  hash.add(prefix);
+  if (!prefixes_.contains(hash.word())) {
+    return false;
+  }
+  for (std::uint32_t k = 0; k < names_.size(); ++k) {  // hardly ever in vain: hashes have 64 bits
+    if (extends_name(names_[k].text, prefix)) {
+      return true;
+    }
+  }
+  return false;
 }
 
-bool Structure::extends_family_name(std::string_view name) const {
-  bool extends = false;
-  for_each_prefix(name, [&](std::string_view prefix, std::string_view) {
-    extends = extends || family_names_.contains(std::string{prefix});
+bool Structure::is_ambiguous_prefix(std::string_view name) const {
+  bool is_ambiguous = false;
+  for_each_prefix(name, [&](std::string_view prefix, const TextHash& hash) {
+    const NameTable::Name* known = names_.find(prefix, hash.value());
+    is_ambiguous = is_ambiguous || (known != nullptr && (product_named(*known) != none ||
+                                                         (known->cell != none && cone_from(known->cell) != nullptr)));
   });
-  return extends;
+  const auto extends = [&](std::string_view other) { return extends_name(other, name); };
+  return is_ambiguous ||
+         (is_prefix_taken(name) &&
+          (std::any_of(cones_.begin(), cones_.end(), [&](const Cone& cone) { return extends(own_name(cone.apex)); }) ||
+           std::any_of(families_.begin(), families_.end(),
+                       [&](const LazyFamily& family) { return extends(family.name); })));
 }
 
 void Structure::add_name(std::string_view text, CellId cell, BodyId body) {
+  if (!is_well_bracketed(text)) {
+    odd_names_.push_back(names_.size());
+  }
   names_.add(text, cell, body);
-  for_each_prefix(text, [this](std::string_view prefix, std::string_view) { ++prefixes_[std::string{prefix}]; });
+  for_each_prefix(text, [this](std::string_view, const TextHash& hash) { ++prefixes_[hash.word()]; });
 }
+
+void Structure::drop_last_name() {
+  const std::uint32_t last = names_.size() - 1;
+  for_each_prefix(names_[last].text, [this](std::string_view, const TextHash& hash) {
+    if (const auto at = prefixes_.find(hash.word()); --at->second == 0) {
+      prefixes_.erase(at);
+    }
+  });
+  if (!odd_names_.empty() && odd_names_.back() == last) {
+    odd_names_.pop_back();
+  }
+  names_.pop_back();
+}
+
+FamilyId Structure::product_named(const NameTable::Name& name) const {
+  const FamilyId family = name.cell == none && name.body != none ? bodies_[name.body].family : none;
+  return family != none && families_[family].kind != FamilyKind::cone ? family : none;
+}
+
+// ------------------------------------------------------------------------------------------------------------- cones
+
+const Cone* Structure::cone_from(CellId apex) const {
+  const auto found = std::lower_bound(cones_.begin(), cones_.end(), apex,
+                                      [](const Cone& cone, CellId cell) { return cone.apex < cell; });
+  return found != cones_.end() && found->apex == apex ? &*found : nullptr;
+}
+
+CellId Structure::oldest_at(CellId node, LinkId links) const {
+  CellId oldest = nodes_->oldest[node];
+  while (oldest != node) {
+    LinkId joined = none;  // the removal that made it a member
+    for (CellId at = oldest; at != node; at = nodes_->parent[at]) {
+      joined = nodes_->link_of[at];
+    }
+    if (joined < links) {
+      break;
+    }
+    oldest = links_[joined].oldest_before;
+  }
+  return oldest;
+}
+
+std::span<const CellId> Structure::squashed_onto(CellId node) const {
+  const auto at = nodes_->squashed_onto.find(node);
+  return at == nodes_->squashed_onto.end() ? std::span<const CellId>{} : at->second;
+}
+
+// ------------------------------------------------------------------------------------------------------------- ages
 
 /// Negative when a is older, positive when b is.
 int Structure::compare_age(CellId a, CellId b) const {
@@ -779,6 +749,7 @@ StructureMark Structure::mark() const {
           static_cast<std::uint32_t>(body_links_.size()),
           static_cast<std::uint32_t>(moves_.size()),
           copies(),
+          cones(),
           families(),
           static_cast<std::uint32_t>(nodes_->expanded.size()),
           static_cast<std::uint32_t>(kind_changes_.size()),
@@ -795,6 +766,10 @@ void Structure::apply(const Plan& plan) {
     bodies_.back().parent = bodies_.back().oldest = new_body;
     bodies_.back().kind = {plan.abstract.has_value(), true};
   }
+  const Instant made = instant_of(links(), families());
+  for (const Plan::WrittenCone& cone : plan.cones) {
+    cones_.push_back({first + cone.apex, first + cone.end, made, links(), none, cone.by_edges});
+  }
   add_cells(plan, new_body);
   if (plan.family) {
     add_family(*plan.family, new_body);
@@ -807,6 +782,9 @@ void Structure::apply(const Plan& plan) {
   }
   for (const Move& move : plan.moves) {
     make_move(move);
+  }
+  if (!plan.merges.empty()) {
+    first_links_.push_back(links());
   }
   for (const Merge& merge : plan.merges) {
     link(merge);
@@ -973,6 +951,7 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
     if (source != none) {
       if (next_name != plan.name_orders.end() && next_name->first == k) {
         name_orders_.emplace(id, next_name->second);
+        has_orders_ = true;
         ++next_name;
       }
       bodies_[body].made.push_back({id, id + 1});
@@ -999,7 +978,9 @@ void Structure::add_family(const NewFamily& family, BodyId body) {
                        family.kind == FamilyKind::cone ? created() - 1 : none, created(), links(),
                        static_cast<std::uint32_t>(body_links_.size()), body, family.counts});
   nodes_->lazy_made.emplace_back();
-  family_names_.emplace(family.name, id);
+  if (family.kind == FamilyKind::cone) {
+    cones_.push_back({created() - 1, created(), instant_of(links(), id), links(), id, family.by_edges});
+  }
   Body& made = bodies_[body];
   made.family = id;
   for (const BodyId b : family.bodies) {
@@ -1007,6 +988,7 @@ void Structure::add_family(const NewFamily& family, BodyId body) {
       bodies_[b].consumed_by = id;
       add_counts(bodies_[b].counts, counts_, true);
     }
+    made.nesting = std::max(made.nesting, bodies_[b].nesting + 1);
     if (family.kind == FamilyKind::cone) {
       made.oldest = std::min(made.oldest, bodies_[b].oldest);
     }
@@ -1027,7 +1009,6 @@ void Structure::undo_last_family() {
       add_counts(bodies_[b].counts, counts_, false);
     }
   }
-  family_names_.erase(family.name);
   nodes_->lazy_made.pop_back();
   families_.pop_back();
 }
@@ -1124,9 +1105,10 @@ void Structure::join_bodies(BodyId a, BodyId b) {
   if (bodies_[a].size < bodies_[b].size) {
     std::swap(a, b);
   }
-  body_links_.push_back({b, bodies_[a].oldest, created(), links(), bodies_[a].kind});
+  body_links_.push_back({b, bodies_[a].oldest, created(), links(), bodies_[a].kind, bodies_[a].nesting});
   bodies_[a].kind = {bodies_[a].kind.is_abstract && bodies_[b].kind.is_abstract,
                      bodies_[a].kind.keeps_orders && bodies_[b].kind.keeps_orders};
+  bodies_[a].nesting = std::max(bodies_[a].nesting, bodies_[b].nesting);
   bodies_[b].parent = a;
   bodies_[a].children.push_back(b);
   bodies_[a].size += bodies_[b].size;
@@ -1146,6 +1128,7 @@ void Structure::undo_last_body_link() {
   above.size -= child.size;
   above.oldest = link.oldest_before;
   above.kind = link.kind_before;
+  above.nesting = link.nesting_before;
   child.parent = link.child;
 }
 
@@ -1247,14 +1230,13 @@ void Structure::truncate(const StructureMark& mark) {
       break;
     }
   }
-  while (names_.size() > mark.names) {
-    for_each_prefix(names_[names_.size() - 1].text, [this](std::string_view prefix, std::string_view) {
-      if (const auto at = prefixes_.find(std::string{prefix}); --at->second == 0) {
-        prefixes_.erase(at);
-      }
-    });
-    names_.pop_back();
+  while (!first_links_.empty() && first_links_.back() >= links()) {
+    first_links_.pop_back();
   }
+  while (names_.size() > mark.names) {
+    drop_last_name();
+  }
+  cones_.erase(cones_.begin() + mark.cones, cones_.end());
   bodies_.erase(bodies_.begin() + mark.bodies, bodies_.end());
 }
 

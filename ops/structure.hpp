@@ -87,7 +87,13 @@ struct Plan {
   std::vector<CellId> sources;                              ///< empty, or per new cell: the cell that it is a copy of
   /// Copies, by position, whose names stand for their vertices in another order: that of the name of the cell split.
   std::vector<std::pair<std::uint32_t, OrderId>> name_orders;
-  std::vector<Move> moves;                 ///< incidences that go to a copy
+  std::vector<Move> moves;  ///< incidences that go to a copy
+  /// Cones among the new cells, by position: the apex, then the cells of the cone, whose last faces are what is coned.
+  struct WrittenCone {
+    std::uint32_t apex, end;
+    bool by_edges;
+  };
+  std::vector<WrittenCone> cones;
   std::optional<NewFamily> family;         ///< bodies become a product or a cone
   std::optional<AbstractChange> abstract;  ///< of an insertion or a collapse
   std::optional<std::string> new_body;     ///< the new cells make a body of this name
@@ -110,6 +116,24 @@ struct Moment {
   friend bool operator==(const Moment&, const Moment&) = default;
 };
 
+/// Removals and families in one order: how many of each there had been.
+using Instant = std::uint64_t;
+[[nodiscard]] constexpr Instant instant_of(LinkId links, FamilyId families) {
+  return Instant{links} << 32U | Instant{families};
+}
+/// Just after a removal, before any family that followed it.
+[[nodiscard]] constexpr Instant instant_after(LinkId link) { return instant_of(link + 1, 0); }
+
+/// A cone as it was made: over which cells follows from the moment and, when it is written out, from its cells.
+struct Cone {
+  CellId apex;
+  CellId end;       ///< of a cone that is written out: its cells come between the apex and this
+  Instant made;     ///< what happened before
+  LinkId links;     ///< of that, removals
+  FamilyId family;  ///< of a lazy cone, else none
+  bool by_edges;    ///< as in NewFamily
+};
+
 /// How much of everything there was at some moment: all that undo needs.
 struct StructureMark {
   CellId cells = 0;
@@ -119,6 +143,7 @@ struct StructureMark {
   std::uint32_t body_links = 0;
   std::uint32_t moves = 0;
   std::uint32_t copies = 0;
+  std::uint32_t cones = 0;
   FamilyId families = 0;
   std::uint32_t expansions = 0;
   std::uint32_t body_kinds = 0;
@@ -213,6 +238,8 @@ class Structure {
   [[nodiscard]] int sign_of(LinkId link) const { return reverses_[link] ? -1 : 1; }
   /// Vertex k of the removed cell became vertex order(k) of the other one.
   [[nodiscard]] OrderId order_of(LinkId link) const;
+  /// The number of removals before the step in which one was made.
+  [[nodiscard]] LinkId links_before_step(LinkId link) const;
   /// What c was removed in favour of: a node, or none when it became degenerate; c itself when it is current.
   [[nodiscard]] CellId parent(CellId c) const { return nodes_->parent[c]; }
   /// The link by which c was removed, or `none`.
@@ -259,8 +286,6 @@ class Structure {
   /// Calls visit(move) for the moves of face k of a cell whose numbers are in [first, last), in order.
   template <class Visit>
   void for_each_move_of(CellId c, std::uint32_t k, std::uint32_t first, std::uint32_t last, Visit&& visit) const;
-  /// True when a name begins with that of a lazy family and goes on as its cells' names do.
-  [[nodiscard]] bool extends_family_name(std::string_view name) const;
   /// The current cells that have a face which is a given current cell or degenerate over it, oldest first.
   /// Cost: the incidences that its members were created with; for a lazy cell also those of the factors' cells, for the
   /// apex of a lazy cone all cells that the cone is taken over.
@@ -272,7 +297,9 @@ class Structure {
                                                                         std::size_t most = SIZE_MAX) const;
 
   // ---- names
-  /// The node of a name, or empty. Cells of bodies that a cone was taken over are those of the cone.
+  [[nodiscard]] const NameTable& names() const { return names_; }
+  /// The node of a name, or empty. Cells of bodies that a cone was taken over are those of the cone. May make a node,
+  /// for a degenerate cell that only the name describes.
   [[nodiscard]] std::optional<CellId> lookup(std::string_view name) const {
     const auto named = lookup_in_order(name);
     return named ? std::optional{named->node} : std::nullopt;
@@ -286,8 +313,10 @@ class Structure {
   }
   /// A current cell with its vertices in the order in which its canonical name stands for them.
   [[nodiscard]] Value named_value(CellId current) const;
-  /// The order in which any name has the vertices of the node that `lookup` finds: another one when it lists the labels
-  /// of an abstract simplex and those, sorted, are not in the order of the node's vertices; or has such a name in it.
+  /// The order in which the name that a node was created with has its vertices. Cost: O(1), unless it is lazy.
+  [[nodiscard]] OrderId order_of_own_name(CellId node) const;
+  /// The order in which any name has the vertices of the node that `lookup` finds: another one when it lists vertices
+  /// or labels that are not in the order of the node's vertices, or has such a name in it.
   [[nodiscard]] OrderId order_of_name(std::string_view name) const;
   /// The sign with which it denotes that node.
   [[nodiscard]] int sign_of_name(std::string_view name) const { return maps_->sign(order_of_name(name)); }
@@ -300,6 +329,11 @@ class Structure {
   [[nodiscard]] bool is_name_taken(std::string_view name) const;
   /// True when some name begins with this and goes on with "*" or ".(": the prefix of a lazy family would be ambiguous.
   [[nodiscard]] bool is_prefix_taken(std::string_view prefix) const;
+  /// True when one of the two names begins with the other, of an apex or a product, and goes on with "*" or ".(": what
+  /// names of their cells stand for would be ambiguous. `name` is new.
+  [[nodiscard]] bool is_ambiguous_prefix(std::string_view name) const;
+  /// How often names, parts of names and labels have been looked up: what reading names has cost. Only grows.
+  [[nodiscard]] std::uint64_t names_looked_up() const { return names_.looked_up() + abstract_.labels_looked_up(); }
 
   // ---- bodies
   /// The current body of a name, or empty. A body that became part of a cone is that cone's body.
@@ -321,12 +355,30 @@ class Structure {
   /// The number of current cells of a body that are no simplices: of a type longer than one.
   [[nodiscard]] std::uint64_t simploids_of(BodyId body) const { return bodies_[find_body(body)].simploids; }
 
+  /// How many lazy families are made of one another to make the cells of a body.
+  [[nodiscard]] std::uint32_t nesting_of(BodyId body) const { return bodies_[find_body(body)].nesting; }
+
   /// True when all cells of a body are simplices: vertices or of a type of length 1.
   [[nodiscard]] bool has_only_simplices(BodyId body) const { return simploids_of(body) == 0; }
 
   // ---- abstract simplicial complexes
   [[nodiscard]] const AbstractComplex& abstract() const { return abstract_; }
   [[nodiscard]] BodyKind kind_of(BodyId body) const { return bodies_[find_body(body)].kind; }
+
+  // ---- cones, lazy or written out, and what their cells are called after
+  [[nodiscard]] std::uint32_t cones() const { return static_cast<std::uint32_t>(cones_.size()); }
+  /// The cone that has a cell as its apex, or null.
+  [[nodiscard]] const Cone* cone_from(CellId apex) const;
+  /// The oldest member that a node had when there had been only `links` removals and it was a current cell.
+  [[nodiscard]] CellId oldest_at(CellId node, LinkId links) const;
+  /// The product that a name is that of, or none.
+  [[nodiscard]] FamilyId product_named(const NameTable::Name& name) const;
+  /// What a node became that is degenerate. Requires: parent(node) == none.
+  [[nodiscard]] const Value& squashed(CellId node) const { return nodes_->squashed.at(node); }
+  /// The nodes that became degenerate over a node itself.
+  [[nodiscard]] std::span<const CellId> squashed_onto(CellId node) const;
+  /// Names with brackets that do not match, or with a bar outside of brackets: their numbers. See NameReader.
+  [[nodiscard]] std::span<const std::uint32_t> odd_names() const { return odd_names_; }
 
   // ---- lazy families: products, and cones over whole bodies
   [[nodiscard]] FamilyId families() const { return static_cast<FamilyId>(families_.size()); }
@@ -394,12 +446,14 @@ class Structure {
     FamilyId consumed_by = none;
     std::uint64_t simploids = 0;  ///< of those counted, the ones of a type longer than one
     BodyKind kind;
+    std::uint32_t nesting = 0;
   };
   struct BodyLink {
     BodyId child, oldest_before;
     CellId created;
     LinkId links;
     BodyKind kind_before;
+    std::uint32_t nesting_before;
   };
   /// A body became less of an abstract complex than it was.
   struct KindChange {
@@ -431,16 +485,13 @@ class Structure {
   void count(CellId c, int change);
   static void add_counts(std::span<const std::uint64_t> from, std::vector<std::uint64_t>& to, bool subtract);
   void add_name(std::string_view text, CellId cell, BodyId body);
+  void drop_last_name();
   [[nodiscard]] CellId last_root(CellId c) const;
   void advance_to_root(Value& v) const;
   [[nodiscard]] int compare_age(CellId a, CellId b) const;
   [[nodiscard]] std::vector<Incidence> faces_of_lazy(const LazyKey& key) const;
   void make_all_cells_of(FamilyId family) const;
   [[nodiscard]] std::optional<Incidence> lookup_in_order(std::string_view name) const;
-  [[nodiscard]] std::optional<Incidence> lookup_any(std::string_view name) const;
-  [[nodiscard]] OrderId order_of_own_name(CellId node) const;
-  [[nodiscard]] std::optional<Value> lookup_in(std::string_view name, std::span<const BodyId> bodies) const;
-  [[nodiscard]] std::optional<Incidence> lookup_pair(FamilyId family, std::string_view inside) const;
   [[nodiscard]] std::string lazy_name(const LazyKey& key) const;
   [[nodiscard]] CellId owner_of(std::uint32_t entry) const;
   void add_cofaces(CellId current, std::vector<CellId>& out) const;
@@ -454,6 +505,7 @@ class Structure {
   std::vector<bool> reverses_;                       ///< per link
   LinkId reversals_ = 0;                             ///< links that do
   std::unordered_map<LinkId, OrderId> link_orders_;  ///< of links in another order
+  std::vector<LinkId> first_links_;                  ///< of the steps that made some
   std::vector<std::uint64_t> counts_;
 
   std::vector<Copy> copies_;
@@ -469,7 +521,10 @@ class Structure {
   std::unordered_map<CellId, std::vector<std::uint32_t>> moved_onto_;  ///< per node: the moves that ended at it
 
   NameTable names_;
-  std::unordered_map<std::string, std::uint32_t> prefixes_;  ///< of names that could be those of lazy cells
+  /// Per hash, how many names have a prefix with it that could be that of a lazy family.
+  std::unordered_map<std::uint64_t, std::uint32_t> prefixes_;
+  std::vector<std::uint32_t> odd_names_;
+  std::deque<Cone> cones_;
 
   std::deque<Body> bodies_;
   std::vector<BodyLink> body_links_;
@@ -478,9 +533,8 @@ class Structure {
   /// Orders of faces as created, where not the same: by place in the list of all faces.
   std::unordered_map<std::uint64_t, OrderId> face_orders_;
   std::unordered_map<CellId, OrderId> name_orders_;  ///< of copies, as in Plan
-  mutable bool has_orders_ = false;                  ///< some face or link has, or had, another order
+  mutable bool has_orders_ = false;                  ///< some face, link or name has, or had, another order
   std::deque<LazyFamily> families_;
-  std::unordered_map<std::string, FamilyId> family_names_;
 };
 
 template <class Visit>

@@ -297,6 +297,14 @@ def collapse(value, i, j, vanished):
     return cell, shape[:i] + (shape[i][:j + 1] + shape[i][j:],) + shape[i + 1:]
 
 
+def cone_shape(shape, simplicial):
+    """One more vertex, the last: of the only component, or of a component of its own."""
+    if simplicial:
+        part = shape[0] if shape else (0,)
+        return (part + (max(part) + 1,),)
+    return shape + ((0, 1),)
+
+
 def restrict(value, kept, faces_of):
     """The face of a value on the listed vertices, one list for each component."""
     for i in reversed(range(len(kept))):
@@ -325,6 +333,13 @@ def broken_law(kind, faces, faces_of):
 
 # ------------------------------------------------------------------------------------------------ the state
 
+# What a name stands for: a key of State.names, and the shape of a value of what that is (None: this itself).
+Reading = collections.namedtuple("Reading", "key shape")
+
+# A cone: of what it is the cone, by canonical names of the time, oldest first; and for each key of State.names that v*key
+# may be made of, whose cone that is and how: (canonical name, shape). Those in `late` came to it after the step.
+Cone = collections.namedtuple("Cone", "simplicial coned table late")
+
 # kind is the type of the simploid, () for a vertex; faces are values: d^1_0, d^1_1, ..., d^2_0, ...
 Cell = collections.namedtuple("Cell", "name kind faces body")
 
@@ -341,6 +356,9 @@ class State:
         self.consumed = set()  # numbers of bodies
         self.labels = {}  # of a vertex of an abstract complex, as inserted -> the label that the vertex has now
         self.orders = {}  # frozenset of labels -> tuple of them; a simplex is a name as well: its frozenset
+        self.standard = {}  # name of a simplex or simploid -> its type
+        self.cones = {}  # apex -> Cone
+        self.products = {}  # name -> (simplicial, left table, right table), tables as those of cones
         self.abstract = set()  # numbers of abstract bodies, of their roots
         self.disordered = set()  # numbers of bodies where cells and faces have come to order their vertices differently
 
@@ -354,6 +372,9 @@ class State:
         other.consumed = set(self.consumed)
         other.labels = dict(self.labels)
         other.orders = dict(self.orders)
+        other.standard = dict(self.standard)
+        other.cones = dict(self.cones)
+        other.products = dict(self.products)
         other.abstract = set(self.abstract)
         other.disordered = set(self.disordered)
         return other
@@ -380,25 +401,139 @@ class State:
         """What a name denotes; it may be degenerate."""
         if not isinstance(name, str):
             raise ScriptError("a cell's name must be a string")
-        listed = self.listed(name)
-        key = name if name in self.names else frozenset(listed)
-        if key not in self.names:
+        reading = self.reading(name)
+        if reading is None:
             raise ScriptError(f'no cell is called "{name}"')
-        if self.names[key] is None:
+        value = self.names[reading.key]
+        if value is None:
             raise ScriptError(f'"{name}" is a cell of a factor of a product')
-        if key == name or len(listed) == 1:
-            return self.names[key]
-        return self.names[key][0], fill((places(listed, self.orders[key]),), self.names[key][1])
-
-    def listed(self, name):
-        """The labels that a name {a,b,...} lists, sorted, as what they have become; empty when they are none."""
-        labels = sorted(name[1:-1].split(","), key=label_key) if name[:1] + name[-1:] == "{}" and name[1:-1] else []
-        now = [self.labels[label] for label in labels if label in self.labels]
-        return now if len(set(now)) == len(labels) else []
+        return value if reading.shape is None else (value[0], fill(reading.shape, value[1]))
 
     def sign(self, name):
         """The orientation that a name stands for, against that of the cell."""
         return orientation(self.value(name)[1])
+
+    def listed(self, name):
+        """The labels that a name {a,b,...} lists, as what they have become; empty when they are none."""
+        labels = name[1:-1].split(",") if name[:1] + name[-1:] == "{}" and name[1:-1] else []
+        known = all(label in self.labels for label in labels) and len(set(labels)) == len(labels)
+        return [self.labels[label] for label in labels] if known else []
+
+    def reading(self, name):
+        """What a name stands for, or None."""
+        if name in self.names:
+            return Reading(name, None)
+        labels = self.listed(name)
+        key = frozenset(labels)
+        if key in self.orders:
+            return Reading(key, (places(labels, self.orders[key]),) if len(labels) > 1 else None)
+        return self.standard_reading(name) or self.derived_reading(name)
+
+    def standard_reading(self, name):
+        """Vertices of a simplex or simploid in any order, or all of them."""
+        base, _, rest = name.rpartition(".")
+        kind = self.standard.get(base, ())
+        lists = [part.split("-") for part in rest.split("x")]
+        if len(lists) != len(kind):
+            return None
+        for size, vertices in zip(kind, lists):
+            if not set(vertices) <= {str(x) for x in range(size + 1)} or len(set(vertices)) < len(vertices):
+                return None
+        ordered = [sorted(vertices, key=int) for vertices in lists]
+        is_top = all(len(vertices) == size + 1 for size, vertices in zip(kind, ordered))
+        shape = tuple(places(one, other) for one, other in zip(lists, ordered) if len(one) > 1)
+        text = "x".join("-".join(vertices) for vertices in ordered)
+        return Reading(base if is_top else f"{base}.{text}", shape or None)
+
+    def derived_reading(self, name):
+        """v*c and P.(a|b)."""
+        for k in range(1, len(name)):
+            if name[:k] in self.cones and name[k] == "*":
+                return self.coned_reading(name[:k], name[k + 1:])
+            if name[:k] in self.products and name[k:k + 2] == ".(" and name[-1] == ")":
+                return self.pair_reading(name[:k], name[k + 2:-1])
+        return None
+
+    def read_in(self, name, table):
+        """(canonical name, shape, key) of what a name stands for, by a table, or None."""
+        reading = self.reading(name)
+        if reading is None or reading.key not in table:
+            return None
+        called, shape = table[reading.key]
+        return called, fill(reading.shape, shape) if reading.shape else shape, reading.key
+
+    def coned_reading(self, apex, base):
+        cone = self.cones[apex]
+        found = self.read_in(base, cone.table)
+        if found is None or (found[2] in cone.late and is_degenerate(found[:2])):
+            return None
+        return Reading(f"{apex}*{found[0]}", cone_shape(found[1], cone.simplicial))
+
+    def pair_reading(self, product, inside):
+        simplicial, *tables = self.products[product]
+
+        def part(text, table):
+            found = self.read_in(text, table)
+            before, mark, after = text.rpartition("^")
+            if found or not mark or not simplicial or not all(x.isdigit() for x in after.split(",")):
+                return found
+            found = self.read_in(before, table)
+            collapsed = {int(x) for x in after.split(",")}
+            size = found and sum(type_of(found[1])) + len(collapsed)
+            if not found or max(collapsed) >= size:
+                return None
+            shape = (tuple(itertools.accumulate((k not in collapsed for k in range(size)), initial=0)),)
+            return found[0], fill(shape, found[1]), found[2]
+
+        for k, letter in enumerate(inside):
+            left = part(inside[:k], tables[0]) if letter == "|" else None
+            right = left and part(inside[k + 1:], tables[1])
+            if not right or (simplicial and type_of(left[1]) != type_of(right[1])):
+                continue
+            (a, mine, _), (b, other, _) = left, right
+            if not simplicial:
+                return Reading(f"{product}.({a}|{b})", mine + other)
+            pairs = list(zip(sum(mine, ()), sum(other, ())))
+            increasing = sorted(set(pairs))
+            if any(x[1] > y[1] for x, y in zip(increasing, increasing[1:])):
+                return None
+            masks = [[str(n) for n, (x, y) in enumerate(zip(increasing, increasing[1:])) if x[side] == y[side]]
+                     for side in (0, 1)]
+            ends = ["^" + ",".join(mask) if mask else "" for mask in masks]
+            shape = (tuple(map(increasing.index, pairs)),) if pairs else None
+            return Reading(f"{product}.({a}{ends[0]}|{b}{ends[1]})", shape)
+        return None
+
+    def names_meet(self):
+        """Keys that have come to denote what a coned cell denotes make names of its cone from now on."""
+
+        def sorted_value(value):
+            return value and (value[0], tuple(tuple(sorted(part)) for part in value[1]))
+
+        def over(shape, other):
+            """A shape that is another one in some order, as that order."""
+            ranks = [[sorted(range(len(part)), key=part.__getitem__) for part in parts] for parts in (shape, other)]
+            return tuple(tuple(theirs[mine.index(k)] for k in range(len(mine))) for mine, theirs in zip(*ranks))
+
+        for apex, cone in self.cones.items():
+            first = {}
+            for called in cone.coned:
+                if self.names[called]:
+                    first.setdefault(sorted_value(self.names[called]), called)
+            late = {}
+            for key, value in self.names.items():
+                if key not in cone.table and sorted_value(value) in first:
+                    called = first[sorted_value(value)]
+                    late[key] = called, over(value[1], self.names[called][1])
+            if late:
+                self.cones[apex] = cone._replace(table={**cone.table, **late}, late=cone.late | set(late))
+
+    def check_prefix(self, name):
+        """No apex or product may have a name that could begin the name of another's cell."""
+        for other in [*self.cones, *self.products]:
+            for one, two in ((name, other), (other, name)):
+                if one.startswith(two) and (one[len(two):][:1] == "*" or one[len(two):][:2] == ".("):
+                    raise ScriptError(f'names of cells of "{name}" and of "{other}" could be mistaken for one another')
 
     def find(self, name):
         """The number of a cell that is not degenerate."""
@@ -478,7 +613,7 @@ class State:
     # -- changing
 
     def check_free(self, name, own_body=None):
-        if name in self.names or (name in self.bodies and name != own_body):
+        if self.reading(name) or (name in self.bodies and name != own_body):
             raise ScriptError(f'the name "{name}" is taken')
 
     def new_body(self, name):
@@ -648,6 +783,8 @@ def add_simploid(state, name, kind):
         own_kind = tuple(len(s) - 1 for s in face if len(s) > 1)
         cell_name = name if is_top else f"{name}.{label}"
         numbers[face] = state.add(cell_name, own_kind, below, body, name)
+    if kind:
+        state.standard[name] = kind
 
 
 def op_simplex(state, step, _prime):
@@ -771,15 +908,14 @@ def add_cones(state, apexes, over):
 
 
 def add_cone(state, apex, base, simplicial, body):
+    state.check_prefix(apex)
     tip = state.add(apex, (), [], body, apex)
     coned = {}
+    table = {key: (state.cells[value[0]].name, value[1]) for key, value in state.names.items()
+             if value and value[0] in set(base)}
 
-    def cone_of(value):  # one more vertex, the last: of the only component, or of a component of its own
-        cell, shape = value
-        if simplicial:
-            part = shape[0] if shape else (0,)
-            return coned[cell], (part + (max(part) + 1,),)
-        return coned[cell], shape + ((0, 1),)
+    def cone_of(value):
+        return coned[value[0]], cone_shape(value[1], simplicial)
 
     for c in sorted(base, key=lambda c: (state.dim(c), c)):
         kind = state.cells[c].kind
@@ -791,6 +927,8 @@ def add_cone(state, apex, base, simplicial, body):
             below.append((tip, squashed(kind)))
             own_kind = kind + (1,)
         coned[c] = state.add(f"{apex}*{state.cells[c].name}", own_kind, below + [state.plain(c)], body)
+    names = [state.cells[c].name for c in sorted(base)]
+    state.cones[apex] = Cone(simplicial, names, table, frozenset())
 
 
 def read_over(step):
@@ -977,6 +1115,7 @@ def op_product(state, step, _prime):
     name, kind = check_name(step["name"], "name"), step.get("kind", "simploidal")
     if kind not in ("simploidal", "simplicial"):
         raise ScriptError('kind must be "simploidal" or "simplicial"')
+    state.check_prefix(name)
     bodies = [state.find_body(step["left"]), state.find_body(step["right"])]
     first, second = map(state.cells_of_body, bodies)
     if kind == "simplicial":
@@ -991,6 +1130,8 @@ def op_product(state, step, _prime):
         if value and value[0] in aliases and not is_degenerate(value) and isinstance(alias, str):
             aliases[value[0]].append((alias, value[1]))
     canonical = {c: (state.cells[c].name, whole(state.cells[c].kind)) for c in aliases}
+    tables = [{key: (state.cells[value[0]].name, value[1]) for key, value in state.names.items()
+               if value and value[0] in set(side)} for side in (first, second)]
     for alias, value in state.names.items():
         if value and value[0] in aliases:
             state.names[alias] = None
@@ -1013,6 +1154,7 @@ def op_product(state, step, _prime):
                 state.check_free(alias)
                 cell = state.plain(numbers[key])
                 state.names[alias] = cell if kind == "simplicial" else (cell[0], pair[0][1] + pair[1][1])
+    state.products[name] = (kind == "simplicial", *tables)
 
 
 def label_key(label):
@@ -1222,6 +1364,7 @@ def carried_out(state, step, prime):
     """The state after a step, and the answer to it."""
     after = state.copy()
     answer = OPERATIONS[step["op"]](after, step, prime)
+    after.names_meet()
     if step["op"] not in ("insert", "collapse"):
         leave_abstract(state, after)
     return after, answer

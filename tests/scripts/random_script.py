@@ -69,6 +69,32 @@ class Writer:
         return self.random.choice([name for name, value in state.names.items() if isinstance(name, str)
                                    and value and value[0] == cell and not oracle.is_degenerate(value)])
 
+    def another(self, name):
+        """A name made of names or of vertices for the same cell, perhaps with its vertices in another order."""
+        state = self.oracle.state
+        for apex, cone in state.cones.items():
+            called = name[len(apex) + 1:]
+            if name.startswith(f"{apex}*") and called in cone.coned:
+                keys = [key for key, (other, shape) in cone.table.items()
+                        if other == called and isinstance(key, str) and not oracle.is_degenerate((other, shape))]
+                return f"{apex}*{self.another(self.random.choice(keys))}"
+        if self.random.random() < 0.5:
+            return name
+        if state.listed(name):
+            labels = name[1:-1].split(",")
+            self.random.shuffle(labels)
+            return "{" + ",".join(labels) + "}"
+        base, _, vertices = name.rpartition(".")
+        if name in state.standard:
+            base, lists = name, [[str(x) for x in range(size + 1)] for size in state.standard[name]]
+        elif base in state.standard:
+            lists = [part.split("-") for part in vertices.split("x")]
+        else:
+            return name
+        for part in lists:
+            self.random.shuffle(part)
+        return f"{base}.{'x'.join('-'.join(part) for part in lists)}"
+
     # -- steps
 
     def simplex(self):
@@ -126,7 +152,8 @@ class Writer:
             a, b = self.random.choice(members), self.random.choice(members)
             if a == b and self.random.random() < 0.9 and len(members) > 1:
                 a, b = self.random.sample(members, 2)
-            pairs.append([self.name_of(a), self.name_of(b)])
+            pair = [self.name_of(a), self.name_of(b)]
+            pairs.append([self.another(name) for name in pair] if self.random.random() < 0.1 else pair)
             if self.random.random() < self.vertex_maps:
                 pairs[-1].append(self.vertex_map(kind))
         return self.attempt({"op": "identify", "pairs": pairs})
@@ -166,7 +193,7 @@ class Writer:
 
     def chain_terms(self, chain):
         """A name may stand for the opposite orientation."""
-        terms = [[v, self.name_of(c)] for c, v in sorted(chain.items())]
+        terms = [[v, self.another(self.name_of(c))] for c, v in sorted(chain.items())]
         terms = [[v * self.oracle.state.sign(name), name] for v, name in terms]
         self.random.shuffle(terms)
         return terms

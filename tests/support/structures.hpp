@@ -32,6 +32,7 @@ class Workshop {
   const ops::Structure& structure() const { return structure_; }
   ops::Structure& structure() { return structure_; }
   ops::Planner& planner() { return planner_; }
+  const ops::Planner& planner() const { return planner_; }
   const ops::Plan& last_plan() const { return plan_; }
 
   Status plan(const ops::Operation& op) {
