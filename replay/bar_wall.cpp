@@ -7,19 +7,20 @@ namespace sesame::replay {
 namespace {
 
 using engine::Bar;
+using engine::Time;
 
 constexpr std::size_t fewest_bars = 20;
 
 /// The length that most of the bars that end have, and how many; the shorter one of two.
-std::pair<double, std::size_t> commonest_length(const std::vector<Bar>& bars) {
-  std::vector<double> lengths;
+std::pair<Time, std::size_t> commonest_length(const std::vector<Bar>& bars) {
+  std::vector<Time> lengths;
   for (const Bar& bar : bars) {
     if (bar.death != engine::never) {
       lengths.push_back(bar.death - bar.birth);
     }
   }
   std::sort(lengths.begin(), lengths.end());
-  std::pair<double, std::size_t> commonest{};
+  std::pair<Time, std::size_t> commonest{};
   for (auto begin = lengths.begin(); begin != lengths.end();) {
     const auto end = std::upper_bound(begin, lengths.end(), *begin);
     const auto count = static_cast<std::size_t>(end - begin);
@@ -42,7 +43,7 @@ BarWall take_wall(std::vector<Bar>& bars, double longest, std::size_t most_lanes
   wall.length = length;
   std::vector<Bar> others;
   for (const Bar& bar : bars) {
-    const double own = bar.death - bar.birth;
+    const Time own = bar.death - bar.birth;
     if (bar.death == engine::never || own > length) {
       others.push_back(bar);
       continue;

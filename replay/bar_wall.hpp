@@ -11,7 +11,7 @@ namespace sesame::replay {
 
 /// The bars of one dimension that a picture draws together.
 struct BarWall {
-  double length = 0;                            ///< that most of them have; none is longer
+  engine::Time length = 0;                      ///< that most of them have; none is longer
   bool is_even = true;                          ///< all have it
   std::uint64_t bars = 0;                       ///< how many there are
   std::vector<std::vector<engine::Bar>> lanes;  ///< those that are drawn; the bars of a lane do not overlap

@@ -137,7 +137,7 @@ class BarcodePanel {
       double begin = 0, end = -1;  // of the present line; none yet
       const auto finish = [&] { path += end < begin ? "" : fmt::format("M{} {}H{}", px(begin), px(y), px(end)); };
       for (const Bar& bar : lane) {
-        const double from = scale(bar.birth), to = std::max(scale(bar.death), from + 1);
+        const double from = scale.at(bar.birth), to = std::max(scale.at(bar.death), from + 1);
         if (end < begin || from > end + 0.5) {
           finish();
           begin = from;

@@ -39,6 +39,10 @@ std::string number_text(double x) {
 
 std::string short_number_text(double x) { return x == std::trunc(x) ? number_text(x) : fmt::format("{:.6g}", x); }
 
+std::string short_number_text(engine::Time time) {
+  return time.is_large() ? number_text(time) : short_number_text(time.nearest());
+}
+
 std::string number_text(engine::Time time) {
   char text[longest_number];
   return {text, write_number(text, time)};

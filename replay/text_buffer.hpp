@@ -22,6 +22,7 @@ namespace sesame::replay {
 
 /// To six digits, for people: "0.333333", "1e-07", "3"; whole numbers in full.
 [[nodiscard]] std::string short_number_text(double x);
+[[nodiscard]] std::string short_number_text(engine::Time time);
 
 /// Collects text and hands it to a stream in large pieces, the last one when it is destroyed. Numbers are written as
 /// by number_text, whatever the locale: streams and formatting libraries take several times as long.
