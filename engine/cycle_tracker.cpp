@@ -100,8 +100,8 @@ class Tracker final : public CycleTracker {
 
   [[nodiscard]] std::uint64_t last_operation_with(std::uint64_t operation) const override {
     const auto at_that_time_or_later = std::views::iota(operation, std::uint64_t{times_.size()});
-    const auto later = std::ranges::partition_point(
-        at_that_time_or_later, [&](std::uint64_t k) { return times_[k] == times_[operation]; });
+    const auto later = std::ranges::partition_point(at_that_time_or_later,
+                                                    [&](std::uint64_t k) { return times_[k] == times_[operation]; });
     return *later - 1;
   }
 

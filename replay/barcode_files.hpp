@@ -22,7 +22,7 @@ struct Provenance {
   std::string ring;                            ///< as people write it: "Z/2"
   std::uint64_t operations = 0;                ///< that made the barcode
   std::string source;                          ///< the name of the input; may be empty
-  std::string format;                          ///< as options name it; empty when it is not known
+  std::string format = {};                     ///< as options name it; empty when it is not known
   std::uint64_t added_faces = 0, already = 0;  ///< see FaceAdder
 };
 

@@ -223,7 +223,7 @@ class LabelsNow {
  public:
   void follow(const Operation& op) {
     if (const auto* inserted = std::get_if<Insert>(&op)) {
-      for (const std::string& label : inserted->simplex) {
+      for (const std::string& label : inserted->simplices.front()) {
         now_.emplace(label, label);
       }
     } else {

@@ -330,7 +330,7 @@ TEST_CASE("a megabyte of hostile names costs look-ups in proportion to its lengt
   REQUIRE(shop.apply(MakeSimplex{"t", 3, {}}));
   REQUIRE(shop.apply(MakeCone{"a", std::vector<std::string>{"t"}, {}}));
   for (const std::string label : {"p", "q"}) {
-    REQUIRE(shop.apply(Insert{{label}}));
+    REQUIRE(shop.apply(Insert{{{label}}}));
   }
   if (with_odd_names) {
     for (const std::string name : {"x|", "x|x", "(", "P2.(", "a*a", "a*"}) {

@@ -179,7 +179,7 @@ TEST_CASE("a wall of bars of one length is thin, and says how many there are", "
   CHECK(count(whole_text, "<title>H0") == 1000);
   check_tags(thin_text);
   for (Bar& bar : assembly.bars) {  // now some are shorter
-    bar.death -= bar.dimension == 0 && bar.death < 100 ? 0.5 : 0;
+    bar.death = bar.death - (bar.dimension == 0 && bar.death < 100 ? 0.5 : 0);
   }
   CHECK_THAT(picture(replay::write_html, assembly), Contains("999 bars of length up to 1, drawn thin"));
 }

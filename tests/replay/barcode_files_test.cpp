@@ -37,7 +37,7 @@ std::string pers(const Barcode& barcode) {
 }
 
 std::string csv(const Barcode& barcode) {
-  return written([&](std::ostream& out) { write_betti_csv(out, barcode); });
+  return written([&](std::ostream& out) { replay::write_betti_csv(out, barcode); });
 }
 
 /// The fields as an object.

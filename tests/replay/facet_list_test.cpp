@@ -133,7 +133,7 @@ TEST_CASE("what is no list of facets of one complex is refused with its line", "
       {"[[1,2]),[3,4]]\n", "list:1: ')' cannot close '['"},
       {"[1,2]]\n", "list:1: ']' closes what is not open"},
       {"[[1,2],[[3,4]]]\n", "list:1: facets stand at different depths"},
-      {"[[1,2],3]\n", "list:1: \"3\" stands between facets"},
+      {"[[1,2],3]\n", "list:1: \"3]\" stands between facets"},
       {"[[1,[2,3]]]\n", "list:1: brackets open behind vertices"},
       {"[[1,2],[]]\n", "list:1: a facet should have at least one vertex"},
       {"[[1;2]]\n", "list:1: \";\" should be a vertex"},

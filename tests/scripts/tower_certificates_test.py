@@ -82,7 +82,7 @@ class Certificates(unittest.TestCase):
                 self.assertEqual((len(cycles), boundaries[d].extended_by(cycles)), (betti, betti))
 
     def test_a_cycle_bounds_in_the_complex_that_is_there_after_all_operations_at_its_death(self):
-        (_, edge) = answer("0 i 1\n0 i 2\n1 i 1 2\n1 c 1 2\n", 3)["generators"]
+        (edge, _) = answer("0 i 1\n0 i 2\n1 i 1 2\n1 c 1 2\n", 3)["generators"]
         self.assertEqual((edge["death"], edge["bounds"]), (1, []))
         # The loop is born at time 1, when its vertex 2 is called 5 already.
         lines = ["0 i 1", "0 i 2", "0 i 3", "0 i 5", "1 i 1 2", "1 i 2 3", "1 i 1 3", "1 c 2 5", "2 i 1 3 5"]
@@ -92,7 +92,7 @@ class Certificates(unittest.TestCase):
 
     def test_what_is_left_of_a_time_that_has_not_ended_is_what_was_read(self):
         text = "0 i 1\n0 i 2\n1 i 1 2\n1 c 1 2\n"
-        (_, edge) = answer(text, 3, "--until", "3")["generators"]
+        (edge, _) = answer(text, 3, "--until", "3")["generators"]
         self.assertEqual((edge["death"], edge["bounds"] in ([[1, [1, 2]]], [[-1, [1, 2]]])), (1, True))
 
     def test_all_certificates_of_random_towers_hold(self):

@@ -78,7 +78,7 @@ ReadBack read_back(void (*write)(std::ostream&, const Filtration&), const Filtra
   ReadBack read{(*reader)->format(), {}, {}, {}};
   for (replay::TowerOperation operation; (*reader)->next(operation).value();) {
     read.dimensions.push_back(operation.dimension);
-    read.times.push_back(operation.time);
+    read.times.push_back(operation.time.nearest());
     read.labels.emplace_back(operation.labels.begin(), operation.labels.end());
   }
   return read;
