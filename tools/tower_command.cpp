@@ -246,8 +246,7 @@ class Run {
   template <class Apply, class After>
   Outcome read_all(Apply&& apply, After&& after) {
     TowerOperation operation;
-    std::uint64_t done = 0;
-    while (!stop_requested().load() && (arguments_.until == 0 || done < arguments_.until)) {
+    while (!stop_requested().load() && (arguments_.until == 0 || operations_ < arguments_.until)) {
       const Result<bool> got = reader_->next(operation);
       if (!got) {
         return fail(got.error());
@@ -261,10 +260,10 @@ class Run {
         return fail({Errc::bad_input, reader_->place() + status.error().what +
                                           (lacks_face ? ", or let --add-faces add them at that time" : "")});
       }
-      ++done;
+      ++operations_;
       after(operation);
-      if (progress_ && done % 1024 == 0) {
-        progress_->update(done);
+      if (progress_ && operations_ % 1024 == 0) {
+        progress_->update(operations_);
       }
     }
     progress_.reset();
@@ -312,17 +311,16 @@ class Run {
     replay::TowerReplay tower(told, cycles != nullptr ? &history : nullptr);
     const Outcome outcome = read_all([&](const TowerOperation& operation) { return faces_.apply(tower, operation); },
                                      [&](const TowerOperation& operation) { report_state(operation, tower, told); });
-    const std::uint64_t operations = reader_->operations();
     if (!is_reported(outcome)) {
       return outcome;
     }
     std::vector<TowerResult> results;
     for (std::size_t r = 0; r < rings_.size(); ++r) {
       trackers[r]->for_each_open_bar([&](const Bar& bar) { sinks[r].add(bar); });
-      results.push_back(sinks[r].finish(provenance(rings_[r], operations), trackers[r]->hidden()));
+      results.push_back(sinks[r].finish(provenance(rings_[r], operations_), trackers[r]->hidden()));
     }
     if (pers) {
-      pers->finish(operations, results[0].hidden);
+      pers->finish(operations_, results[0].hidden);
     }
     std::optional<replay::CycleReport> report;
     if (cycles != nullptr) {
@@ -337,18 +335,17 @@ class Run {
   /// With --every: cells and Betti numbers now and then.
   void report_state(const TowerOperation& operation, const replay::TowerReplay& tower,
                     std::span<engine::BarcodeTracker* const> trackers) const {
-    const std::uint64_t operations = reader_->operations();
-    if (arguments_.every == 0 || operations % arguments_.every != 0 || !(prints() || arguments_.json)) {
+    if (arguments_.every == 0 || operations_ % arguments_.every != 0 || !(prints() || arguments_.json)) {
       return;
     }
     for (const engine::BarcodeTracker* tracker : trackers) {
       if (arguments_.json) {
-        std::cout << fmt::format(R"({{"ops":{},"time":{},"ring":"{}","cells":[{}],"betti":[{}]}})", operations,
+        std::cout << fmt::format(R"({{"ops":{},"time":{},"ring":"{}","cells":[{}],"betti":[{}]}})", operations_,
                                  replay::json_number_text(operation.time), sparse::ring_name(tracker->ring()),
                                  fmt::join(tower.cells(), ","), fmt::join(tracker->betti(), ","))
                   << '\n';
       } else {
-        std::cout << fmt::format("{:>10}  {:<24}  Betti numbers over {}: {}\n", operations,
+        std::cout << fmt::format("{:>10}  {:<24}  Betti numbers over {}: {}\n", operations_,
                                  fmt::format("{} cells", fmt::join(tower.cells(), " ")),
                                  sparse::ring_name(tracker->ring()), fmt::join(tracker->betti(), " "));
       }
@@ -504,6 +501,7 @@ class Run {
   std::string source_;  ///< what outputs and messages call the input
   OutputFiles files_;
   Outputs outputs_;
+  std::uint64_t operations_ = 0;  ///< of the input, that were carried out; added faces are none
   std::optional<replay::Progress> progress_;
   Clock::time_point start_;
 };

@@ -422,7 +422,7 @@ TEST_CASE("no apex and no product may have a name that could begin the names of 
 
 // ------------------------------------------------------------------------------------- every name in every other name
 
-TEST_CASE("a cone's cell answers to v*c for every name of the coned cell", "[ops]") {
+TEST_CASE("a cone's cell answers to its derived name for every name of the coned cell", "[ops]") {
   Workshop shop(GENERATE(Limits{}, lazy));
   shop.build({R"({"op":"simplex","name":"s1","dim":3})", R"({"op":"simplex","name":"s2","dim":3})",
               R"({"op":"identify","pairs":[["s1.0-1-2","s2.0-1-3"]]})"});

@@ -75,10 +75,7 @@ const Facets square{{"1", "2", "3"}, {"1", "2", "4"}};
 
 }  // namespace
 
-TEST_CASE(
-    "a facet a line, or in brackets of any kind, with blanks or commas, "
-    "is one list",
-    "[replay]") {
+TEST_CASE("a facet a line or in brackets of any kind is one list, with blanks or commas", "[replay]") {
   for (const std::string text :
        {"1 2 3\n1 2 4\n", "1,2,3\n1,2,4", "# two triangles\n\n  1, 2,3 # one\n1\t2  4,\r\n", "[1,2,3]\n[1,2,4]\n",
         "{1 2 3}\n{1 2 4}\n", "(1, 2, 3), (1, 2, 4)\n", "[[1,2,3],[1,2,4]]\n", "[ [ 1, 2, 3 ],\n  [ 1, 2, 4 ] ]\n",

@@ -91,7 +91,6 @@ class Replay(unittest.TestCase):
     def test_a_wrong_script_is_status_2_with_its_place(self):
         cases = {
             "": "this script is empty",
-            "[]\n": "one JSON object",
             '{"op":"simplex","name":"t","dim":2}\n': "the header",
             '{"sesame":2}\n': "version 1",
             '{"sesame":1,"ring":"Z/6"}\n': "not a prime",
@@ -280,7 +279,7 @@ class Program(unittest.TestCase):
             ("mesh", "m.off", "--generators-limit", "-1"): '"-1" should be a whole number from 0 on; ',
             ("import", "m.off", "--polygons", "0"): '"0" should be fan or cone; ',
             ("import", "m.off", "--order", "1"): '"1" should be connected or file; ',
-            ("tower", "t", "--format", "1"): '"1" should be auto, tower, phat, phat-binary, gudhi or script; ',
+            ("tower", "t", "--format", "1"): '"1" should be auto, tower, phat, phat-binary, gudhi, facets or script; ',
             ("distance", "a", "b", "--internal-p", "0"): '"0" should be inf or 2; ',
             ("generate", "torus", "--format", "off"): '"off" should be phat-binary, phat, gudhi or tower; ',
             ("bench", "--time-limit", "0"): '"0" should be a number above 0; ',

@@ -98,7 +98,7 @@ class Distance(unittest.TestCase):
 
     def test_what_is_wrong_in_json_and_ripser_s_text_is_told_with_its_line(self):
         for text, line, what in (('{"ops":1,\n"bars":[[0,0,null]\n', 3, "this is no JSON"),
-                                 ('{"bars":[[0,0,null],[0,5,1]]}\n', 1, "the death 1 should not be before the birth 5"),
+                                 ('{"bars":[[0,0,null],[0,5,1]]}\n', 1, "the death \"1\" should not be before the birth \"5\""),
                                  ('\n{"bars":[[0,0]]}\n', 2, "[0,0]"),
                                  ('{"bars":[[0,null,1]]}\n', 1, "\"null\" should be a birth"),
                                  ('{"rings":[{"bars":[]},{"bars":[]}]}\n', 1, "one --ring"),

@@ -123,7 +123,7 @@ class Files(Folder):
     def test_a_full_disk_leaves_the_old_file(self):
         before = self.names()
         for arguments, _ in WRITING:
-            for size in (0, 64):
+            for size in (0, 16):
                 self.write("x", OLD)
                 self.refused("cannot write x: File too large", *arguments, "x",
                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))

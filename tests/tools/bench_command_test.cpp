@@ -85,7 +85,7 @@ TEST_CASE("bench draws a report again without measuring", "[bench]") {
   REQUIRE(bench("scaling --quick --method live --out " + report + " --svg " + first).status == 0);
   const CommandRun run = bench("--from " + report + " --svg " + second);
   CHECK(run.status == 0);
-  CHECK_THAT(run.out, Contains("exponent of time"));
+  CHECK_THAT(run.out, Contains("exponent of the mean"));
   CHECK_THAT(text_of(first), Contains("</svg>"));
   CHECK(text_of(second) == text_of(first));
   CHECK_THROWS_AS(bench("torus-random --from " + report), CLI::ParseError);
