@@ -367,7 +367,7 @@ TEST_CASE("a suspension is refused when its names would be given twice, or its b
 
 // ------------------------------------------------------------------------------------------------------ vertex maps
 
-TEST_CASE("vertex k of the first cell is glued to vertex map[k] of the second", "[ops]") {
+TEST_CASE("each vertex of the first cell is glued to the one of the second that the map gives it", "[ops]") {
   Workshop shop;
   shop.build({R"({"op":"simplex","name":"a","dim":2})", R"({"op":"simplex","name":"b","dim":2})",
               R"({"op":"identify","pairs":[["a","b",[2,0,1]]]})"});
