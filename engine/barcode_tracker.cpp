@@ -222,6 +222,9 @@ std::unique_ptr<BarcodeTracker> make_barcode_tracker(const sparse::AnyRing& ring
   if (const auto* z2 = std::get_if<sparse::Z2>(&ring)) {
     return std::make_unique<Tracker<sparse::Z2>>(*z2, std::move(on_bar), slots);
   }
+  if (const auto* q = std::get_if<sparse::Rationals>(&ring)) {
+    return std::make_unique<Tracker<sparse::Rationals>>(*q, std::move(on_bar), slots);
+  }
   const auto* zp = std::get_if<sparse::Zp>(&ring);
   sparse::expects(zp != nullptr, "a barcode is taken over a field");
   return std::make_unique<Tracker<sparse::Zp>>(*zp, std::move(on_bar), slots);

@@ -60,7 +60,7 @@ class BarcodeTracker {
 /// then there are no contractions.
 enum class Slots { by_dimension, shared };
 
-/// Requires: the ring is a field, Z/2 or Z/p.
+/// Requires: the ring is a field.
 [[nodiscard]] std::unique_ptr<BarcodeTracker> make_barcode_tracker(const sparse::AnyRing& ring,
                                                                    BarcodeTracker::OnBar on_bar,
                                                                    Slots slots = Slots::by_dimension);

@@ -293,5 +293,6 @@ void ClassSpace<R>::retire(std::span<ClassRef> refs) {
 
 template class ClassSpace<sparse::Z2>;
 template class ClassSpace<sparse::Zp>;
+template class ClassSpace<sparse::Rationals>;
 
 }  // namespace sesame::engine

@@ -230,7 +230,8 @@ class Tracker final : public CycleTracker {
   void add_multiple(ClassSpace<R>& space, Node node, const typename R::Element& coefficient) {
     const sparse::Integer value = ring_.to_integer(coefficient);
     const sparse::Integer opposite = ring_.to_integer(ring_.negate(coefficient));
-    const bool is_negative = opposite < value;
+    // Over Z/p neither is negative, and the smaller counts; over Q one of them is.
+    const bool is_negative = value.sign() < 0 || (opposite.sign() > 0 && opposite < value);
     for (sparse::Integer left = is_negative ? opposite : value; left > 0; left -= 1) {
       space.add_to_sum(node, is_negative);
     }
@@ -346,7 +347,7 @@ class Tracker final : public CycleTracker {
     InclusionChain chain;
     for (const TermType& each : terms) {
       if (generators_[each.index].inclusion != no_inclusion) {
-        chain.emplace_back(generators_[each.index].inclusion, ring_.to_integer(each.coefficient));
+        chain.emplace_back(generators_[each.index].inclusion, to_rational(ring_, each.coefficient));
       }
     }
     return chain;
@@ -398,6 +399,9 @@ class Tracker final : public CycleTracker {
 std::unique_ptr<CycleTracker> make_cycle_tracker(const sparse::AnyRing& ring, BarcodeTracker::OnBar on_bar) {
   if (const auto* z2 = std::get_if<sparse::Z2>(&ring)) {
     return std::make_unique<Tracker<sparse::Z2>>(*z2, std::move(on_bar));
+  }
+  if (const auto* q = std::get_if<sparse::Rationals>(&ring)) {
+    return std::make_unique<Tracker<sparse::Rationals>>(*q, std::move(on_bar));
   }
   const auto* zp = std::get_if<sparse::Zp>(&ring);
   sparse::expects(zp != nullptr, "a barcode is taken over a field");

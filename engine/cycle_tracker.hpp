@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/barcode_tracker.hpp"
-#include "sparse/integer.hpp"
+#include "sparse/rational.hpp"
 
 namespace sesame::engine {
 
@@ -24,7 +24,7 @@ class CycleTracker : public BarcodeTracker {
  public:
   /// A chain of cells, each by the number of the inclusion that added it, from 0; with coefficients as they are
   /// printed. What a cell has become since, the one who counts the inclusions can tell.
-  using InclusionChain = std::vector<std::pair<std::uint32_t, sparse::Integer>>;
+  using InclusionChain = std::vector<std::pair<std::uint32_t, sparse::Rational>>;
 
   /// A bar, and the operations that began and ended it, numbers from 0.
   struct TracedBar {
@@ -45,7 +45,7 @@ class CycleTracker : public BarcodeTracker {
   [[nodiscard]] virtual InclusionChain bounded_chain(const TracedBar& bar) = 0;
 };
 
-/// Requires: the ring is a field, Z/2 or Z/p.
+/// Requires: the ring is a field.
 [[nodiscard]] std::unique_ptr<CycleTracker> make_cycle_tracker(const sparse::AnyRing& ring,
                                                                BarcodeTracker::OnBar on_bar);
 

@@ -224,7 +224,7 @@ Status Engine::check_room(const ops::Operation& operation) const {
 
 Result<Barcode> Engine::barcode() const {
   if (std::holds_alternative<sparse::Integers>(ring_)) {
-    return Error{Errc::refused, "barcodes need a field: compute over Z/p, such as Z/2, instead of Z"};
+    return Error{Errc::refused, "barcodes need a field: compute over Q or Z/p, such as Z/2, instead of Z"};
   }
   for (std::size_t k = 0; k < history_.size(); ++k) {
     const ops::Moment before = before_step(k + 1);

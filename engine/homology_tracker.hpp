@@ -17,12 +17,13 @@
 namespace sesame::engine {
 
 using sparse::Integer;
+using sparse::Rational;
 
-/// A chain of current cells with integer coefficients (in [0, p) over Z/p), by the age of the cells' canonical names,
-/// and with the orientations that these stand for: Structure::sign_of_name.
+/// A chain of current cells, by the age of the cells' canonical names; coefficients are integers but over Q (in [0, p)
+/// over Z/p), for cells with the orientations that these stand for: Structure::sign_of_name.
 struct CellChain {
   struct Term {
-    Integer coefficient;
+    Rational coefficient;
     ops::CellId cell;  ///< a current cell
     friend bool operator==(const Term&, const Term&) = default;
   };
@@ -34,7 +35,7 @@ struct CellChain {
 /// A chain of the small complex: coefficients of the small generators of one degree, numbered from 0, oldest first.
 struct SmallChain {
   struct Term {
-    Integer coefficient;
+    Rational coefficient;
     std::uint32_t generator;
     friend bool operator==(const Term&, const Term&) = default;
   };
@@ -59,9 +60,9 @@ using GeneratorVisitor = std::function<bool(Generator)>;
 /// The answer to "what class is this chain in?".
 struct ClassAnswer {
   bool is_cycle = false;
-  bool is_zero = false;               ///< a boundary
-  std::vector<Integer> coefficients;  ///< of the generators of this degree, in the order in which they are listed
-  std::optional<CellChain> bounds;    ///< when it is zero: a chain whose boundary it is
+  bool is_zero = false;                ///< a boundary
+  std::vector<Rational> coefficients;  ///< of the generators of this degree, in the order in which they are listed
+  std::optional<CellChain> bounds;     ///< when it is zero: a chain whose boundary it is
 };
 
 /// The homology of the whole workspace, by degree.

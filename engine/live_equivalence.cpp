@@ -424,11 +424,11 @@ ClassAnswer LiveEquivalence<R>::classify(const CellChain& chain) {
   const Group h = group(chain.degree);
   // 1. The coordinates of F z: on the basis of the Smith form for what meets the core, on the free generators else.
   Terms<R> in_core;
-  std::vector<Integer> on_free(h.free.size());
+  std::vector<Rational> on_free(h.free.size());
   for (const Term<R>& term : image) {
     const auto at = std::lower_bound(h.free.begin(), h.free.end(), term.index);
     if (at != h.free.end() && *at == term.index) {
-      on_free[static_cast<std::size_t>(at - h.free.begin())] = ring_.to_integer(term.coefficient);
+      on_free[static_cast<std::size_t>(at - h.free.begin())] = to_rational(ring_, term.coefficient);
     } else {
       in_core.push_back(term);
     }
@@ -441,7 +441,7 @@ ClassAnswer LiveEquivalence<R>::classify(const CellChain& chain) {
   Terms<R> preimage;
   for (std::size_t k = 0; k < dense.size(); ++k) {
     if (k >= h.smith.factors.size()) {
-      answer.coefficients.push_back(ring_.to_integer(dense[k]));
+      answer.coefficients.push_back(to_rational(ring_, dense[k]));
       continue;
     }
     const auto& order = h.smith.factors[k];
@@ -452,8 +452,8 @@ ClassAnswer LiveEquivalence<R>::classify(const CellChain& chain) {
     }
   }
   answer.coefficients.insert(answer.coefficients.end(), on_free.begin(), on_free.end());
-  answer.is_zero =
-      std::all_of(answer.coefficients.begin(), answer.coefficients.end(), [](const Integer& a) { return a.is_zero(); });
+  answer.is_zero = std::all_of(answer.coefficients.begin(), answer.coefficients.end(),
+                               [](const Rational& a) { return a.is_zero(); });
   // 3. z = d(G y + K z).
   if (answer.is_zero) {
     for (Term<R>& term : preimage) {
@@ -480,8 +480,8 @@ Terms<R> LiveEquivalence<R>::g(const CellChain& chain) const {
 
 /// The coefficient of a current cell as it is oriented itself, where it is given as its canonical name says.
 template <Ring R>
-typename R::Element LiveEquivalence<R>::in_own_orientation(CellId cell, const Integer& coefficient) const {
-  return ring_.from(structure_.sign_of_name(cell) > 0 ? coefficient : -coefficient);
+typename R::Element LiveEquivalence<R>::in_own_orientation(CellId cell, const Rational& coefficient) const {
+  return from_rational(ring_, structure_.sign_of_name(cell) > 0 ? coefficient : -coefficient);
 }
 
 template <Ring R>
@@ -494,7 +494,7 @@ CellChain LiveEquivalence<R>::to_chain(int degree, const Terms<R>& cells) const 
   CellChain chain{degree, {}};
   for (const Term<R>& term : cells) {
     const bool agrees = structure_.sign_of_name(CellId{term.index}) > 0;
-    chain.terms.push_back({ring_.to_integer(agrees ? term.coefficient : ring_.negate(term.coefficient)), term.index});
+    chain.terms.push_back({to_rational(ring_, agrees ? term.coefficient : ring_.negate(term.coefficient)), term.index});
   }
   std::sort(chain.terms.begin(), chain.terms.end(), [this](const CellChain::Term& a, const CellChain::Term& b) {
     return structure_.is_older(structure_.oldest(a.cell), structure_.oldest(b.cell));
@@ -511,7 +511,7 @@ SmallChain LiveEquivalence<R>::to_small(int degree, const Terms<R>& chain_of_s) 
   const std::vector<Symbol> symbols = rewriter_.small(degree);  // oldest first: increasing
   for (const Term<R>& term : chain_of_s) {
     const auto at = std::lower_bound(symbols.begin(), symbols.end(), term.index);
-    out.terms.push_back({ring_.to_integer(term.coefficient), static_cast<std::uint32_t>(at - symbols.begin())});
+    out.terms.push_back({to_rational(ring_, term.coefficient), static_cast<std::uint32_t>(at - symbols.begin())});
   }
   return out;
 }
@@ -522,7 +522,7 @@ Terms<R> LiveEquivalence<R>::to_symbols(const SmallChain& chain) const {
   Terms<R> out;
   for (const auto& [coefficient, generator] : chain.terms) {
     expects(generator < symbols.size(), "a chain of the small complex is made of its generators");
-    out.push_back({symbols[generator], ring_.from(coefficient)});
+    out.push_back({symbols[generator], from_rational(ring_, coefficient)});
   }
   sparse::normalize(ring_, out);
   return out;
@@ -646,7 +646,7 @@ std::optional<std::string> LiveEquivalence<R>::defect_of_maps(const ops::CellBas
   const auto is_zero = [&](const CellChain& chain) {
     Terms<R> sum;
     for (const auto& [coefficient, cell] : chain.terms) {
-      sum.push_back({cell, ring_.from(coefficient)});
+      sum.push_back({cell, from_rational(ring_, coefficient)});
     }
     sparse::normalize(ring_, sum);
     return sum.empty();

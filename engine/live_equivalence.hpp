@@ -87,7 +87,7 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] sparse::Matrix<R> core_matrix(const std::vector<Symbol>& columns) const;
   [[nodiscard]] Group group(int degree) const;
   [[nodiscard]] Terms<R> g(const CellChain& chain) const;
-  [[nodiscard]] typename R::Element in_own_orientation(CellId cell, const Integer& coefficient) const;
+  [[nodiscard]] typename R::Element in_own_orientation(CellId cell, const Rational& coefficient) const;
   /// K z for the chain of B g z, plus f of a lift; with the trace of g z this is K, with a chain of S on top G y + K z.
   [[nodiscard]] CellChain bounding(const CellChain& z, const Terms<R>& chain_of_s, const Trace<R>& trace);
   [[nodiscard]] std::optional<std::string> defect_of_matrices();

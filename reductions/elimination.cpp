@@ -31,7 +31,8 @@ Result<Reduction<R>> eliminate_pair(const ChainComplex<R>& complex, int p, Index
   if (!ring.is_unit(unit)) {
     return Error{Errc::not_a_unit, "elimination: the coefficient of generator " + std::to_string(a) + " of degree " +
                                        std::to_string(p) + " in the boundary of generator " + std::to_string(b) +
-                                       " is " + ring.to_integer(unit).to_string() + ", not a unit of " + ring.name()};
+                                       " is " + sparse::to_rational(ring, unit).to_string() + ", not a unit of " +
+                                       ring.name()};
   }
   const typename R::Element factor = ring.negate(ring.inverse(unit));
   Sizes small = complex.sizes();

@@ -43,7 +43,7 @@ std::string chain_text(const engine::CellChain& chain, const ops::Structure& str
       return text + fmt::format(" + ... ({} terms in all)", chain.terms.size());
     }
     const bool is_negative = coefficient.sign() < 0;
-    const sparse::Integer size = sparse::abs(coefficient);
+    const sparse::Rational size = sparse::abs(coefficient);
     text += text.empty() ? (is_negative ? "-" : "") : (is_negative ? " - " : " + ");
     text += fmt::format("{}{}", size == 1 ? "" : size.to_string() + " ", structure.name(cell));
   }

@@ -10,6 +10,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using engine::CellChain;
 using sparse::Integer;
+using sparse::Rational;
 
 /// Integers beyond 64 bits are written as strings of digits: most JSON readers would round them.
 Json number(const Integer& n) {
@@ -17,9 +18,13 @@ Json number(const Integer& n) {
   return word ? Json(*word) : Json(n.to_string());
 }
 
-Json numbers(const std::vector<Integer>& list) {
+/// Fractions too: "1/2".
+Json number(const Rational& n) { return n.is_integer() ? number(n.numerator()) : Json(n.to_string()); }
+
+template <class Number>
+Json numbers(const std::vector<Number>& list) {
   Json out = Json::array();
-  for (const Integer& n : list) {
+  for (const Number& n : list) {
     out.push_back(number(n));
   }
   return out;

@@ -110,7 +110,7 @@ class TableReporter final : public Reporter {
       out_ << indent << "not a cycle: it has no class\n";
     } else if (!found.is_zero) {
       std::string coefficients;
-      for (const sparse::Integer& c : found.coefficients) {
+      for (const sparse::Rational& c : found.coefficients) {
         coefficients += (coefficients.empty() ? "" : ", ") + c.to_string();
       }
       out_ << indent << "a cycle of class (" << coefficients << ") on the generators\n";

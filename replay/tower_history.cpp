@@ -4,6 +4,15 @@
 #include <array>
 
 namespace sesame::replay {
+namespace {
+
+/// The residue of least size: -1 is easier to read than p - 1.
+std::int64_t smallest_residue(const sparse::Integer& n, std::uint32_t p) {
+  const std::int64_t residue = n.modulo(p);
+  return residue > p / 2 ? residue - p : residue;
+}
+
+}  // namespace
 
 void TowerHistory::include(std::span<const Label> labels) {
   if (labels.size() == 1) {
@@ -48,10 +57,10 @@ ops::Label TowerHistory::label_at(Vertex v, std::uint64_t operation) const {
   return std::prev(after)->second;
 }
 
-TowerHistory::NamedChain TowerHistory::image(std::span<const std::pair<std::uint32_t, sparse::Integer>> chain,
+TowerHistory::NamedChain TowerHistory::image(std::span<const std::pair<std::uint32_t, sparse::Rational>> chain,
                                              std::uint64_t operation, std::uint32_t p) const {
   // Most simplices of long histories are squashed by then, so nothing is allocated before that is known.
-  std::vector<std::pair<Name, std::int64_t>> terms;
+  std::vector<std::pair<Name, sparse::Rational>> terms;
   std::array<Label, ops::TowerComplex::largest_dimension + 1> name;
   for (const auto& [inclusion, coefficient] : chain) {
     std::size_t size = 0;
@@ -67,21 +76,22 @@ TowerHistory::NamedChain TowerHistory::image(std::span<const std::pair<std::uint
       }
     }
     if (std::adjacent_find(name.begin(), name.begin() + size) == name.begin() + size) {
-      const std::int64_t residue = coefficient.modulo(p);
-      terms.emplace_back(Name(name.begin(), name.begin() + size), is_reversed ? p - residue : residue);
+      terms.emplace_back(Name(name.begin(), name.begin() + size), is_reversed ? -coefficient : coefficient);
     }
   }
-  std::ranges::sort(terms);
+  std::ranges::sort(terms, {}, &std::pair<Name, sparse::Rational>::first);
   NamedChain image;
   for (std::size_t at = 0; at < terms.size();) {
-    std::int64_t residue = 0;
+    sparse::Rational sum;
     std::size_t next = at;
     for (; next < terms.size() && terms[next].first == terms[at].first; ++next) {
-      residue = (residue + terms[next].second) % p;
+      sum += terms[next].second;
     }
-    if (residue != 0) {
-      // The residue of least size: -1 is easier to read than p - 1.
-      image.emplace_back(residue > p / 2 ? residue - p : residue, std::move(terms[at].first));
+    if (p != 0) {
+      sum = smallest_residue(sum.numerator(), p);
+    }
+    if (!sum.is_zero()) {
+      image.emplace_back(std::move(sum), std::move(terms[at].first));
     }
     at = next;
   }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ops/tower_complex.hpp"
-#include "sparse/integer.hpp"
+#include "sparse/rational.hpp"
 
 namespace sesame::replay {
 
@@ -19,7 +19,7 @@ class TowerHistory {
   using Label = ops::Label;
   /// A simplex by its labels, ascending; a cell of a boundary matrix by its number.
   using Name = std::vector<Label>;
-  using NamedChain = std::vector<std::pair<sparse::Integer, Name>>;
+  using NamedChain = std::vector<std::pair<sparse::Rational, Name>>;
 
   /// A simplex is included, oriented by the order of its labels here.
   void include(std::span<const Label> labels);
@@ -28,9 +28,9 @@ class TowerHistory {
   void contract(Label u, Label v);
 
   /// The image of a chain of inclusions, numbers from 0, in the complex after the operation with a number, from 0:
-  /// simplices that are squashed count as 0, those that are merged are added up modulo p; simplices in lexicographic
-  /// order. Cost: the chain, times the logarithm of the number of contractions.
-  [[nodiscard]] NamedChain image(std::span<const std::pair<std::uint32_t, sparse::Integer>> chain,
+  /// simplices that are squashed count as 0, those that are merged are added up modulo p (0: over Q); simplices in
+  /// lexicographic order. Cost: the chain, times the logarithm of the number of contractions.
+  [[nodiscard]] NamedChain image(std::span<const std::pair<std::uint32_t, sparse::Rational>> chain,
                                  std::uint64_t operation, std::uint32_t p) const;
 
  private:

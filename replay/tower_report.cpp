@@ -18,7 +18,7 @@ std::string chain_line(const TowerHistory::NamedChain& chain) {
   for (const auto& [coefficient, name] : chain) {
     const bool is_negative = coefficient < 0;
     text += text.empty() ? (is_negative ? "-" : "") : (is_negative ? " - " : " + ");
-    const sparse::Integer size = is_negative ? -coefficient : coefficient;
+    const sparse::Rational size = sparse::abs(coefficient);
     if (size != 1) {
       text += size.to_string() + " ";
     }
@@ -31,7 +31,8 @@ void add_chain(TextBuffer& text, const TowerHistory::NamedChain& chain) {
   text.add('[');
   bool is_first = true;
   for (const auto& [coefficient, name] : chain) {
-    text.add(is_first ? "[" : ",[").add(coefficient.to_string()).add(",[");
+    const bool is_word = coefficient.to_int64().has_value();  // other numbers are strings, as everywhere in JSON
+    text.add(is_first ? "[" : ",[").add(is_word ? "" : "\"").add(coefficient.to_string()).add(is_word ? ",[" : "\",[");
     is_first = false;
     for (std::size_t k = 0; k < name.size(); ++k) {
       text.add(k == 0 ? "" : ",").add_integer(name[k]);

@@ -52,14 +52,14 @@ template <Ring R>
 std::string to_string(const R& ring, std::span<const Term<R>> terms, std::string_view letter) {
   std::string text;
   for (const Term<R>& term : terms) {
-    const Integer value = ring.to_integer(term.coefficient);
-    const Integer size = abs(value);
+    const Rational value = to_rational(ring, term.coefficient);
+    const Rational size = abs(value);
     if (text.empty()) {
       text += value.sign() < 0 ? "-" : "";
     } else {
       text += value.sign() < 0 ? " - " : " + ";
     }
-    if (size != Integer{1}) {
+    if (size != Rational{1}) {
       text += size.to_string() + " ";
     }
     text += std::string{letter} + std::to_string(term.index);

@@ -644,7 +644,7 @@ std::string Matrix<R>::to_table() const {
   for (Index j = 0; j < columns_; ++j) {
     for_each_in_column(j, [&](const TermType& entry) {
       std::string& cell = cells[std::size_t{entry.index} * columns_ + j];
-      cell = ring_.to_integer(entry.coefficient).to_string();
+      cell = to_rational(ring_, entry.coefficient).to_string();
       width[j] = std::max(width[j], cell.size());
     });
   }

@@ -54,9 +54,12 @@ Result<AnyRing> parse_ring(std::string_view text) {
   if (text == "Z") {
     return AnyRing{Integers{}};
   }
+  if (text == "Q") {
+    return AnyRing{Rationals{}};
+  }
   if (!text.starts_with("Z/")) {
     return Error{Errc::bad_input,
-                 "unknown ring \"" + std::string{text} + "\": a ring is Z, or Z/p with p a prime below 2^31"};
+                 "unknown ring \"" + std::string{text} + "\": a ring is Z, Q, or Z/p with p a prime below 2^31"};
   }
   const std::string modulus{text.substr(2)};
   const auto number = Integer::parse(modulus);

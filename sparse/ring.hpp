@@ -11,6 +11,7 @@
 
 #include "sparse/contract.hpp"
 #include "sparse/integer.hpp"
+#include "sparse/rational.hpp"
 #include "sparse/result.hpp"
 
 namespace sesame::sparse {
@@ -19,7 +20,8 @@ namespace sesame::sparse {
 ///
 /// `quotient(a, b)` is the q of a Euclidean division a = q b + r: r = 0 in a field, 0 <= r < |b| in Z.
 /// `add_product(acc, a, b)` is acc += a b, the one operation of every inner loop.
-/// `to_integer` gives the representative that is printed: the value in Z, the one in [0, p) in Z/p.
+/// `to_integer` gives the representative that is printed: the value in Z, the one in [0, p) in Z/p; in Q, where not
+/// every element has one, `to_rational` (below) does.
 template <class R>
 concept Ring = std::copyable<R> && std::equality_comparable<R> && std::regular<typename R::Element> &&
     requires(const R k, const typename R::Element a, typename R::Element& acc, std::int64_t n, const Integer& z) {
@@ -142,12 +144,60 @@ class Zp {
   std::uint32_t p_;
 };
 
-static_assert(Ring<Integers> && Ring<Z2> && Ring<Zp>);
+/// The field of rational numbers, exact.
+class Rationals {
+ public:
+  using Element = Rational;
+  static constexpr bool is_field = true;
+
+  [[nodiscard]] Element zero() const { return {}; }
+  [[nodiscard]] Element one() const { return 1; }
+  [[nodiscard]] Element from(std::int64_t n) const { return n; }
+  [[nodiscard]] Element from(const Integer& n) const { return n; }
+  [[nodiscard]] Integer to_integer(const Element& a) const {
+    expects(a.is_integer(), "to_integer in Q: of integers only");
+    return a.numerator();
+  }
+  [[nodiscard]] Element add(const Element& a, const Element& b) const { return a + b; }
+  [[nodiscard]] Element subtract(const Element& a, const Element& b) const { return a - b; }
+  [[nodiscard]] Element negate(const Element& a) const { return -a; }
+  [[nodiscard]] Element multiply(const Element& a, const Element& b) const { return a * b; }
+  void add_product(Element& acc, const Element& a, const Element& b) const { acc += a * b; }
+  [[nodiscard]] bool is_zero(const Element& a) const { return a.is_zero(); }
+  [[nodiscard]] bool is_unit(const Element& a) const { return !a.is_zero(); }
+  [[nodiscard]] Element inverse(const Element& a) const {
+    expects(!a.is_zero(), "inverse in Q: zero has none");
+    return a.inverse();
+  }
+  [[nodiscard]] Element quotient(const Element& a, const Element& b) const { return a * inverse(b); }
+  [[nodiscard]] std::uint32_t characteristic() const { return 0; }
+  [[nodiscard]] std::string name() const { return "Q"; }
+  friend bool operator==(const Rationals&, const Rationals&) = default;
+};
+
+static_assert(Ring<Integers> && Ring<Z2> && Ring<Zp> && Ring<Rationals>);
+
+/// An element as it is printed.
+template <Ring R>
+[[nodiscard]] Rational to_rational(const R& ring, const typename R::Element& a) {
+  if constexpr (std::same_as<typename R::Element, Rational>) {
+    return a;
+  } else {
+    return ring.to_integer(a);
+  }
+}
+
+/// The element that a fraction is. Requires: its denominator is a unit of the ring.
+template <Ring R>
+[[nodiscard]] typename R::Element from_rational(const R& ring, const Rational& a) {
+  const typename R::Element numerator = ring.from(a.numerator());
+  return a.is_integer() ? numerator : ring.multiply(numerator, ring.inverse(ring.from(a.denominator())));
+}
 
 /// A ring chosen at run time.
-using AnyRing = std::variant<Integers, Z2, Zp>;
+using AnyRing = std::variant<Integers, Z2, Zp, Rationals>;
 
-/// "Z" or "Z/p". Errors: bad_input, saying what would be right.
+/// "Z", "Q" or "Z/p". Errors: bad_input, saying what would be right.
 Result<AnyRing> parse_ring(std::string_view text);
 [[nodiscard]] std::string ring_name(const AnyRing& ring);
 
@@ -158,4 +208,5 @@ Result<AnyRing> parse_ring(std::string_view text);
 #define SESAME_FOR_EACH_RING(X) \
   X(::sesame::sparse::Integers) \
   X(::sesame::sparse::Z2)       \
-  X(::sesame::sparse::Zp)
+  X(::sesame::sparse::Zp)       \
+  X(::sesame::sparse::Rationals)

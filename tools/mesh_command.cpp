@@ -53,7 +53,7 @@ void add_mesh_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<Arguments>();
   add_mesh_input(*command, arguments->mesh);
   command->add_flag("--json", arguments->json, "One JSON object on standard output");
-  command->add_option("--ring", arguments->ring, "Compute over Z or Z/p")->capture_default_str();
+  command->add_option("--ring", arguments->ring, "Compute over Z, Q or Z/p")->capture_default_str();
   command
       ->add_option("--generators-limit", arguments->generators_limit,
                    "How many generators to list: of each group (default 20), or in all with --json (default: all); 0 "

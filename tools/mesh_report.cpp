@@ -30,7 +30,7 @@ Json number(const Integer& n) {
 Json chain(const engine::CellChain& chain, const ops::Structure& structure) {
   Json out = Json::array();
   for (const auto& [coefficient, cell] : chain.terms) {
-    out.push_back(Json::array({number(coefficient), structure.name(cell)}));
+    out.push_back(Json::array({number(coefficient.numerator()), structure.name(cell)}));
   }
   return out;
 }
@@ -117,7 +117,7 @@ void write_json(std::ostream& out, const MeshHomology& found, const MeshReportOp
     }
     generators.push_back(generator_object(generator, engine.structure()));
   }
-  const Json object{{"mesh", options.source},           {"ring", sparse::ring_name(engine.ring())},
+  const Json object{{"mesh", options.source},           {"ring", sparse::ring_name(found.ring)},
                     {"version", SESAME_VERSION},        {"validity", validity_object(found.validity, found.remarks)},
                     {"cells", engine.cells()},          {"euler", engine.euler_characteristic()},
                     {"betti", found.homology.betti},    {"torsion", std::move(torsion)},
@@ -186,7 +186,7 @@ std::vector<std::string> meaning(const MeshHomology& found, std::size_t degree) 
 }
 
 void print_groups(std::ostream& out, const MeshHomology& found) {
-  const sparse::AnyRing& ring = found.engine->ring();
+  const sparse::AnyRing& ring = found.ring;
   const std::vector<std::string> groups = replay::group_names(found.homology, ring);
   std::size_t width = 0;
   for (const std::string& group : groups) width = std::max(width, group.size());
@@ -198,7 +198,9 @@ void print_groups(std::ostream& out, const MeshHomology& found) {
       head.assign(head.size(), ' ');
     }
   }
-  if (!std::holds_alternative<sparse::Integers>(ring)) {
+  if (std::holds_alternative<sparse::Rationals>(ring)) {
+    out << "  over Q loops that are filled in when they are run several times are no tunnels; --ring Z shows them\n";
+  } else if (!std::holds_alternative<sparse::Integers>(ring)) {
     out << "  over a field, torsion of its characteristic counts as tunnels and cavities; --ring Z tells them apart\n";
   }
 }

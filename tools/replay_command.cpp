@@ -224,7 +224,7 @@ void add_replay_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<Arguments>();
   command->add_option("FILE", arguments->file, "The script, JSON Lines, or a list of facets; - for standard input")
       ->required();
-  command->add_option("--ring", arguments->ring, "Compute over Z or Z/p instead of the ring that the script names");
+  command->add_option("--ring", arguments->ring, "Compute over Z, Q or Z/p instead of the ring that the script names");
   command->add_option("--until", arguments->until, "Stop after that many steps")->check(from_one_on());
   command
       ->add_option("--every", arguments->every,

@@ -194,7 +194,7 @@ class Run {
     }
     const auto is_z = [](const sparse::AnyRing& ring) { return std::holds_alternative<sparse::Integers>(ring); };
     return rings_.size() > 1 && std::ranges::any_of(rings_, is_z)
-               ? "a barcode is taken over a field: --rings takes Z/p; --ring Z alone gives the sequence of groups"
+               ? "a barcode is taken over a field: --rings takes Z/p and Q; --ring Z alone gives the sequence of groups"
                : "";
   }
 
@@ -521,8 +521,8 @@ void add_tower_command(CLI::App& app, int& status) {
                            {"facets", TowerFormat::facets},
                            {"script", TowerFormat::script}},
                           "What the file is; default: by content");
-  CLI::Option* ring = command->add_option("--ring", arguments->ring,
-                                          "Coefficients Z/p (default Z/2); Z gives the sequence of groups instead");
+  CLI::Option* ring = command->add_option(
+      "--ring", arguments->ring, "Coefficients Z/p (default Z/2) or Q; Z gives the sequence of groups instead");
   command->add_option("--rings", arguments->rings, "Several of them side by side, Z/2,Z/3,...: where do they differ?")
       ->delimiter(',')
       ->excludes(ring);

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "engine/cycle_tracker.hpp"
+#include "sparse/matrix.hpp"
+#include "sparse/smith.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random_towers.hpp"
 #include "tests/support/ranks.hpp"
@@ -17,7 +19,24 @@ using ops::Label;
 using ops::TowerComplex;
 using tests::TowerStep;
 
-sparse::AnyRing field(std::int64_t p) { return sparse::parse_ring("Z/" + std::to_string(p)).value(); }
+/// Z/p, or Q for 0.
+sparse::AnyRing field(std::int64_t p) { return sparse::parse_ring(p == 0 ? "Q" : "Z/" + std::to_string(p)).value(); }
+
+/// The rank over Q, by the Smith form over Z.
+std::size_t rational_rank(const std::vector<tests::DenseRow>& rows) {
+  sparse::Matrix<sparse::Integers> matrix(sparse::Integers{},
+                                          rows.empty() ? 0 : static_cast<sparse::Index>(rows[0].size()), 0);
+  for (const tests::DenseRow& row : rows) {
+    sparse::Terms<sparse::Integers> column;
+    for (sparse::Index k = 0; k < row.size(); ++k) {
+      if (row[k] != 0) {
+        column.push_back({k, row[k]});
+      }
+    }
+    matrix.append_column(column);
+  }
+  return sparse::invariant_factors(matrix).size();
+}
 
 struct Run {
   std::vector<Bar> bars;
@@ -79,9 +98,37 @@ TEST_CASE("Betti numbers are those of the complex, at every operation, and the s
   }
 }
 
+TEST_CASE("Betti numbers over Q are what ranks over Z say", "[engine][tower]") {
+  const std::uint32_t seed = GENERATE(range(0u, 8u));
+  CAPTURE(seed);
+  const std::vector<TowerStep> tower = tests::random_tower(seed, 80, 7, 1 + seed % 4);
+  const auto tracker = engine::make_barcode_tracker(field(0), [](const Bar&) {});
+  TowerComplex complex;
+  tests::PlainComplex plain;
+  BarcodeTracker* told = tracker.get();
+  for (std::size_t k = 0; k < tower.size(); ++k) {
+    tests::apply(tower[k], complex, {&told, 1}, static_cast<double>(k));
+    plain.apply(tower[k]);
+    std::size_t rank_below = 0;
+    for (std::size_t d = 0; !tests::numbered(plain, d).empty(); ++d) {
+      const std::size_t rank_above = rational_rank(tests::boundary_rows(plain, d + 1));
+      const std::size_t betti = tests::numbered(plain, d).size() - rank_below - rank_above;
+      REQUIRE((d < tracker->betti().size() ? tracker->betti()[d] : 0) == betti);
+      rank_below = rank_above;
+    }
+  }
+}
+
+TEST_CASE("over Q the bars are those over all but a few fields Z/p", "[engine][tower]") {
+  const std::uint32_t seed = GENERATE(range(0u, 40u));
+  CAPTURE(seed);
+  const std::vector<TowerStep> tower = tests::random_tower(seed, 400, 12, seed % 5);
+  CHECK(run(tower, 0).bars == run(tower, 2147483647).bars);
+}
+
 TEST_CASE("two methods find the same bars", "[engine][tower]") {
   const std::uint32_t seed = GENERATE(range(0u, 40u));
-  const std::int64_t p = GENERATE(2, 3, 7);
+  const std::int64_t p = GENERATE(0, 2, 3, 7);
   CAPTURE(seed, p);
   const std::vector<TowerStep> tower = tests::random_tower(seed, 400, 12, seed % 5);
   const Run fast = run(tower, p);
@@ -181,6 +228,7 @@ TEST_CASE("torsion shows as a difference between fields", "[engine][tower]") {
   const double end = static_cast<double>(simplices.size());
   CHECK(betti_of(run(inclusions(simplices), 2).bars, end) == std::vector<std::uint64_t>{1, 1, 1});
   CHECK(betti_of(run(inclusions(simplices), 3).bars, end) == std::vector<std::uint64_t>{1});
+  CHECK(betti_of(run(inclusions(simplices), 0).bars, end) == std::vector<std::uint64_t>{1});
 }
 
 TEST_CASE("what is kept of a long tower is what its present complex needs", "[engine][tower]") {

@@ -102,5 +102,48 @@ TEST_CASE("cycles are a basis of the homology at every operation, and bound when
   }
 }
 
+/// A chain as a sum, and what its boundary is.
+std::map<TowerHistory::Name, sparse::Rational> sum_of(const TowerHistory::NamedChain& chain, bool of_boundary) {
+  std::map<TowerHistory::Name, sparse::Rational> sum;
+  for (const auto& [coefficient, name] : chain) {
+    if (!of_boundary) {
+      sum[name] += coefficient;
+    }
+    for (std::size_t k = 0; of_boundary && name.size() > 1 && k < name.size(); ++k) {
+      TowerHistory::Name facet = name;
+      facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(k));
+      sum[facet] += k % 2 == 0 ? coefficient : -coefficient;
+    }
+  }
+  std::erase_if(sum, [](const auto& term) { return term.second.is_zero(); });
+  return sum;
+}
+
+TEST_CASE("over Q cycles are cycles, and bound exactly what is said", "[replay][tower]") {
+  const std::uint32_t seed = GENERATE(range(0u, 12u));
+  CAPTURE(seed);
+  const auto tracker = engine::make_cycle_tracker(sparse::Rationals{}, [](const engine::Bar&) {});
+  TowerHistory history;
+  replay::TowerReplay replay({tracker.get()}, &history);
+  double time = 0;
+  for (const tests::TowerStep& step : tests::random_tower(seed, 150, 8, 2 + seed % 3)) {
+    const auto kind = step.is_contraction ? TowerOperation::Kind::contract : TowerOperation::Kind::insert;
+    const int dimension = step.is_contraction ? 0 : static_cast<int>(step.labels.size()) - 1;
+    REQUIRE(replay.apply({kind, time++, dimension, step.labels}).has_value());
+  }
+  std::size_t ended = 0;
+  for (const auto& bar : tracker->bars()) {
+    const auto cycle = tracker->cycle(bar);
+    REQUIRE(!cycle.empty());
+    CHECK(sum_of(history.image(cycle, bar.born_by, 0), true).empty());
+    if (bar.bar.death != engine::never) {
+      ++ended;
+      CHECK(sum_of(history.image(tracker->bounded_chain(bar), bar.killed_by, 0), true) ==
+            sum_of(history.image(cycle, bar.killed_by, 0), false));
+    }
+  }
+  CHECK(ended > 10);
+}
+
 }  // namespace
 }  // namespace sesame

@@ -76,7 +76,7 @@ inline std::string to_text(const CellChain& chain) {
 inline std::string to_text(const ClassAnswer& answer) {
   std::string text = answer.is_cycle ? "cycle" : "no cycle";
   text += answer.is_zero ? " zero" : "";
-  for (const Integer& a : answer.coefficients) {
+  for (const sparse::Rational& a : answer.coefficients) {
     text += " " + a.to_string();
   }
   return text + (answer.bounds ? " bounds " + to_text(*answer.bounds) : "");
@@ -139,14 +139,14 @@ inline std::string dump(Engine& engine) {
     }
   }
   return text + matrices_of<sparse::Integers>(engine) + matrices_of<sparse::Z2>(engine) +
-         matrices_of<sparse::Zp>(engine);
+         matrices_of<sparse::Zp>(engine) + matrices_of<sparse::Rationals>(engine);
 }
 
-// ---- chains with integer coefficients
+// ---- chains with integer or rational coefficients
 
 /// a + factor * b, reduced modulo the ring's characteristic, in the order of the cells' ids.
-inline CellChain sum(const CellChain& a, const Integer& factor, const CellChain& b, const AnyRing& ring) {
-  std::map<ops::CellId, Integer> total;
+inline CellChain sum(const CellChain& a, const sparse::Rational& factor, const CellChain& b, const AnyRing& ring) {
+  std::map<ops::CellId, sparse::Rational> total;
   for (const auto& [coefficient, cell] : a.terms) {
     total[cell] += coefficient;
   }
@@ -156,7 +156,7 @@ inline CellChain sum(const CellChain& a, const Integer& factor, const CellChain&
   const std::uint32_t p = std::visit([](const auto& r) { return r.characteristic(); }, ring);
   CellChain result{a.terms.empty() ? b.degree : a.degree, {}};
   for (const auto& [cell, coefficient] : total) {
-    const Integer value = p == 0 ? coefficient : Integer{std::int64_t{coefficient.modulo(p)}};
+    const sparse::Rational value = p == 0 ? coefficient : std::int64_t{coefficient.numerator().modulo(p)};
     if (!value.is_zero()) {
       result.terms.push_back({value, cell});
     }
@@ -165,7 +165,7 @@ inline CellChain sum(const CellChain& a, const Integer& factor, const CellChain&
 }
 
 /// True when a = factor * b over the ring.
-inline bool equal_to(const CellChain& a, const Integer& factor, const CellChain& b, const AnyRing& ring) {
+inline bool equal_to(const CellChain& a, const sparse::Rational& factor, const CellChain& b, const AnyRing& ring) {
   return sum(a, -factor, b, ring).terms.empty();
 }
 

@@ -26,7 +26,7 @@ sparse::Matrix<Integers> small_boundary(engine::Engine& engine, Index rows, std:
   for (std::uint32_t y = 0; y < columns; ++y) {
     Terms<Integers> column;
     for (const auto& [coefficient, x] : engine.maps().boundary(SmallChain{2, {{1, y}}}).terms) {
-      column.push_back({x, coefficient});
+      column.push_back({x, coefficient.numerator()});
     }
     sparse::normalize(Integers{}, column);
     if (!column.empty()) boundary.append_column(column);
@@ -85,8 +85,8 @@ FirstHomology first_homology(engine::Engine& engine, const std::vector<ops::Cell
     Terms<Integers> free;
     Terms<Integers> torsion;
     for (const auto& [coefficient, x] : engine.maps().apply_F({1, {{1, edge}}}).terms) {
-      sparse::add_multiple<Integers>(Integers{}, free, coefficient, of_small.free[x]);
-      sparse::add_multiple<Integers>(Integers{}, torsion, coefficient, of_small.torsion[x]);
+      sparse::add_multiple<Integers>(Integers{}, free, coefficient.numerator(), of_small.free[x]);
+      sparse::add_multiple<Integers>(Integers{}, torsion, coefficient.numerator(), of_small.torsion[x]);
     }
     h.free.of_edge.push_back(std::move(free));
     h.torsion.of_edge.push_back(std::move(torsion));

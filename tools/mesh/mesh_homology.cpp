@@ -51,6 +51,8 @@ Normalised normalised(const Mesh& raw) {
   return {std::move(mesh), std::move(point_in_file)};
 }
 
+bool is_rational(const sparse::AnyRing& ring) { return std::holds_alternative<sparse::Rationals>(ring); }
+
 /// Builds the complex by the script that `sesame import` writes, so that cells have the same names here and there.
 Result<std::unique_ptr<engine::Engine>> build(const Mesh& triangulated, const MeshHomologyOptions& options) {
   std::stringstream text;
@@ -59,7 +61,8 @@ Result<std::unique_ptr<engine::Engine>> build(const Mesh& triangulated, const Me
   replay::ScriptReader reader{replay::ByteSource::of_text(text.view(), options.source),
                               std::numeric_limits<std::size_t>::max()};
   if (const auto header = reader.header(); !header) return header.error();
-  auto engine = std::make_unique<engine::Engine>(options.ring);
+  auto engine =
+      std::make_unique<engine::Engine>(is_rational(options.ring) ? sparse::AnyRing{Integers{}} : options.ring);
   for (;;) {
     const auto operation = reader.next();
     if (!operation) return operation.error();
@@ -135,8 +138,16 @@ class Generators {
   // ---- H_1
   void find_loops() {
     const FirstHomology h = first_homology(engine_, cell_of_edge_);
+    if (!is_rational(ring_)) find_torsion_loops(h);
+    const LoopBasis free_loops = short_loops(graph_, {ring_, &h.free});
+    for (const Loop& loop : free_loops.loops) result_.generators.push_back(from_loop(loop, 0));
+    for (const auto& rest : free_loops.completion)
+      result_.generators.push_back(from_engine(sum(rest, h.free_cycles), 0));
+    result_.loops_tried += free_loops.tried;
+  }
+
+  void find_torsion_loops(const FirstHomology& h) {
     std::vector<MeshGenerator> finite;
-    std::vector<MeshGenerator> infinite;
     LoopBasis torsion_loops;
     const auto prime = common_prime(h.orders);
     if (prime) {
@@ -149,13 +160,8 @@ class Generators {
       for (std::size_t k = 0; k < h.orders.size(); ++k) finite.push_back(from_engine(h.torsion_cycles[k], h.orders[k]));
     }
     for (MeshGenerator& generator : finite) generator.bounding = bounding(generator);
-
-    const LoopBasis free_loops = short_loops(graph_, {ring_, &h.free});
-    for (const Loop& loop : free_loops.loops) infinite.push_back(from_loop(loop, 0));
-    for (const auto& rest : free_loops.completion) infinite.push_back(from_engine(sum(rest, h.free_cycles), 0));
-    result_.loops_tried = torsion_loops.tried + free_loops.tried;
+    result_.loops_tried += torsion_loops.tried;
     std::move(finite.begin(), finite.end(), std::back_inserter(result_.generators));
-    std::move(infinite.begin(), infinite.end(), std::back_inserter(result_.generators));
   }
 
   /// Z/p when all orders are one prime p: then bases of the torsion are bases over Z/p.
@@ -168,7 +174,7 @@ class Generators {
   [[nodiscard]] static SmallChain sum(const Terms<Integers>& factors, const std::vector<SmallChain>& cycles) {
     Terms<Integers> terms;
     for (const auto& [k, factor] : factors) {
-      for (const auto& [coefficient, x] : cycles[k].terms) terms.push_back({x, factor * coefficient});
+      for (const auto& [coefficient, x] : cycles[k].terms) terms.push_back({x, factor * coefficient.numerator()});
     }
     sparse::normalize(Integers{}, terms);
     return small_chain(terms);
@@ -258,10 +264,12 @@ class Generators {
   }
 
   /// How often a cell is in a chain; over Z/p, a coefficient and its negative count alike.
-  [[nodiscard]] double times(const Integer& coefficient) const {
-    const Integer size = sparse::abs(coefficient == minus_one() ? Integer{1} : coefficient);
+  [[nodiscard]] double times(const sparse::Rational& coefficient) const {
+    const sparse::Rational size = sparse::abs(coefficient == minus_one() ? sparse::Rational{1} : coefficient);
     return static_cast<double>(size.to_int64().value_or(std::numeric_limits<std::int64_t>::max()));
   }
+
+  [[nodiscard]] bool has_signs() const { return std::holds_alternative<Integers>(ring_) || is_rational(ring_); }
 
   // ---- H_2
   void add_surface(const engine::Generator& found) {
@@ -277,7 +285,7 @@ class Generators {
       for (const auto corner : corners_of(triangle)) extend(generator.box, triangles_.points[corner]);
     }
     measure_surface(generator);
-    if (std::holds_alternative<Integers>(ring_)) generator.volume = volume(generator);
+    if (has_signs()) generator.volume = volume(generator);
     result_.generators.push_back(std::move(generator));
   }
 
@@ -333,9 +341,9 @@ class Generators {
     return length_of_whole > 1e-9 * length ? dot(normal, whole) / length_of_whole : length;
   }
 
-  /// 1 when the chain runs through its lowest triangle as the file does, else -1; 1 over fields.
+  /// 1 when the chain runs through its lowest triangle as the file does, else -1; 1 over Z/p.
   [[nodiscard]] Integer orientation(const CellChain& chain) {
-    if (!std::holds_alternative<Integers>(ring_)) return 1;
+    if (!has_signs()) return 1;
     const CellChain::Term* lowest = nullptr;
     std::uint32_t triangle = 0;
     for (const auto& term : chain.terms) {
@@ -432,7 +440,11 @@ Result<MeshHomology> mesh_homology(const Mesh& mesh, const MeshHomologyOptions& 
   auto engine = build(triangles.mesh, options);
   if (!engine) return engine.error();
   result.engine = std::move(*engine);
+  result.ring = options.ring;
   result.homology = result.engine->homology();
+  if (is_rational(options.ring)) {
+    for (auto& factors : result.homology.torsion) factors.clear();
+  }
   if (options.generators) Generators{polygons, triangles, options, result}.find();
   return result;
 }

@@ -31,7 +31,7 @@ struct MeshGenerator {
   bool is_short = false;          ///< degree 1: found by `short_loops`, not the engine's own
   std::size_t triangles = 0;      ///< degree 2
   Measure area;                   ///< degree 2: of its polygons, each as if it were flat
-  std::optional<Measure> volume;  ///< degree 2, over Z: enclosed; negative when its faces point inwards
+  std::optional<Measure> volume;  ///< degree 2, over Z and Q: enclosed; negative when its faces point inwards
   std::array<Point, 2> box{};     ///< lowest and highest coordinates (degree 0: of the component)
   Point centre{};                 ///< degree 0: of the box; 1: mean along the edges; 2: mean over the area
 };
@@ -44,8 +44,10 @@ struct MeshHomologyOptions {
 
 struct MeshHomology {
   Validity validity;
-  std::vector<std::string> remarks;        ///< of cutting polygons
-  std::unique_ptr<engine::Engine> engine;  ///< the complex, built by the script of `write_complex_script`
+  std::vector<std::string> remarks;  ///< of cutting polygons
+  sparse::AnyRing ring = sparse::Integers{};
+  /// The complex, built by the script of `write_complex_script`; over Z when the ring is Q, which forgets the torsion.
+  std::unique_ptr<engine::Engine> engine;
   engine::Homology homology;
   std::vector<MeshGenerator> generators;  ///< by degree; finite orders first, then by length (degree 1)
   std::uint64_t loops_tried = 0;          ///< compared when the short ones were chosen
