@@ -152,7 +152,7 @@ TEST_CASE("over a field the report names the field and warns about torsion") {
 
 TEST_CASE("wrong usage ends with 1, a wrong mesh with 2 and the place of the fault") {
   CHECK(run({"there_is_no_such.off"}).status == 1);
-  CHECK(run({mesh_path("torus.off"), "--ring", "Q"}).status == 1);
+  CHECK(run({mesh_path("torus.off"), "--ring", "R"}).status == 1);
   CHECK(run({mesh_path("torus.off"), "--generators-limit", "-1"}).status == 1);
   CHECK(run({}).status == 1);
   const Run wrong = run({mesh_path("wrong_index.off")});
