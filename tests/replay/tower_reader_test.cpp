@@ -150,6 +150,8 @@ TEST_CASE("An input that is of no format is told so, with its line", "[tower_rea
   CHECK_THAT(read(std::string(100, 'x')).at(0),
              Catch::StartsWith("FILE:1: \"" + std::string(40, 'x') + "...\"" + start));
   CHECK_THAT(read("\n0.5,\n0.25,0.125,\n").at(0), Catch::StartsWith("FILE:2: this looks like the lower half of"));
+  CHECK(read("(Y\xFF,\n)(a b)" + std::string(9, '\0')).at(0) ==
+        "FILE: byte 11 of this is zero, which no text and no binary boundary matrix of PHAT has there");
 }
 
 TEST_CASE("Facets are inclusions, one at a time, wherever their brackets break", "[tower_reader]") {

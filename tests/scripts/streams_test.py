@@ -220,6 +220,16 @@ class Lines(Directory):
             done = run("replay", device)
             self.assertEqual((device, done.returncode), (device, 2))
             self.assertIn("a script is a text", done.stderr)
+        # Data that begin like a list of facets, or like a script, a mesh or a barcode, are no text either.
+        for beginning in (b"(Y\xff,\n)", b"[", b'{"sesame":1,"ring":"Z"}\n', b"1 2 3\n", b"OFF\n", b"v 0 0 0\n", b"i 0\n"):
+            data = self.write("data", beginning + b"\0\1\2" * 1000)
+            for command in ("replay", "tower", "mesh", "import"):
+                done = run(command, data)
+                self.assertEqual((beginning, command, done.returncode), (beginning, command, 2), done.stderr)
+            self.assertIn("a script is a text", run("replay", data).stderr)
+        for command in ("mesh", "import"):
+            done = run(command, "/dev/zero")
+            self.assertEqual((command, done.returncode), (command, 2), done.stderr)
         endless = subprocess.Popen(["sh", "-c", f"yes 'no script' | {SESAME} replay -"], stderr=subprocess.PIPE)
         self.assertIn(b"standard input:1: a line should be one JSON object", endless.communicate(timeout=60)[1])
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "replay/byte_source.hpp"
 #include "tools/mesh/readers.hpp"
@@ -16,6 +17,7 @@ namespace sesame::tools {
 namespace {
 
 constexpr std::string_view known_formats = "an OFF, OBJ, PLY or STL mesh is expected";
+constexpr std::size_t size_limit = std::numeric_limits<std::uint32_t>::max();  ///< 32-bit numbers count what is read
 
 bool has_obj_vertex(std::string_view bytes) {
   LineReader lines{bytes, {}};
@@ -26,13 +28,36 @@ bool has_obj_vertex(std::string_view bytes) {
   return false;
 }
 
+/// No text has a byte that is zero.
+bool has_zero(std::string_view bytes) { return bytes.find('\0') != std::string_view::npos; }
+
 Format format_of_content(std::string_view bytes) {
   if (bytes.starts_with("ply")) return Format::ply;
   if (has_off_head(bytes)) return Format::off;
-  if (has_binary_stl_size(bytes) || lower_case(bytes.substr(bytes.find_first_not_of(" \t\r\n"), 5)) == "solid") {
+  if (bytes.size() == binary_stl_size(bytes) ||
+      lower_case(bytes.substr(bytes.find_first_not_of(" \t\r\n"), 5)) == "solid") {
     return Format::stl;
   }
-  return has_obj_vertex(bytes) ? Format::obj : Format::automatic;
+  return !has_zero(bytes) && has_obj_vertex(bytes) ? Format::obj : Format::automatic;
+}
+
+Error unknown_format(std::string_view name) {
+  return {Errc::bad_input,
+          fmt::format("{}:1: neither the name nor the content tells the format, {}", name, known_formats)};
+}
+
+Error too_large(std::string_view name) {
+  return {Errc::bad_input, fmt::format("{}:1: this is larger than the 4 GB up to which meshes are read", name)};
+}
+
+/// Data that begin like no mesh may have no end: they are not read up to it.
+Status check_beginning(std::string_view bytes, std::string_view name, Format format) {
+  if (!has_zero(bytes) || format != Format::automatic || format_of_extension(name) != Format::automatic ||
+      format_of_content(bytes) != Format::automatic) {
+    return Done{};
+  }
+  const auto size = binary_stl_size(bytes);
+  return !size || (bytes.size() <= *size && *size < size_limit) ? Status{Done{}} : unknown_format(name);
 }
 
 Result<Mesh> read_as(Format format, std::string_view bytes, std::string_view name) {
@@ -40,6 +65,10 @@ Result<Mesh> read_as(Format format, std::string_view bytes, std::string_view nam
     case Format::off:
       return read_off(bytes, name);
     case Format::obj:
+      if (has_zero(bytes)) {
+        return Error{Errc::bad_input,
+                     fmt::format("{}: byte {} of this is zero, and OBJ is a text", name, bytes.find('\0'))};
+      }
       return read_obj(bytes, name);
     case Format::ply:
       return read_ply(bytes, name);
@@ -51,8 +80,7 @@ Result<Mesh> read_as(Format format, std::string_view bytes, std::string_view nam
     case Format::automatic:
       break;
   }
-  return Error{Errc::bad_input,
-               fmt::format("{}:1: neither the name nor the content tells the format, {}", name, known_formats)};
+  return unknown_format(name);
 }
 
 /// What no format allows: nothing at all, UTF-16, more than 32-bit numbers can count.
@@ -63,10 +91,7 @@ Status check_readable(std::string_view bytes, std::string_view name) {
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {
     return Error{Errc::bad_input, fmt::format("{}:1: the text is UTF-16, save it as UTF-8", name)};
   }
-  if (bytes.size() >= std::numeric_limits<std::uint32_t>::max()) {
-    return Error{Errc::bad_input,
-                 fmt::format("{}:1: the file has {} bytes, meshes are read up to 4 GB", name, bytes.size())};
-  }
+  if (bytes.size() >= size_limit) return too_large(name);
   return Done{};
 }
 
@@ -100,9 +125,19 @@ Result<Mesh> parse_mesh(std::string_view bytes, std::string_view name, const Rea
 }
 
 Result<Mesh> read_mesh(const std::string& path, const ReadOptions& options) {
-  const auto bytes = replay::read_file(path);
-  if (!bytes) return bytes.error();
-  return parse_mesh(*bytes, path == "-" ? "standard input" : path, options);
+  Result<replay::ByteSource> source = replay::ByteSource::open(path);
+  if (!source) return source.error();
+  bool is_first = true;
+  while (true) {
+    const Result<bool> got = source->more();
+    if (!got) return got.error();
+    if (!*got) return parse_mesh(source->window(), source->name(), options);
+    if (source->window().size() >= size_limit) return too_large(source->name());
+    if (!std::exchange(is_first, false)) continue;
+    if (const Status mesh = check_beginning(source->window(), source->name(), options.format); !mesh) {
+      return mesh.error();
+    }
+  }
 }
 
 }  // namespace sesame::tools

@@ -2,6 +2,8 @@
 /// One reader per format; `parse_mesh` chooses. Errors as in mesh.hpp.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string_view>
 
 #include "sparse/result.hpp"
@@ -24,8 +26,9 @@ namespace sesame::tools {
 /// Stereolithography, ASCII and binary. The result has three points of its own for every triangle: weld it.
 [[nodiscard]] Result<Mesh> read_stl(std::string_view bytes, std::string_view name);
 
-/// Whether the size of the data is that of a binary STL file with the number of triangles that it claims.
-[[nodiscard]] bool has_binary_stl_size(std::string_view bytes);
+/// The size in bytes that data have if they are a binary STL file with the number of triangles that they claim; nothing
+/// when they are too short to claim any.
+[[nodiscard]] std::optional<std::size_t> binary_stl_size(std::string_view bytes);
 
 /// Whether the first word that is not in a comment is the head of an OFF file.
 [[nodiscard]] bool has_off_head(std::string_view bytes);

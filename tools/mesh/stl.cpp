@@ -148,12 +148,13 @@ bool is_text(std::string_view bytes) {
 
 }  // namespace
 
-bool has_binary_stl_size(std::string_view bytes) {
-  return bytes.size() >= head_size && bytes.size() == head_size + std::size_t{word_at(bytes, 80)} * triangle_size;
+std::optional<std::size_t> binary_stl_size(std::string_view bytes) {
+  if (bytes.size() < head_size) return std::nullopt;
+  return head_size + std::size_t{word_at(bytes, 80)} * triangle_size;
 }
 
 Result<Mesh> read_stl(std::string_view bytes, std::string_view name) {
-  if (has_binary_stl_size(bytes) || !is_text(bytes)) return read_binary(bytes, name);
+  if (bytes.size() == binary_stl_size(bytes) || !is_text(bytes)) return read_binary(bytes, name);
   return TextStlReader{bytes, name}.read();
 }
 
