@@ -16,11 +16,18 @@ using ops::TowerComplex;
 template <Ring R>
 class Tracker final : public BarcodeTracker {
  public:
-  Tracker(R ring, OnBar on_bar, Slots slots)
-      : ring_{ring}, any_ring_{ring}, on_bar_{std::move(on_bar)}, has_shared_slots_{slots == Slots::shared} {}
+  Tracker(R ring, OnBar on_bar, Slots slots, Dimensions dimensions)
+      : ring_{ring},
+        any_ring_{ring},
+        on_bar_{std::move(on_bar)},
+        has_shared_slots_{slots == Slots::shared},
+        dimensions_{dimensions} {}
 
   void include(int dimension, Slot slot, std::span<const Slot> facets, Time time) override {
     const auto d = static_cast<std::size_t>(dimension);
+    if (dimensions_.are_above(d)) {
+      return;
+    }
     reach(d);
     ClassSpace<R>& own_space = levels_[d].space;
     std::vector<ClassRef>& refs = refs_of(d);
@@ -49,7 +56,9 @@ class Tracker final : public BarcodeTracker {
       is_negative = !is_negative;
     }
     if (space.sum_is_zero()) {
-      refs[slot] = ClassRef{own_space.add(time)};
+      if (dimensions_.have(d)) {
+        refs[slot] = ClassRef{own_space.add(time)};
+      }
     } else {
       close(d - 1, time, UINT32_MAX);
     }
@@ -63,7 +72,7 @@ class Tracker final : public BarcodeTracker {
     for (const Level& level : levels_) {
       nodes_before.push_back(level.space.nodes());
     }
-    for (std::size_t d = 0; d < changes.size(); ++d) {
+    for (std::size_t d = 0; d < changes.size() && dimensions_.have(d); ++d) {
       shifts_.begin_dimension(d);
       for (const TowerComplex::Change& change : changes[d]) {
         apply(complex, d, change, time, static_cast<std::uint32_t>(nodes_before[d]));
@@ -86,7 +95,7 @@ class Tracker final : public BarcodeTracker {
       __builtin_prefetch(refs.data() + std::min<std::uint64_t>(slot, refs.size() - 1));
     }
     for (const std::uint64_t slot : near) {
-      if (slot < complex.cells() && !refs[slot].is_zero()) {
+      if (slot < std::min<std::uint64_t>(complex.cells(), refs.size()) && !refs[slot].is_zero()) {
         levels_[static_cast<std::size_t>(complex.dimension(slot))].space.prefetch(refs[slot].node());
       }
     }
@@ -199,13 +208,16 @@ class Tracker final : public BarcodeTracker {
       close(d, time, first);
       return;
     }
-    shifts_.note(change.slot, levels_[d + 1].space.add(time));
+    if (dimensions_.have(d + 1)) {
+      shifts_.note(change.slot, levels_[d + 1].space.add(time));
+    }
   }
 
   R ring_;
   sparse::AnyRing any_ring_;
   OnBar on_bar_;
   bool has_shared_slots_;
+  Dimensions dimensions_;
   std::vector<Level> levels_;
   std::uint64_t hidden_ = 0;
   std::vector<ClassRef> facet_refs_;  ///< of the cell that is being included
@@ -218,16 +230,16 @@ void BarcodeTracker::prefetch(const ops::ColumnComplex&, std::span<const std::ui
                               std::span<const std::uint64_t>) const {}
 
 std::unique_ptr<BarcodeTracker> make_barcode_tracker(const sparse::AnyRing& ring, BarcodeTracker::OnBar on_bar,
-                                                     Slots slots) {
+                                                     Slots slots, Dimensions dimensions) {
   if (const auto* z2 = std::get_if<sparse::Z2>(&ring)) {
-    return std::make_unique<Tracker<sparse::Z2>>(*z2, std::move(on_bar), slots);
+    return std::make_unique<Tracker<sparse::Z2>>(*z2, std::move(on_bar), slots, dimensions);
   }
   if (const auto* q = std::get_if<sparse::Rationals>(&ring)) {
-    return std::make_unique<Tracker<sparse::Rationals>>(*q, std::move(on_bar), slots);
+    return std::make_unique<Tracker<sparse::Rationals>>(*q, std::move(on_bar), slots, dimensions);
   }
   const auto* zp = std::get_if<sparse::Zp>(&ring);
   sparse::expects(zp != nullptr, "a barcode is taken over a field");
-  return std::make_unique<Tracker<sparse::Zp>>(*zp, std::move(on_bar), slots);
+  return std::make_unique<Tracker<sparse::Zp>>(*zp, std::move(on_bar), slots, dimensions);
 }
 
 }  // namespace sesame::engine

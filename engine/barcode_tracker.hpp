@@ -2,6 +2,7 @@
 /// The barcode of a tower, kept current at every operation.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -60,9 +61,22 @@ class BarcodeTracker {
 /// then there are no contractions.
 enum class Slots { by_dimension, shared };
 
+/// The dimensions whose classes a tracker keeps.
+struct Dimensions {
+  std::size_t last;
+
+  [[nodiscard]] bool have(std::size_t dimension) const { return dimension <= last; }
+  /// Cells of one dimension more kill classes; those above are nothing to a tracker.
+  [[nodiscard]] bool are_above(std::size_t dimension) const { return dimension > last && dimension - last > 1; }
+};
+inline constexpr Dimensions all_dimensions{SIZE_MAX};
+
+/// Bars above the last of `dimensions` are not worked out: cells of higher dimensions cost next to nothing, and those
+/// one above it that kill no class leave nothing behind.
 /// Requires: the ring is a field.
 [[nodiscard]] std::unique_ptr<BarcodeTracker> make_barcode_tracker(const sparse::AnyRing& ring,
                                                                    BarcodeTracker::OnBar on_bar,
-                                                                   Slots slots = Slots::by_dimension);
+                                                                   Slots slots = Slots::by_dimension,
+                                                                   Dimensions dimensions = all_dimensions);
 
 }  // namespace sesame::engine

@@ -23,11 +23,16 @@ using TermRange = std::pair<std::uint64_t, std::uint32_t>;  ///< the first one, 
 template <Ring R>
 class Tracker final : public CycleTracker {
  public:
-  Tracker(R ring, OnBar on_bar) : ring_{ring}, any_ring_{ring}, on_bar_{std::move(on_bar)}, sum_{ring} {}
+  Tracker(R ring, OnBar on_bar, Dimensions dimensions)
+      : ring_{ring}, any_ring_{ring}, on_bar_{std::move(on_bar)}, dimensions_{dimensions}, sum_{ring} {}
 
   void include(int dimension, Slot slot, std::span<const Slot> facets, Time time) override {
     times_.push_back(time);
     const auto d = static_cast<std::size_t>(dimension);
+    const std::uint32_t inclusion = inclusions_++;
+    if (dimensions_.are_above(d)) {
+      return;
+    }
     reach(d);
     typename R::Element sign = ring_.one();
     boundary_.clear();
@@ -40,13 +45,13 @@ class Tracker final : public CycleTracker {
       images.resize(std::max<std::size_t>(slot + std::size_t{1}, images.size() + images.size() / 2));
     }
     images[slot] = Image{static_cast<Generator>(generators_.size()), false, no_terms};
-    append(d, inclusions_++);
+    append(d, inclusion);
   }
 
   void contract(const TowerComplex& complex, const TowerComplex::Changes& changes, Time time) override {
     times_.push_back(time);
     reach(changes.size());
-    for (std::size_t d = 0; d < changes.size(); ++d) {
+    for (std::size_t d = 0; d < changes.size() && dimensions_.have(d); ++d) {
       shifts_.begin_dimension(d);
       for (const TowerComplex::Change& change : changes[d]) {
         apply(complex, d, change);
@@ -183,17 +188,21 @@ class Tracker final : public CycleTracker {
     }
   }
 
-  /// The next generator, whose boundary is boundary_.
+  /// The next generator, whose boundary is boundary_; none when it would be a class of a dimension that is not kept.
   void append(std::size_t dimension, std::uint32_t inclusion) {
     sparse::expects(std::max(generators_.size(), times_.size()) < negative_mark, "fewer than 2^32 - 2 generators");
     sparse::normalize(ring_, boundary_);
+    const bool kills = is_killer(dimension);
+    if (!kills && !dimensions_.have(dimension)) {
+      return;
+    }
     const auto b = static_cast<Generator>(generators_.size());
     const auto operation = static_cast<std::uint32_t>(times_.size() - 1);
     generators_.push_back({terms_.size(), static_cast<std::uint32_t>(boundary_.size()), alive_mark, operation,
                            inclusion, static_cast<std::uint8_t>(dimension)});
     added_.emplace_back(additions_.size(), 0);
     scale_.push_back(ring_.one());
-    if (!is_killer(dimension)) {
+    if (!kills) {
       // That V(b) is a cycle will do; which one is worked out when somebody asks.
       terms_.insert(terms_.end(), boundary_.begin(), boundary_.end());
       nodes_.push_back(levels_[dimension].space.add(0));
@@ -374,6 +383,7 @@ class Tracker final : public CycleTracker {
   R ring_;
   sparse::AnyRing any_ring_;
   OnBar on_bar_;
+  Dimensions dimensions_;
   std::vector<Cell> generators_;
   TimeList times_;  ///< per operation
   std::uint64_t hidden_ = 0;
@@ -396,16 +406,17 @@ class Tracker final : public CycleTracker {
 
 }  // namespace
 
-std::unique_ptr<CycleTracker> make_cycle_tracker(const sparse::AnyRing& ring, BarcodeTracker::OnBar on_bar) {
+std::unique_ptr<CycleTracker> make_cycle_tracker(const sparse::AnyRing& ring, BarcodeTracker::OnBar on_bar,
+                                                 Dimensions dimensions) {
   if (const auto* z2 = std::get_if<sparse::Z2>(&ring)) {
-    return std::make_unique<Tracker<sparse::Z2>>(*z2, std::move(on_bar));
+    return std::make_unique<Tracker<sparse::Z2>>(*z2, std::move(on_bar), dimensions);
   }
   if (const auto* q = std::get_if<sparse::Rationals>(&ring)) {
-    return std::make_unique<Tracker<sparse::Rationals>>(*q, std::move(on_bar));
+    return std::make_unique<Tracker<sparse::Rationals>>(*q, std::move(on_bar), dimensions);
   }
   const auto* zp = std::get_if<sparse::Zp>(&ring);
   sparse::expects(zp != nullptr, "a barcode is taken over a field");
-  return std::make_unique<Tracker<sparse::Zp>>(*zp, std::move(on_bar));
+  return std::make_unique<Tracker<sparse::Zp>>(*zp, std::move(on_bar), dimensions);
 }
 
 }  // namespace sesame::engine

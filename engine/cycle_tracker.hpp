@@ -45,8 +45,9 @@ class CycleTracker : public BarcodeTracker {
   [[nodiscard]] virtual InclusionChain bounded_chain(const TracedBar& bar) = 0;
 };
 
-/// Requires: the ring is a field.
+/// `dimensions`: see make_barcode_tracker. Requires: the ring is a field.
 [[nodiscard]] std::unique_ptr<CycleTracker> make_cycle_tracker(const sparse::AnyRing& ring,
-                                                               BarcodeTracker::OnBar on_bar);
+                                                               BarcodeTracker::OnBar on_bar,
+                                                               Dimensions dimensions = all_dimensions);
 
 }  // namespace sesame::engine

@@ -1,7 +1,6 @@
 #include "replay/barcode_drawing.hpp"
 
 #include "replay/barcode_sheet.hpp"
-#include "replay/bars.hpp"
 
 namespace sesame::replay {
 namespace {
@@ -10,8 +9,7 @@ using engine::Barcode;
 
 constexpr double full_width = 960, half_width = 465;
 
-/// `shown` are the bars that are long enough to be drawn.
-void write_sheet(std::ostream& out, const Barcode& barcode, const Barcode& shown, const Provenance& provenance,
+void write_sheet(std::ostream& out, const DrawnBarcode& shown, const Provenance& provenance,
                  const DrawingOptions& options, const std::vector<PlacedPanel>& panels) {
   double width = 0;
   for (const PlacedPanel& placed : panels) {
@@ -19,41 +17,42 @@ void write_sheet(std::ostream& out, const Barcode& barcode, const Barcode& shown
   }
   const std::string title = title_of(provenance, options);
   SheetHead head(width);
-  head.title(title)
-      .facts(facts(shown, barcode.bars.size() - shown.bars.size(), provenance, options))
-      .legend(by_dimension(shown));
+  head.title(title).facts(facts(shown, provenance, options)).legend(by_dimension(shown.bars));
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" << sheet(head.panel(), panels, title, svg_style(false));
 }
 
 }  // namespace
 
 void write_svg(std::ostream& out, const Barcode& barcode, const Provenance& provenance, const DrawingOptions& options) {
-  const Barcode shown = without_shorter(barcode, options.min_length);
-  const Panel bars = barcode_panel(shown, options.time_name, full_width, options.walls);
-  const Panel diagram = diagram_panel(shown, options.time_name, half_width);
-  const Panel curves = betti_panel(barcode, options.time_name, half_width, diagram.height);
+  const DrawnBarcode shown = drawn(barcode, options);
+  const Panel bars = barcode_panel(shown.bars, options.time_name, full_width, options.walls);
+  const Panel diagram = diagram_panel(shown.bars, options.time_name, half_width);
+  const Panel curves = betti_panel(shown.counted, options.time_name, half_width, diagram.height);
   const double below = bars.height + 16;
-  write_sheet(out, barcode, shown, provenance, options,
+  write_sheet(out, shown, provenance, options,
               {{0, 0, bars}, {0, below, diagram}, {full_width - half_width, below, curves}});
 }
 
 void write_barcode_svg(std::ostream& out, const Barcode& barcode, const Provenance& provenance,
                        const DrawingOptions& options) {
-  const Barcode shown = without_shorter(barcode, options.min_length);
-  write_sheet(out, barcode, shown, provenance, options,
-              {{0, 0, barcode_panel(shown, options.time_name, full_width, options.walls)}});
+  const DrawnBarcode shown = drawn(barcode, options);
+  write_sheet(out, shown, provenance, options,
+              {{0, 0, barcode_panel(shown.bars, options.time_name, full_width, options.walls)}});
 }
 
 void write_diagram_svg(std::ostream& out, const Barcode& barcode, const Provenance& provenance,
                        const DrawingOptions& options) {
-  const Barcode shown = without_shorter(barcode, options.min_length);
-  write_sheet(out, barcode, shown, provenance, options, {{0, 0, diagram_panel(shown, options.time_name, 640)}});
+  const DrawnBarcode shown = drawn(barcode, options);
+  write_sheet(out, shown, provenance, options, {{0, 0, diagram_panel(shown.bars, options.time_name, 640)}});
 }
 
 void write_betti_svg(std::ostream& out, const Barcode& barcode, const Provenance& provenance,
                      const DrawingOptions& options) {
-  write_sheet(out, barcode, barcode, provenance, options,
-              {{0, 0, betti_panel(barcode, options.time_name, full_width, 420)}});
+  DrawnBarcode shown = drawn(barcode, options);
+  shown.bars = shown.counted;  // curves leave out none
+  shown.shorter = shown.open = 0;
+  write_sheet(out, shown, provenance, options,
+              {{0, 0, betti_panel(shown.counted, options.time_name, full_width, 420)}});
 }
 
 }  // namespace sesame::replay

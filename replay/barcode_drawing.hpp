@@ -7,11 +7,13 @@
 /// bars.
 #pragma once
 
+#include <optional>
 #include <ostream>
 #include <string>
 
 #include "engine/barcode.hpp"
 #include "replay/barcode_files.hpp"
+#include "replay/bars.hpp"
 
 namespace sesame::replay {
 
@@ -24,8 +26,12 @@ enum class Walls {
 struct DrawingOptions {
   std::string title;                    ///< empty: the source's name, or else "Barcode"
   std::string time_name = "operation";  ///< what births and deaths count, for the axes
-  engine::Time min_length = 0;          ///< shorter bars are left out, but for the Betti curves
+  BarSelection selection = {};          ///< of the bars; the Betti curves are those of all
   Walls walls = Walls::thin;
+  /// The dimension of the cells of a filtration that may have been cut off there, as Rips complexes are. Nothing ends
+  /// its bars: where it has two at least they are left out, of the curves too, and the picture says so. One alone is
+  /// drawn; it is the class of a closed manifold as a rule.
+  std::optional<int> top_dimension = std::nullopt;
 };
 
 /// All three pictures in one file: the bars, and below them the diagram beside the Betti curves.

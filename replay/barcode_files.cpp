@@ -95,6 +95,9 @@ void add_reading_fields(TextBuffer& text, const Provenance& provenance) {
   if (provenance.already > 0) {
     text.add(R"(,"already":)").add_integer(provenance.already);
   }
+  if (provenance.max_dimension) {
+    text.add(R"(,"max_dim":)").add_integer(*provenance.max_dimension);
+  }
 }
 
 void write_betti_csv(std::ostream& out, const Barcode& barcode) {

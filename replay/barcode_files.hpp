@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -24,6 +25,7 @@ struct Provenance {
   std::string source;                          ///< the name of the input; may be empty
   std::string format = {};                     ///< as options name it; empty when it is not known
   std::uint64_t added_faces = 0, already = 0;  ///< see FaceAdder
+  std::optional<int> max_dimension = {};       ///< bars above it have not been asked for
 };
 
 /// "sesame 0.1.0, coefficients Z/2, 12 operations, 3 bars of length 0 left out, from torus.tower": one line, UTF-8.
@@ -46,10 +48,11 @@ class PersWriter {
 void write_pers(std::ostream& out, const engine::Barcode& barcode, const Provenance& provenance);
 
 /// The fields of a JSON object, without the braces: ring, ops, bars ([dim,birth,death], death null when essential),
-/// hidden, source, format (when it is known), added_faces and already (when there are some) and version.
+/// hidden, source, format (when it is known), added_faces and already (when there are some), max_dim (when there
+/// is one) and version.
 void add_barcode_fields(TextBuffer& text, const engine::Barcode& barcode, const Provenance& provenance);
 
-/// The fields that say how an input was read: format, added_faces, already. Each begins with a comma.
+/// The fields that say how an input was read: format, added_faces, already, max_dim. Each begins with a comma.
 void add_reading_fields(TextBuffer& text, const Provenance& provenance);
 
 /// The header `time,b0,b1,...` and a row for each time at which a Betti number changes; see for_each_betti_change.

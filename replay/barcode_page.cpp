@@ -79,10 +79,11 @@ std::string legend(const Barcode& barcode, double width) {
 
 void write_html(std::ostream& out, const Barcode& barcode, const Provenance& provenance,
                 const DrawingOptions& options) {
-  const Barcode shown = without_shorter(barcode, options.min_length);
+  const DrawnBarcode drawn_barcode = drawn(barcode, options);
+  const Barcode& shown = drawn_barcode.bars;
   const std::string title = xml_escaped(title_of(provenance, options));
   std::string facts_line;
-  for (const std::string& fact : facts(shown, barcode.bars.size() - shown.bars.size(), provenance, options)) {
+  for (const std::string& fact : facts(drawn_barcode, provenance, options)) {
     facts_line += (facts_line.empty() ? "" : " \u00B7 ") + xml_escaped(fact);
   }
   const std::vector<Bar> listed = longest_bars(shown, bars_listed);
@@ -94,7 +95,7 @@ void write_html(std::ostream& out, const Barcode& barcode, const Provenance& pro
       << "</h1>\n<p class=\"facts\">" << facts_line << "</p>\n"
       << legend(shown, 920) << figure(barcode_panel(shown, options.time_name, 920, options.walls), "Barcode")
       << figure(diagram_panel(shown, options.time_name, 640), "Persistence diagram")
-      << figure(betti_panel(barcode, options.time_name, 920, 380), "Betti numbers")
+      << figure(betti_panel(drawn_barcode.counted, options.time_name, 920, 380), "Betti numbers")
       << "<div class=\"tables\">\n<div>\n<h2>Dimensions</h2>\n"
       << dimension_table(shown) << "</div>\n<div>\n<h2>"
       << (lists_all ? "All bars"

@@ -20,11 +20,11 @@ bool is_longer(const Bar& x, const Bar& y) {
   return x_length != y_length ? x_length > y_length : x < y;
 }
 
-engine::Barcode without_shorter(const engine::Barcode& barcode, Time min_length) {
-  engine::Barcode longer{{}, barcode.hidden};
-  std::copy_if(barcode.bars.begin(), barcode.bars.end(), std::back_inserter(longer.bars),
-               [min_length](const Bar& bar) { return bar.death - bar.birth >= min_length; });
-  return longer;
+engine::Barcode selected(const engine::Barcode& barcode, const BarSelection& selection) {
+  engine::Barcode taken{{}, barcode.hidden};
+  std::copy_if(barcode.bars.begin(), barcode.bars.end(), std::back_inserter(taken.bars),
+               [&](const Bar& bar) { return selection.has(bar); });
+  return taken;
 }
 
 namespace {

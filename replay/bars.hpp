@@ -1,5 +1,5 @@
 /// \file
-/// Bars, chosen by their length and as text.
+/// Bars, chosen among many and as text.
 #pragma once
 
 #include <string>
@@ -12,8 +12,22 @@ namespace sesame::replay {
 /// The longer comes first; of equal length the one that comes first in a barcode.
 [[nodiscard]] bool is_longer(const engine::Bar& x, const engine::Bar& y);
 
-/// The barcode without the bars that are shorter.
-[[nodiscard]] engine::Barcode without_shorter(const engine::Barcode& barcode, engine::Time min_length);
+/// Which bars are listed and drawn. Betti numbers and curves are those of all of them.
+struct BarSelection {
+  engine::Time min_length = 0;   ///< shorter bars are left out
+  bool leaves_out_open = false;  ///< bars that never end are left out
+
+  [[nodiscard]] bool is_too_short(const engine::Bar& bar) const {
+    return min_length > 0 && bar.death - bar.birth < min_length;
+  }
+  [[nodiscard]] bool is_left_out_as_open(const engine::Bar& bar) const {
+    return leaves_out_open && bar.death == engine::never;
+  }
+  [[nodiscard]] bool has(const engine::Bar& bar) const { return !is_too_short(bar) && !is_left_out_as_open(bar); }
+};
+
+/// The bars of a barcode that a selection has.
+[[nodiscard]] engine::Barcode selected(const engine::Barcode& barcode, const BarSelection& selection);
 
 /// Up to `most` bars, in their order: each dimension gets an equal share at least, as far as it has bars, and half of
 /// it at least goes to bars that end, as far as there are any. Within its share, and of what the others leave, the

@@ -12,6 +12,13 @@ void GroupSequence::add(engine::Time time, const engine::Homology& homology, con
   if (present_ && present_->time != time) {
     finish();
   }
+  if (!homology.betti.empty() && !dimensions_.have(homology.betti.size() - 1)) {
+    engine::Homology kept = homology;
+    kept.betti.resize(dimensions_.last + 1);
+    kept.torsion.resize(dimensions_.last + 1);
+    add(time, kept, ring);
+    return;
+  }
   Change& change = present_.emplace(Change{time, {homology.betti.begin(), homology.betti.end()}, homology.torsion});
   while (!change.ranks.empty() && change.ranks.back() == 0 && change.torsion.back().empty()) {
     change.ranks.pop_back();

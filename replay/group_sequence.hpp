@@ -20,8 +20,10 @@ namespace sesame::replay {
 /// are those after the last of them.
 class GroupSequence {
  public:
-  /// With `lines`, a line for each change is written there once its time is over, and nothing is kept.
-  explicit GroupSequence(std::ostream* lines) : lines_{lines} {}
+  /// With `lines`, a line for each change is written there once its time is over, and nothing is kept. Groups above the
+  /// last of `dimensions` are left out.
+  explicit GroupSequence(std::ostream* lines, engine::Dimensions dimensions = engine::all_dimensions)
+      : lines_{lines}, dimensions_{dimensions} {}
 
   void add(engine::Time time, const engine::Homology& homology, const sparse::AnyRing& ring);
   /// After the last operation.
@@ -37,6 +39,7 @@ class GroupSequence {
     std::vector<std::vector<sparse::Integer>> torsion;
   };
   std::ostream* lines_;
+  engine::Dimensions dimensions_;
   std::vector<Change> changes_;
   std::optional<Change> present_;  ///< of the time that may not be over
   std::string line_;               ///< for it

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "replay/bars.hpp"
-
 namespace sesame::replay {
 namespace {
 
@@ -99,6 +97,12 @@ void write_tower_table(std::ostream& out, const TowerResult& result) {
   if (result.shorter > 0) {
     out << result.shorter << (result.shorter == 1 ? " shorter bar" : " shorter bars") << " left out\n";
   }
+  if (result.open > 0) {
+    out << result.open << (result.open == 1 ? " open bar" : " open bars") << " left out\n";
+  }
+  if (provenance.max_dimension) {
+    out << "dimensions up to " << *provenance.max_dimension << '\n';
+  }
   out << "  dim        bars        open     longest that ended\n";
   const auto& rows = result.statistics.rows();
   for (std::size_t p = 0; p < rows.size(); ++p) {
@@ -181,8 +185,8 @@ template <class Visit>
 void CycleReport::for_each_bar(Visit&& visit) const {
   const std::uint32_t p = std::visit([](const auto& ring) { return ring.characteristic(); }, tracker_.ring());
   for (const engine::CycleTracker::TracedBar& traced : tracker_.bars()) {
-    const engine::Time length = traced.bar.death - traced.bar.birth;
-    if (length == 0 || length < min_length_ || !options_.wants(traced.bar.dimension)) {
+    const Bar& bar = traced.bar;
+    if (bar.birth == bar.death || !selection_.has(bar) || !options_.wants(bar.dimension)) {
       continue;
     }
     if (stop_ != nullptr && stop_->load()) {
@@ -246,9 +250,12 @@ void CycleReport::add_json(TextBuffer& text) const {
 namespace {
 
 void add_fields(TextBuffer& text, const TowerResult& result) {
-  add_barcode_fields(text, without_shorter(result.barcode.value(), result.min_length), result.provenance);
+  add_barcode_fields(text, selected(result.barcode.value(), result.selection), result.provenance);
   if (result.shorter > 0) {
     text.add(R"(,"shorter":)").add_integer(result.shorter);
+  }
+  if (result.open > 0) {
+    text.add(R"(,"open":)").add_integer(result.open);
   }
 }
 

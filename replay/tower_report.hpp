@@ -14,6 +14,7 @@
 #include "engine/barcode.hpp"
 #include "engine/cycle_tracker.hpp"
 #include "replay/barcode_files.hpp"
+#include "replay/bars.hpp"
 #include "replay/generators.hpp"
 #include "replay/tower_history.hpp"
 
@@ -43,10 +44,10 @@ class BarStatistics {
 struct TowerResult {
   Provenance provenance;
   std::uint64_t hidden = 0;
-  engine::Time min_length = 0;  ///< the statistics and the lists of bars leave shorter ones out
-  std::uint64_t shorter = 0;    ///< how many these are
+  BarSelection selection;               ///< of the statistics and the lists of bars
+  std::uint64_t shorter = 0, open = 0;  ///< how many bars are left out for that
   BarStatistics statistics;
-  std::optional<engine::Barcode> barcode;  ///< the short ones too: Betti numbers and differences are those of all bars
+  std::optional<engine::Barcode> barcode;  ///< all of them: Betti numbers and differences are those of all bars
 };
 
 /// The table of a result: bars per dimension, the longest ones.
@@ -57,16 +58,16 @@ void write_tower_table(std::ostream& out, const TowerResult& result);
 void write_differences(std::ostream& out, std::span<const TowerResult> results);
 
 /// Writes a cycle for each bar, the chain that it bounds from its death on, or for one that is open what it is now.
-/// Bars shorter than `min_length` are left out.
+/// Bars that `selection` has not are left out.
 class CycleReport {
  public:
   /// `stop`, set from outside: no more bars after the one at hand.
-  CycleReport(engine::CycleTracker& tracker, const TowerHistory& history, std::uint64_t operations, engine::Time min_length,
-              GeneratorOptions options, const std::atomic<bool>* stop)
+  CycleReport(engine::CycleTracker& tracker, const TowerHistory& history, std::uint64_t operations,
+              BarSelection selection, GeneratorOptions options, const std::atomic<bool>* stop)
       : tracker_{tracker},
         history_{history},
         operations_{operations},
-        min_length_{min_length},
+        selection_{selection},
         options_{std::move(options)},
         stop_{stop} {}
 
@@ -87,7 +88,7 @@ class CycleReport {
   engine::CycleTracker& tracker_;
   const TowerHistory& history_;
   std::uint64_t operations_;
-  engine::Time min_length_;
+  BarSelection selection_;
   GeneratorOptions options_;
   const std::atomic<bool>* stop_;
 };

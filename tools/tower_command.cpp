@@ -38,7 +38,8 @@ struct Arguments {
   std::string ring;
   std::vector<std::string> rings;
   std::string pers, csv, svg, html;
-  engine::Time min_length = 0;
+  replay::BarSelection selection;
+  std::optional<int> max_dimension;
   std::uint64_t until = 0, every = 0;
   std::size_t longest_line = replay::longest_line;
   std::optional<replay::GeneratorOptions> generators;
@@ -68,19 +69,29 @@ struct Outputs {
 /// Where the bars over one ring go.
 class BarSink {
  public:
-  BarSink(engine::Time min_length, bool keeps_bars, replay::PersWriter* pers) : pers_{pers} {
-    result_.min_length = min_length;
+  /// Bars above the last of `dimensions` go nowhere.
+  BarSink(const replay::BarSelection& selection, engine::Dimensions dimensions, bool keeps_bars,
+          replay::PersWriter* pers)
+      : dimensions_{dimensions}, pers_{pers} {
+    result_.selection = selection;
     if (keeps_bars) {
       result_.barcode.emplace();
     }
   }
 
   void add(const Bar& bar) {
+    if (!dimensions_.have(static_cast<std::size_t>(bar.dimension))) {
+      return;
+    }
     if (result_.barcode) {
       result_.barcode->bars.push_back(bar);
     }
-    if (result_.min_length > 0 && bar.death - bar.birth < result_.min_length) {
+    if (result_.selection.is_too_short(bar)) {
       ++result_.shorter;
+      return;
+    }
+    if (result_.selection.is_left_out_as_open(bar)) {
+      ++result_.open;
       return;
     }
     result_.statistics.add(bar);
@@ -101,6 +112,7 @@ class BarSink {
   }
 
  private:
+  engine::Dimensions dimensions_;
   replay::PersWriter* pers_;
   TowerResult result_;
 };
@@ -154,6 +166,12 @@ class Run {
     return reader_->format() == TowerFormat::phat || reader_->format() == TowerFormat::phat_binary;
   }
 
+  /// Those that are asked for.
+  [[nodiscard]] engine::Dimensions dimensions() const {
+    return arguments_.max_dimension ? engine::Dimensions{static_cast<std::size_t>(*arguments_.max_dimension)}
+                                    : engine::all_dimensions;
+  }
+
   /// Whether the table and the states of `--every` are printed: not into an output that standard output has become.
   [[nodiscard]] bool prints() const { return !arguments_.json && !arguments_.quiet && !fills_standard_output(); }
   [[nodiscard]] bool fills_standard_output() const {
@@ -172,9 +190,13 @@ class Run {
   }
 
   [[nodiscard]] replay::Provenance provenance(const sparse::AnyRing& ring, std::uint64_t operations) const {
-    return {
-        sparse::ring_name(ring), operations, source_, std::string{replay::format_name(reader_->format())}, faces_.added,
-        faces_.already};
+    return {sparse::ring_name(ring),
+            operations,
+            source_,
+            std::string{replay::format_name(reader_->format())},
+            faces_.added,
+            faces_.already,
+            arguments_.max_dimension};
   }
 
   std::string read_rings() {
@@ -296,21 +318,25 @@ class Run {
     const engine::Slots slots = is_matrix() ? engine::Slots::shared : engine::Slots::by_dimension;
     sinks.reserve(rings_.size());
     for (const sparse::AnyRing& ring : rings_) {
-      sinks.emplace_back(arguments_.min_length, keeps_bars, pers ? &*pers : nullptr);
+      sinks.emplace_back(arguments_.selection, dimensions(), keeps_bars, pers ? &*pers : nullptr);
       const auto add = [sink = &sinks.back()](const Bar& bar) { sink->add(bar); };
       if (arguments_.generators) {
-        auto tracker = engine::make_cycle_tracker(ring, add);
+        auto tracker = engine::make_cycle_tracker(ring, add, dimensions());
         cycles = tracker.get();
         trackers.push_back(std::move(tracker));
       } else {
-        trackers.push_back(engine::make_barcode_tracker(ring, add, slots));
+        trackers.push_back(engine::make_barcode_tracker(ring, add, slots, dimensions()));
       }
       told.push_back(trackers.back().get());
     }
     replay::TowerHistory history;
     replay::TowerReplay tower(told, cycles != nullptr ? &history : nullptr);
     const Outcome outcome = read_all([&](const TowerOperation& operation) { return faces_.apply(tower, operation); },
-                                     [&](const TowerOperation& operation) { report_state(operation, tower, told); });
+                                     [&](const TowerOperation& operation) {
+                                       has_contractions_ |= operation.kind == TowerOperation::Kind::contract;
+                                       report_state(operation, tower, told);
+                                     });
+    top_dimension_ = static_cast<int>(tower.cells().size()) - 1;
     if (!is_reported(outcome)) {
       return outcome;
     }
@@ -326,7 +352,7 @@ class Run {
     if (cycles != nullptr) {
       // What was interrupted once writes its cycles, since a second interrupt ends it at once.
       const std::atomic<bool>* stop = outcome == Outcome::interrupted ? nullptr : &stop_requested();
-      report.emplace(*cycles, history, tower.operations(), arguments_.min_length, *arguments_.generators, stop);
+      report.emplace(*cycles, history, tower.operations(), arguments_.selection, *arguments_.generators, stop);
     }
     write(results, report ? &*report : nullptr);
     return outcome == Outcome::done && stop_requested().load() ? Outcome::interrupted : outcome;
@@ -354,21 +380,25 @@ class Run {
   }
 
   [[nodiscard]] replay::DrawingOptions drawing() const {
-    const engine::Time min_length = arguments_.min_length;
-    const replay::Walls walls = arguments_.all_bars ? replay::Walls::whole : replay::Walls::thin;
-    switch (reader_->format()) {
-      case TowerFormat::gudhi:
-        return {"", "filtration value", min_length, walls};
-      case TowerFormat::phat:
-      case TowerFormat::phat_binary:
-        return {"", "column", min_length, walls};
-      case TowerFormat::script:
-        return {"", "step", min_length, walls};
-      case TowerFormat::facets:
-        return {"", "facet", min_length, walls};
-      default:
-        return {"", "time", min_length, walls};
+    const TowerFormat format = reader_->format();
+    replay::DrawingOptions options{"", "time", arguments_.selection};
+    options.walls = arguments_.all_bars ? replay::Walls::whole : replay::Walls::thin;
+    // Facets and scripts are of objects that somebody means as they are.
+    const bool may_be_cut_off = !has_contractions_ && !arguments_.max_dimension && format != TowerFormat::facets &&
+                                format != TowerFormat::script;
+    if (may_be_cut_off) {
+      options.top_dimension = top_dimension_;
     }
+    if (format == TowerFormat::gudhi) {
+      options.time_name = "filtration value";
+    } else if (is_matrix()) {
+      options.time_name = "column";
+    } else if (format == TowerFormat::script) {
+      options.time_name = "step";
+    } else if (format == TowerFormat::facets) {
+      options.time_name = "facet";
+    }
+    return options;
   }
 
   void write(std::span<const TowerResult> results, const replay::CycleReport* cycles) {
@@ -402,7 +432,7 @@ class Run {
   // ---- groups over Z
 
   Outcome run_groups() {
-    replay::GroupSequence groups(prints() ? &std::cout : nullptr);
+    replay::GroupSequence groups(prints() ? &std::cout : nullptr, dimensions());
     replay::EngineTower tower(rings_[0]);
     std::uint64_t operations = 0;
     const Outcome outcome = read_all([&](const TowerOperation& operation) { return faces_.apply(tower, operation); },
@@ -455,7 +485,7 @@ class Run {
   };
 
   Outcome run_script() {
-    replay::GroupSequence groups(prints() ? &std::cout : nullptr);
+    replay::GroupSequence groups(prints() ? &std::cout : nullptr, dimensions());
     ScriptListener listener(is_integral() ? &groups : nullptr);
     replay::ReplayOptions options;
     options.ring = rings_[0];
@@ -485,7 +515,7 @@ class Run {
     if (outputs_.pers != nullptr) {
       pers.emplace(*outputs_.pers, sparse::ring_name(rings_[0]), source_);
     }
-    BarSink sink(arguments_.min_length, true, pers ? &*pers : nullptr);
+    BarSink sink(arguments_.selection, dimensions(), true, pers ? &*pers : nullptr);
     std::ranges::for_each(barcode.bars, [&](const Bar& bar) { sink.add(bar); });
     const TowerResult result = sink.finish(provenance(rings_[0], steps), barcode.hidden);
     if (pers) {
@@ -501,7 +531,9 @@ class Run {
   std::string source_;  ///< what outputs and messages call the input
   OutputFiles files_;
   Outputs outputs_;
-  std::uint64_t operations_ = 0;  ///< of the input, that were carried out; added faces are none
+  bool has_contractions_ = false;
+  std::optional<int> top_dimension_;  ///< of the cells of a tower
+  std::uint64_t operations_ = 0;      ///< of the input, that were carried out; added faces are none
   std::optional<replay::Progress> progress_;
   Clock::time_point start_;
 };
@@ -543,13 +575,19 @@ void add_tower_command(CLI::App& app, int& status) {
                     "Add the faces that a simplex lacks, at its time; those that are there already are counted");
   command
       ->add_option_function<std::string>(
-          "--min-length", [arguments](const std::string& text) { arguments->min_length = length_of(text).value(); },
+          "--min-length",
+          [arguments](const std::string& text) { arguments->selection.min_length = length_of(text).value(); },
           "Leave out bars that are shorter (not from --csv and Betti curves)")
       ->check([](const std::string& text) {
         const Result<engine::Time> length = length_of(text);
         return length ? std::string{} : length.error().what;
       })
       ->option_text("LENGTH");
+  command->add_flag("--no-open", arguments->selection.leaves_out_open,
+                    "Leave out bars that never end (not from --csv and Betti curves)");
+  command->add_option("--max-dim", arguments->max_dimension, "Nothing above dimension D: bars, Betti numbers, groups")
+      ->check(from_zero_on())
+      ->option_text("D");
   command->add_option("--until", arguments->until, "Stop after that many operations")->check(from_one_on());
   command->add_option("--every", arguments->every, "Report cells and Betti numbers every N operations")
       ->check(from_one_on());

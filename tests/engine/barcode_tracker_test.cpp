@@ -1,6 +1,7 @@
 #include "engine/barcode_tracker.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "engine/cycle_tracker.hpp"
 #include "sparse/matrix.hpp"
@@ -124,6 +125,46 @@ TEST_CASE("over Q the bars are those over all but a few fields Z/p", "[engine][t
   CAPTURE(seed);
   const std::vector<TowerStep> tower = tests::random_tower(seed, 400, 12, seed % 5);
   CHECK(run(tower, 0).bars == run(tower, 2147483647).bars);
+}
+
+TEST_CASE("bars up to a dimension are those of all that there are, for less work", "[engine][tower]") {
+  const std::uint32_t seed = GENERATE(range(0u, 20u));
+  const bool with_cycles = GENERATE(false, true);
+  const std::size_t last = GENERATE(0u, 1u, 2u, 5u);
+  CAPTURE(seed, with_cycles, last);
+  const std::vector<TowerStep> tower = tests::random_tower(seed, 150, 8, 1 + seed % 4);
+  std::vector<Bar> bars;
+  const auto on_bar = [&](const Bar& bar) { bars.push_back(bar); };
+  const engine::Dimensions some{last};
+  const auto make = [&](engine::Dimensions dimensions,
+                        const BarcodeTracker::OnBar& note) -> std::unique_ptr<BarcodeTracker> {
+    if (with_cycles) {
+      return engine::make_cycle_tracker(field(3), note, dimensions);
+    }
+    return engine::make_barcode_tracker(field(3), note, engine::Slots::by_dimension, dimensions);
+  };
+  const auto part = make(some, on_bar);
+  const auto whole = make(engine::all_dimensions, [](const Bar&) {});
+  const std::array<BarcodeTracker*, 2> told{part.get(), whole.get()};
+  TowerComplex complex;
+  for (std::size_t k = 0; k < tower.size(); ++k) {
+    tests::apply(tower[k], complex, told, static_cast<double>(k));
+    std::vector<std::uint64_t> betti = whole->betti();
+    betti.resize(std::min(betti.size(), last + 1));
+    while (!betti.empty() && betti.back() == 0) {
+      betti.pop_back();
+    }
+    REQUIRE(part->betti() == betti);
+  }
+  part->for_each_open_bar(on_bar);
+  std::ranges::sort(bars);
+  std::vector<Bar> expected = run(tower, 3).bars;
+  std::erase_if(expected, [&](const Bar& bar) { return !some.have(static_cast<std::size_t>(bar.dimension)); });
+  CHECK(bars == expected);
+  CHECK(part->work().classes_held <= whole->work().classes_held);
+  if (complex.counts().size() > last + 1) {
+    CHECK(part->work().classes_held < whole->work().classes_held);
+  }
 }
 
 TEST_CASE("two methods find the same bars", "[engine][tower]") {

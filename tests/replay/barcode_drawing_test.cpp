@@ -168,7 +168,7 @@ TEST_CASE("a wall of bars of one length is thin, and says how many there are", "
     assembly.bars.push_back({0, 2.0 * k, 2.0 * k + 1});
   }
   assembly.bars.push_back({1, 500, 1500});
-  const replay::DrawingOptions whole{"", "step", 0, replay::Walls::whole};
+  const replay::DrawingOptions whole{"", "step", {}, replay::Walls::whole};
   const std::string thin_text = picture(replay::write_barcode_svg, assembly),
                     whole_text = picture(replay::write_barcode_svg, assembly, whole);
   CHECK_THAT(thin_text, Contains("999 bars of length 1, drawn thin") && !Contains("left out</text>"));
@@ -267,7 +267,7 @@ TEST_CASE("bars that end keep room beside many that do not", "[replay]") {
 
 TEST_CASE("shorter bars are left out of the pictures of bars, which say so, and not of the Betti curves", "[replay]") {
   const Barcode barcode{{{0, 0, engine::never}, {0, 1, 2}, {0, 1, 9}}, 0};
-  const replay::DrawingOptions options{"", "time", 3};
+  const replay::DrawingOptions options{"", "time", {3}};
   const std::string bars = picture(replay::write_barcode_svg, barcode, options);
   CHECK(count(bars, "<title>") == 2);
   CHECK_THAT(bars, Contains("1 bar shorter than 3 left out"));

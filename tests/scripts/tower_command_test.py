@@ -223,6 +223,64 @@ class Tower(unittest.TestCase):
         self.assertIn([1, 12, 30], [each["bar"] for each in found["differences"]])
         self.assertNotIn([1, 12, 30], found["rings"][1]["bars"])
 
+    def test_open_bars_can_be_left_out_but_not_from_betti_numbers(self):
+        path, out, svg = self.file("c.tower", CIRCLE), self.folder / "c.csv", self.folder / "c.svg"
+        (found,) = self.objects(path, "--no-open", "--csv", out, "--svg", svg, "--generators")
+        self.assertEqual((found["bars"], found["open"]), (CIRCLE_BARS[1:], 1))
+        self.assertEqual([[each["dim"], each["birth"], each["death"]] for each in found["generators"]], CIRCLE_BARS[1:])
+        self.assertEqual([row["b0"] for row in csv.DictReader(out.read_text().splitlines())][-1], "1")
+        self.assertIn("1 bar that never end left out", svg.read_text())
+        self.assertIn(b"1 open bar left out", self.run_on(path, "--no-open").stdout)
+        (found,) = self.objects(path, "--no-open", "--min-length", "2")
+        self.assertEqual((found["bars"], found["open"], found["shorter"]), (CIRCLE_BARS[1:3], 1, 1))
+
+    def test_bars_above_a_dimension_are_not_asked_for_in_any_format(self):
+        texts = [random_text(seed, 150) for seed in range(4)]
+        columns = "".join(f"{len(rows) - 1 if rows else 0} {' '.join(map(str, rows))}\n"
+                          for rows in ([], [], [], [0, 1], [0, 2], [1, 2], [3, 4, 5], [3, 4, 5])).replace(" \n", "\n")
+        inputs = [self.file(f"{k}.tower", text) for k, text in enumerate(texts)]
+        inputs += [self.file("m.phat", columns), self.file("f", "1 2 3\n1 2 4\n1 3 4\n2 3 4\n"),
+                   self.file("g", "0 1 0\n0 2 0\n0 3 0\n1 1 2 1\n1 2 3 2\n1 1 3 3\n2 1 2 3 4\n"),
+                   *(self.file(f"{k}.jsonl", as_script(text)) for k, text in enumerate(texts))]
+        for path in inputs:
+            has_cycles = path.suffix not in (".jsonl",)
+            every = self.objects(path, *(["--generators"] if has_cycles else []))[0]
+            for last in range(4):
+                out = self.folder / "out.csv"
+                (found,) = self.objects(path, "--max-dim", str(last), "--csv", out,
+                                        *(["--generators"] if has_cycles else []))
+                self.assertEqual(found["bars"], [bar for bar in every["bars"] if bar[0] <= last], (path, last))
+                self.assertEqual(found["max_dim"], last)
+                self.assertLessEqual(len(out.read_text().splitlines()[0].split(",")), last + 2)
+                if has_cycles:
+                    self.assertEqual([[each[key] for key in ("dim", "birth", "death")] for each in found["generators"]],
+                                     [[each[key] for key in ("dim", "birth", "death")] for each in every["generators"]
+                                      if each["dim"] <= last])
+        for path, last, whole, below in ((inputs[5], 1, 3, 1), (inputs[6], 0, 2, 1), (inputs[-1], 1, 3, 2)):
+            for options, longest in (((), whole), (("--max-dim", str(last)), below)):
+                (found,) = self.objects(path, "--ring", "Z", *options)
+                self.assertEqual(max(len(each) for _, each in found["groups"]), longest, (path, options))
+        for wrong in ("-1", "x", "1.5", "99999999999999999999"):
+            self.assertEqual(self.run_on(inputs[0], f"--max-dim={wrong}").returncode, 1, wrong)
+
+    def test_pictures_leave_out_where_a_filtration_was_cut_off_and_say_so(self):
+        words = "bars of H1, the top dimension, left out: nothing there could end them (--max-dim 1 draws them)"
+        square = "".join(f"0 {v} 0\n" for v in range(4)) + "".join(f"1 {a} {b} {a + b}\n" for a, b in
+                                                                 ((0, 1), (0, 2), (0, 3), (1, 3), (2, 3)))
+        tower = "".join(f"i {v}\n" for v in range(4)) + "".join(f"i {a} {b}\n" for a, b in
+                                                              ((0, 1), (0, 2), (0, 3), (1, 3), (2, 3)))
+        closed = "".join(f"0 {v} 0\n" for v in range(3)) + "1 0 1 1\n1 0 2 1\n1 1 2 2\n"
+        facets = "".join(f"{a} {b}\n" for a, b in ((0, 1), (0, 2), (0, 3), (1, 3), (2, 3)))
+        for name, text, options, is_cut in (("g", square, (), True), ("t.tower", tower, (), True),
+                                            ("g", square, ("--max-dim", "1"), False), ("f", facets, (), False),
+                                            ("t.tower", tower + "c 0 1\n", (), False), ("c", closed, (), False)):
+            path, out = self.file(name, text), self.folder / "out"
+            for picture in ("--svg", "--html"):
+                self.assertEqual(self.run_on(path, picture, out, *options).returncode, 0)
+                self.assertEqual(words in " ".join(out.read_text().replace("</text>", " ").split()), is_cut,
+                                 (name, options, picture, out.read_text()[-3000:]))
+            self.assertIn(1, [bar[0] for bar in self.bars(path, *options)])  # of pictures only
+
     def test_an_output_takes_the_place_of_an_older_one_only_when_it_is_complete(self):
         good, bad = self.file("c.tower", CIRCLE), self.file("bad.tower", "i 0\ni 1\ni 0 2\n")
         outs = [self.file(f"x.{kind}", "old") for kind in ("pers", "csv", "svg", "html")]
