@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "engine/barcode.hpp"
 #include "engine/equivalences.hpp"
 #include "engine/homology_tracker.hpp"
-#include "ops/operation.hpp"
-#include "ops/planner.hpp"
-#include "ops/step_sequence.hpp"
-#include "ops/structure.hpp"
+#include "engine/towers/barcode.hpp"
+#include "ops/cells/structure.hpp"
+#include "ops/plan/planner.hpp"
+#include "ops/plan/step_sequence.hpp"
+#include "ops/vocabulary/operation.hpp"
 #include "sparse/result.hpp"
 #include "sparse/ring.hpp"
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/saturating.hpp"
-#include "ops/step_sequence.hpp"
-#include "ops/structure.hpp"
+#include "engine/left/saturating.hpp"
+#include "ops/cells/structure.hpp"
+#include "ops/plan/step_sequence.hpp"
 #include "sparse/ring.hpp"
 
 namespace sesame::engine {

@@ -5,10 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "engine/big_complex.hpp"
 #include "engine/homology_tracker.hpp"
-#include "engine/lazy_maps.hpp"
-#include "engine/rewriter.hpp"
+#include "engine/left/big_complex.hpp"
+#include "engine/left/lazy_maps.hpp"
+#include "engine/right/rewriter.hpp"
 #include "reductions/equivalence.hpp"
 #include "sparse/smith.hpp"
 

@@ -13,11 +13,11 @@
 #include <iostream>
 #include <new>
 
-#include "replay/replay.hpp"
+#include "replay/script/replay.hpp"
 #include "sesame/version.hpp"
 #include "sparse/contract.hpp"
-#include "tools/command_line.hpp"
-#include "tools/commands.hpp"
+#include "tools/commands/command_line.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace {
 

@@ -1,9 +1,9 @@
-#include "engine/barcode_tracker.hpp"
+#include "engine/towers/barcode_tracker.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "engine/cycle_tracker.hpp"
+#include "engine/towers/cycle_tracker.hpp"
 #include "sparse/matrix.hpp"
 #include "sparse/smith.hpp"
 #include "tests/support/catch.hpp"

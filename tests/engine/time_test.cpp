@@ -1,11 +1,11 @@
-#include "engine/time.hpp"
+#include "engine/towers/time.hpp"
 
 #include <limits>
 #include <random>
 #include <vector>
 
-#include "engine/barcode.hpp"
-#include "engine/time_list.hpp"
+#include "engine/towers/barcode.hpp"
+#include "engine/towers/time_list.hpp"
 #include "tests/support/catch.hpp"
 
 namespace sesame {

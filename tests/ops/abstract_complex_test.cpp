@@ -1,5 +1,5 @@
 // Labels, vertex sets and stars, beside sets of sets.
-#include "ops/abstract_complex.hpp"
+#include "ops/simplicial/abstract_complex.hpp"
 
 #include "tests/support/abstract_steps.hpp"
 #include "tests/support/catch.hpp"

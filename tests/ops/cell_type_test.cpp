@@ -1,4 +1,4 @@
-#include "ops/cell_type.hpp"
+#include "ops/cells/cell_type.hpp"
 
 #include <limits>
 #include <map>

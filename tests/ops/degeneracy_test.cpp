@@ -1,4 +1,4 @@
-#include "ops/degeneracy.hpp"
+#include "ops/cells/degeneracy.hpp"
 
 #include <bit>
 #include <set>

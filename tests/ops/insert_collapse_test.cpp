@@ -2,7 +2,7 @@
 #include <map>
 #include <set>
 
-#include "ops/step_sequence.hpp"
+#include "ops/plan/step_sequence.hpp"
 #include "reductions/defect.hpp"
 #include "tests/support/abstract_steps.hpp"
 #include "tests/support/structures.hpp"
@@ -599,7 +599,8 @@ TEST_CASE("other operations work where vertex orders do not agree, and the face 
          {R"({"op":"identify","pairs":[["{other}","{b}"]]})", R"({"op":"degenerate","cell":"{a,b}","along":0})",
           R"({"op":"deidentify","split":[{"cell":"{b}","as":"b2","moves":[]}]})",
           R"({"op":"cone","apex":"top","over":["{b}"]})", R"({"op":"cone","apex":"top"})",
-          R"({"op":"suspend","apexes":["up","down"]})", R"({"op":"product","name":"P","left":"{a}","right":"{other}"})"}) {
+          R"({"op":"suspend","apexes":["up","down"]})",
+          R"({"op":"product","name":"P","left":"{a}","right":"{other}"})"}) {
       CAPTURE(line);
       shop.build({line});
       CHECK(face_law_defect(shop.structure()) == "");

@@ -1,5 +1,5 @@
 // What names denote: all names of a cell in the names of cones and products, orders of vertices, names of any text.
-#include "ops/name_reader.hpp"
+#include "ops/cells/name_reader.hpp"
 
 #include <map>
 #include <set>

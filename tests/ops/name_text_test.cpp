@@ -1,5 +1,5 @@
 // Names as texts: brackets, endings, hashes of parts.
-#include "ops/name_text.hpp"
+#include "ops/cells/name_text.hpp"
 
 #include <map>
 

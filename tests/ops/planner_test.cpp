@@ -1,8 +1,8 @@
-#include "ops/planner.hpp"
+#include "ops/plan/planner.hpp"
 
 #include <set>
 
-#include "ops/step_sequence.hpp"
+#include "ops/plan/step_sequence.hpp"
 #include "tests/support/random_steps.hpp"
 #include "tests/support/structures.hpp"
 

@@ -1,4 +1,4 @@
-#include "ops/step_sequence.hpp"
+#include "ops/plan/step_sequence.hpp"
 
 #include <map>
 

@@ -1,4 +1,4 @@
-#include "ops/structure.hpp"
+#include "ops/cells/structure.hpp"
 
 #include <algorithm>
 #include <map>

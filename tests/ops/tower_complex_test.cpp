@@ -1,8 +1,8 @@
-#include "ops/tower_complex.hpp"
+#include "ops/simplicial/tower_complex.hpp"
 
 #include <numeric>
 
-#include "ops/column_complex.hpp"
+#include "ops/simplicial/column_complex.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random_towers.hpp"
 

@@ -1,4 +1,4 @@
-#include "ops/value.hpp"
+#include "ops/cells/value.hpp"
 
 #include <numeric>
 

@@ -1,15 +1,15 @@
-#include "replay/barcode_drawing.hpp"
+#include "replay/picture/barcode_drawing.hpp"
 
 #include <random>
 #include <regex>
 #include <sstream>
 
-#include "replay/axis.hpp"
-#include "replay/bar_wall.hpp"
-#include "replay/barcode_panels.hpp"
-#include "replay/bars.hpp"
-#include "replay/svg.hpp"
-#include "replay/text_buffer.hpp"
+#include "replay/barcode/bars.hpp"
+#include "replay/picture/axis.hpp"
+#include "replay/picture/bar_wall.hpp"
+#include "replay/picture/barcode_panels.hpp"
+#include "replay/picture/svg.hpp"
+#include "replay/text/text_buffer.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace sesame;

@@ -1,12 +1,12 @@
-#include "replay/barcode_files.hpp"
+#include "replay/barcode/barcode_files.hpp"
 
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
 
-#include "replay/betti_curves.hpp"
-#include "replay/text_buffer.hpp"
+#include "replay/barcode/betti_curves.hpp"
+#include "replay/text/text_buffer.hpp"
 #include "sesame/version.hpp"
 #include "tests/replay/replay_support.hpp"
 

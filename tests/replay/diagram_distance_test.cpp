@@ -1,4 +1,4 @@
-#include "replay/diagram_distance.hpp"
+#include "replay/distance/diagram_distance.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Lists of facets in the ways in which they are written down.
-#include "replay/facet_list.hpp"
+#include "replay/script/facet_list.hpp"
 
-#include "replay/tower_format.hpp"
+#include "replay/tower/tower_format.hpp"
 #include "tests/replay/replay_support.hpp"
 
 using namespace sesame;

@@ -1,4 +1,4 @@
-#include "replay/generators.hpp"
+#include "replay/script/generators.hpp"
 
 #include <atomic>
 #include <nlohmann/json.hpp>

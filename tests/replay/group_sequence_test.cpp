@@ -1,4 +1,4 @@
-#include "replay/group_sequence.hpp"
+#include "replay/tower/group_sequence.hpp"
 
 #include <sstream>
 

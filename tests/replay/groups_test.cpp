@@ -1,4 +1,4 @@
-#include "replay/groups.hpp"
+#include "replay/script/groups.hpp"
 
 #include "tests/replay/replay_support.hpp"
 #include "tests/support/structures.hpp"

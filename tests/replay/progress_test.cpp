@@ -1,4 +1,4 @@
-#include "replay/progress.hpp"
+#include "replay/script/progress.hpp"
 
 #include <regex>
 #include <thread>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "replay/replay.hpp"
+#include "replay/script/replay.hpp"
 #include "tests/support/catch.hpp"
 
 namespace sesame::tests {

@@ -1,4 +1,4 @@
-#include "replay/replay.hpp"
+#include "replay/script/replay.hpp"
 
 #include "engine/homology_tracker.hpp"
 #include "tests/replay/replay_support.hpp"

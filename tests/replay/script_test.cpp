@@ -1,4 +1,4 @@
-#include "replay/script.hpp"
+#include "replay/script/script.hpp"
 
 #include "tests/replay/replay_support.hpp"
 #include "tests/support/inputs.hpp"

@@ -1,8 +1,8 @@
-#include "replay/time_reader.hpp"
+#include "replay/text/time_reader.hpp"
 
 #include <vector>
 
-#include "replay/text_buffer.hpp"
+#include "replay/text/text_buffer.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace sesame;

@@ -1,9 +1,9 @@
-#include "replay/tower_history.hpp"
+#include "replay/tower/tower_history.hpp"
 
 #include <algorithm>
 
-#include "engine/cycle_tracker.hpp"
-#include "replay/tower_replay.hpp"
+#include "engine/towers/cycle_tracker.hpp"
+#include "replay/tower/tower_replay.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random_towers.hpp"
 #include "tests/support/ranks.hpp"

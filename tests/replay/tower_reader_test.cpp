@@ -1,4 +1,4 @@
-#include "replay/tower_reader.hpp"
+#include "replay/tower/tower_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,7 @@
 #include <iterator>
 #include <thread>
 
-#include "replay/text_buffer.hpp"
+#include "replay/text/text_buffer.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/inputs.hpp"
 #include "tests/support/temporary_file.hpp"

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Checks the includes of the project: check_layers.py [ROOT].
 
-A folder includes itself and folders to its left, tests include all, nothing includes tests. Includes of the project are
-quoted and written from the root; none crosses by "../". Exit status 1 and one line per violation, 2 when there is
+A folder includes itself and folders to its left, tests include all, nothing includes tests. Within a folder the same
+holds for its rooms. Includes of the project are quoted and written from the root; none crosses by "../". Exit status 1 and one line per violation, 2 when there is
 nothing to check.
 """
 import re
@@ -10,13 +10,40 @@ import sys
 from pathlib import Path, PurePosixPath
 
 ORDER = ["sparse", "reductions", "ops", "engine", "replay", "tools", "tests"]
+# The rooms of a folder; "" are the files that lie in none.
+ROOMS = {
+    "ops": ["", "simplicial", "cells", "vocabulary", "plan"],
+    "engine": ["right", "left", "towers", ""],
+    "replay": ["text", "script", "barcode", "tower", "distance", "picture", ""],
+    "tools": ["mesh", "bench", "commands", ""],
+}
 GENERATED = {"sesame/version.hpp": "sparse"}
 SUFFIXES = {".hpp", ".cpp", ".h", ".in"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
 
-def violation(folder, quoted, target):
-    """What is wrong with an include of `target` in a file of `folder`, or None."""
+def room_of(parts):
+    """The room of a file, or of an include: the folder below the first one."""
+    return parts[1] if len(parts) > 2 else ""
+
+
+def violation_of_rooms(folder, room, target):
+    """What is wrong with an include within a folder, or None."""
+    rooms = ROOMS.get(folder)
+    if rooms is None:
+        return None
+    there = room_of(target)
+    for each in (room, there):
+        if each not in rooms:
+            return f"is of {folder}/{each}, which is no room: {', '.join(filter(None, rooms))}"
+    if rooms.index(there) > rooms.index(room):
+        return f"goes from {folder}/{room} to {folder}/{there}, which is to its right"
+    return None
+
+
+def violation(name, quoted, target):
+    """What is wrong with an include of `target` in a file of this name, or None."""
+    folder = name.parts[0]
     parts = PurePosixPath(target).parts
     if ".." in parts:
         return "crosses by a relative path; write it from the root"
@@ -28,7 +55,7 @@ def violation(folder, quoted, target):
         return 'names the project in another way than "folder/file.hpp"'
     if ORDER.index(owner) > ORDER.index(folder):
         return f"goes from {folder} to {owner}, which is to its right"
-    return None
+    return violation_of_rooms(folder, room_of(name.parts), parts) if owner == folder else None
 
 
 def main(root):
@@ -41,7 +68,7 @@ def main(root):
         name = file.relative_to(root)
         for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
             if include := INCLUDE.match(line):
-                if wrong := violation(name.parts[0], include[1] == '"', include[2]):
+                if wrong := violation(name, include[1] == '"', include[2]):
                     print(f"{name}:{number}: {line.strip()} {wrong}")
                     found += 1
     print(f"{len(files)} files, {found} violations of the order {' < '.join(ORDER)}")

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ops/operation.hpp"
+#include "ops/vocabulary/operation.hpp"
 #include "tests/support/random_complexes.hpp"
 
 namespace sesame::tests {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "ops/operation.hpp"
+#include "ops/vocabulary/operation.hpp"
 #include "tests/support/random_complexes.hpp"
 
 namespace sesame::tests {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "replay/byte_source.hpp"
+#include "replay/text/byte_source.hpp"
 #include "tests/support/catch.hpp"
 
 namespace sesame::tests {

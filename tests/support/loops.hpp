@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ops/operation.hpp"
+#include "ops/vocabulary/operation.hpp"
 
 namespace sesame::tests {
 

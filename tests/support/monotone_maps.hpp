@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "ops/structure.hpp"
+#include "ops/cells/structure.hpp"
 
 namespace sesame::tests {
 

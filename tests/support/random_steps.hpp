@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "ops/operation.hpp"
-#include "ops/planner.hpp"
-#include "ops/structure.hpp"
+#include "ops/cells/structure.hpp"
+#include "ops/plan/planner.hpp"
+#include "ops/vocabulary/operation.hpp"
 #include "tests/support/random_complexes.hpp"
 
 namespace sesame::tests {

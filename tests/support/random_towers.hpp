@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "ops/tower_complex.hpp"
+#include "ops/simplicial/tower_complex.hpp"
 
 namespace sesame::tests {
 

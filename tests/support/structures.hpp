@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "ops/operation.hpp"
-#include "ops/planner.hpp"
-#include "ops/structure.hpp"
+#include "ops/cells/structure.hpp"
+#include "ops/plan/planner.hpp"
+#include "ops/vocabulary/operation.hpp"
 #include "sparse/result.hpp"
 #include "tests/support/catch.hpp"
 

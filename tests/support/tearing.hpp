@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "ops/operation.hpp"
-#include "ops/structure.hpp"
+#include "ops/cells/structure.hpp"
+#include "ops/vocabulary/operation.hpp"
 
 namespace sesame::tests {
 

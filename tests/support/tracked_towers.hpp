@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "engine/barcode_tracker.hpp"
+#include "engine/towers/barcode_tracker.hpp"
 #include "tests/support/random_towers.hpp"
 
 namespace sesame::tests {

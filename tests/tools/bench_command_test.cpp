@@ -13,7 +13,7 @@
 #include "tools/bench/comparison.hpp"
 #include "tools/bench/measurement.hpp"
 #include "tools/bench/processes.hpp"
-#include "tools/commands.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace sesame::tools {
 namespace {

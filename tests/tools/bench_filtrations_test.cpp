@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "replay/tower_reader.hpp"
+#include "replay/tower/tower_reader.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/temporary_file.hpp"
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "replay/svg.hpp"
+#include "replay/picture/svg.hpp"
 #include "tests/support/catch.hpp"
 #include "tools/bench/comparison.hpp"
 #include "tools/bench/runner.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tests/support/captured.hpp"
-#include "tools/commands.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace sesame::tools {
 

@@ -6,7 +6,7 @@
 #include "tests/support/captured.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/tools/command_run.hpp"
-#include "tools/commands.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace sesame::tools {
 namespace {

@@ -5,12 +5,12 @@
 #include <sstream>
 
 #include "engine/engine.hpp"
-#include "replay/script.hpp"
+#include "replay/script/script.hpp"
 #include "tests/support/captured.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/temporary_file.hpp"
 #include "tests/tools/mesh_support.hpp"
-#include "tools/commands.hpp"
+#include "tools/commands/commands.hpp"
 #include "tools/mesh/script.hpp"
 
 namespace sesame::tools {

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "engine/engine.hpp"
-#include "replay/script.hpp"
+#include "replay/script/script.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/tools/mesh_support.hpp"
 #include "tools/mesh/mesh_homology.hpp"

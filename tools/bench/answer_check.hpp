@@ -8,7 +8,7 @@
 #include <string>
 
 #include "engine/homology_tracker.hpp"
-#include "ops/operation.hpp"
+#include "ops/vocabulary/operation.hpp"
 #include "tools/bench/method.hpp"
 #include "tools/bench/plain_object.hpp"
 #include "tools/bench/scenarios.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "replay/byte_source.hpp"
+#include "replay/text/byte_source.hpp"
 
 namespace sesame::tools {
 namespace {

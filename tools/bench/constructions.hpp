@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ops/operation.hpp"
+#include "ops/vocabulary/operation.hpp"
 
 namespace sesame::tools {
 

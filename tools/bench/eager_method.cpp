@@ -5,7 +5,7 @@
 #include <set>
 #include <variant>
 
-#include "ops/step_sequence.hpp"
+#include "ops/plan/step_sequence.hpp"
 
 namespace sesame::tools {
 

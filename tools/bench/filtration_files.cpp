@@ -1,4 +1,4 @@
-#include "replay/text_buffer.hpp"
+#include "replay/text/text_buffer.hpp"
 #include "sparse/contract.hpp"
 #include "tools/bench/filtrations.hpp"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "replay/byte_source.hpp"
+#include "replay/text/byte_source.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::tools {

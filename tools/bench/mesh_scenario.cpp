@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "replay/script.hpp"
+#include "replay/script/script.hpp"
 #include "sparse/contract.hpp"
 #include "tools/bench/surface_count.hpp"
 #include "tools/mesh/script.hpp"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/engine.hpp"
-#include "ops/operation.hpp"
+#include "ops/vocabulary/operation.hpp"
 
 namespace sesame::tools {
 

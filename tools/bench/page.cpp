@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "replay/barcode_sheet.hpp"
-#include "replay/svg.hpp"
+#include "replay/picture/barcode_sheet.hpp"
+#include "replay/picture/svg.hpp"
 #include "tools/bench/plot.hpp"
 #include "tools/bench/report.hpp"
 #include "tools/bench/scaling.hpp"

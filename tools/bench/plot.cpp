@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "replay/axis.hpp"
-#include "replay/svg.hpp"
+#include "replay/picture/axis.hpp"
+#include "replay/picture/svg.hpp"
 
 namespace sesame::tools {
 namespace {

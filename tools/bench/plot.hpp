@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "replay/barcode_panels.hpp"
+#include "replay/picture/barcode_panels.hpp"
 #include "tools/bench/statistics.hpp"
 
 namespace sesame::tools {

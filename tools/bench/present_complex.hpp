@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ops/structure.hpp"
+#include "ops/cells/structure.hpp"
 #include "reductions/chain_complex.hpp"
 
 namespace sesame::tools {

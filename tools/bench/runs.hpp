@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/barcode.hpp"
+#include "engine/towers/barcode.hpp"
 #include "tools/bench/measurement.hpp"
 #include "tools/bench/processes.hpp"
 #include "tools/bench/scenarios.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ops/operation.hpp"
+#include "ops/vocabulary/operation.hpp"
 #include "tools/bench/measurement.hpp"
 #include "tools/bench/scenarios.hpp"
 

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "ops/operation.hpp"
+#include "ops/vocabulary/operation.hpp"
 #include "sparse/result.hpp"
 #include "tools/bench/filtrations.hpp"
 #include "tools/bench/towers.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ops/operation.hpp"
+#include "ops/vocabulary/operation.hpp"
 #include "tools/bench/constructions.hpp"
 #include "tools/bench/draws.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "ops/cell_type.hpp"
+#include "ops/cells/cell_type.hpp"
 
 namespace sesame::tools {
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "ops/operation.hpp"
+#include "ops/vocabulary/operation.hpp"
 #include "tools/bench/scenarios.hpp"
 
 namespace sesame::tools {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ops/cell_type.hpp"
+#include "ops/cells/cell_type.hpp"
 #include "tools/bench/constructions.hpp"
 
 namespace sesame::tools {

@@ -7,9 +7,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "ops/hash_index.hpp"
-#include "replay/text_buffer.hpp"
+#include "replay/text/text_buffer.hpp"
 #include "sparse/contract.hpp"
+#include "sparse/hash_index.hpp"
 #include "tools/bench/draws.hpp"
 
 namespace sesame::tools {
@@ -28,7 +28,7 @@ using Corners = std::array<Label, most_corners>;
 std::uint64_t hash_of(const Corners& corners) {
   std::uint64_t hash = 0;
   for (const Label label : corners) {
-    hash += ops::spread_bits(label);
+    hash += sparse::spread_bits(label);
   }
   return hash;
 }
@@ -166,7 +166,7 @@ class LiveComplex {
 
   /// contains(replaced(simplex, from, to)), but quick to say no.
   [[nodiscard]] bool contains_replaced(const Corners& simplex, Label from, Label to) const {
-    const std::uint64_t hash = hash_of(simplex) - ops::spread_bits(from) + ops::spread_bits(to);
+    const std::uint64_t hash = hash_of(simplex) - sparse::spread_bits(from) + sparse::spread_bits(to);
     return ids_.find(hash, [&](CellId id) { return cells_[id].corners == replaced(simplex, from, to); }) !=
            ids_.nothing;
   }
@@ -175,7 +175,7 @@ class LiveComplex {
   std::vector<CellId> free_;
   std::uint64_t births_ = 0;
   std::array<std::vector<CellId>, most_corners> by_dimension_;
-  ops::HashIndex ids_;
+  sparse::HashIndex ids_;
   std::unordered_map<Label, Star> stars_;
 };
 

@@ -3,9 +3,9 @@
 #include <bit>
 #include <fstream>
 
-#include "engine/cycle_tracker.hpp"
-#include "replay/tower_reader.hpp"
-#include "replay/tower_replay.hpp"
+#include "engine/towers/cycle_tracker.hpp"
+#include "replay/tower/tower_reader.hpp"
+#include "replay/tower/tower_replay.hpp"
 #include "sparse/contract.hpp"
 #include "tools/bench/answer_check.hpp"
 #include "tools/bench/runs.hpp"

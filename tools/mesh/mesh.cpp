@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "replay/byte_source.hpp"
+#include "replay/text/byte_source.hpp"
 #include "tools/mesh/readers.hpp"
 #include "tools/mesh/text.hpp"
 #include "tools/mesh/weld.hpp"

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <unordered_map>
 
-#include "replay/script.hpp"
+#include "replay/script/script.hpp"
 #include "sparse/contract.hpp"
 #include "tools/mesh/first_homology.hpp"
 #include "tools/mesh/graph.hpp"

@@ -1,0 +1,56 @@
+/// \file
+/// The corrections that a contraction makes to g of simplices whose facets are merged or squashed.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "ops/simplicial/tower_complex.hpp"
+
+namespace sesame::engine {
+
+/// The generator y of a merged or squashed simplex x has boundary g(x) - e g(survivor), or g(x). Every simplex with x
+/// as its facet k has -(-1)^k y as a correction. Generators are noted for the dimension in hand, and read for the one
+/// below.
+class ContractionShifts {
+ public:
+  using Slot = ops::TowerComplex::Slot;
+
+  /// Before the simplices of each dimension, 0 first.
+  void begin_dimension(std::size_t dimension) {
+    below_.swap(here_);
+    here_.clear();
+    if (dimension == 0) {
+      below_.clear();
+    }
+    std::ranges::sort(below_);
+  }
+  void note(Slot slot, std::uint32_t generator) { here_.emplace_back(slot, generator); }
+  /// True when nothing is corrected in this dimension.
+  [[nodiscard]] bool is_idle() const { return below_.empty(); }
+
+  /// Calls visit(generator, is_negative) for each correction of a simplex that the contraction changes, of the
+  /// dimension in hand. Requires: the complex has not carried the contraction out.
+  template <class Visit>
+  void for_each_correction(const ops::TowerComplex& complex, std::size_t dimension,
+                           const ops::TowerComplex::Change& change, Visit&& visit) const {
+    for (std::size_t k = 0; k <= dimension && !is_idle(); ++k) {
+      if (k == change.moved_at) {
+        continue;  // the facet without the moved vertex has not changed
+      }
+      const Slot facet = complex.facet(static_cast<int>(dimension), change.slot, k);
+      const auto at = std::ranges::lower_bound(below_, facet, {}, &Shift::first);
+      if (at != below_.end() && at->first == facet) {
+        visit(at->second, k % 2 == 0);
+      }
+    }
+  }
+
+ private:
+  using Shift = std::pair<Slot, std::uint32_t>;
+  std::vector<Shift> here_, below_;
+};
+
+}  // namespace sesame::engine

@@ -1,0 +1,276 @@
+#include "ops/cells/name_reader.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace sesame::ops {
+
+std::optional<Value> NameReader::read() { return read({0, text_.size()}); }
+
+const NameTable::Name* NameReader::find(Part part) {
+  return hashes_ ? structure_.names().find(text(part), hashes_->value(part.begin, part.end))
+                 : structure_.names().find(text(part));
+}
+
+/// Whether a name with odd brackets is part of this one, or that would take long to find out.
+bool NameReader::contains_odd_name() const {
+  constexpr std::size_t most = 64;
+  const auto odd = structure_.odd_names();
+  return odd.size() > most || std::any_of(odd.begin(), odd.end(), [this](std::uint32_t number) {
+           return text_.find(structure_.names()[number].text) != std::string_view::npos;
+         });
+}
+
+std::optional<Value> NameReader::read(Part part) {
+  if (!tries_all_bars_) {
+    return read_once(part);
+  }
+  const std::uint64_t looked_up = structure_.names().looked_up() - looked_up_before_;
+  if (++readings_ + looked_up > 16 * text_.size() + 500) {
+    failure_ = Failure::ambiguous;
+    return std::nullopt;
+  }
+  const auto [known, is_new] = known_.try_emplace(std::uint64_t{part.begin} << 32U | part.end);
+  if (is_new) {
+    std::optional<Value>& value = known->second;  // stays where it is
+    value = read_once(part);
+  }
+  return known->second;
+}
+
+std::optional<Value> NameReader::read_once(Part part) {
+  if (const NameTable::Name* name = find(part); name != nullptr && name->cell != none) {
+    return given(*name);
+  }
+  if (const auto simplex = structure_.abstract().find_named(text(part))) {
+    const TypeId type = structure_.types().simplex(static_cast<int>(simplex->places.size()) - 1);
+    return structure_.maps().value_of(simplex->cell, type, simplex->places);
+  }
+  if (auto cell = read_standard(part)) {
+    return cell;
+  }
+  return structure_.cones() > 0 || structure_.families() > 0 ? read_derived(part) : std::nullopt;
+}
+
+Value NameReader::given(const NameTable::Name& name) const {
+  return {name.cell, structure_.type_id(name.cell), 0, structure_.order_of_own_name(name.cell)};
+}
+
+/// t.2-0 or t.0-1-2 for the simplex t on 0, 1, 2; sorted lists of some of the vertices are names that were given.
+std::optional<Value> NameReader::read_standard(Part part) {
+  const auto split = split_vertices(text(part));
+  const NameTable::Name* whole = split ? find({part.begin, part.begin + split->length}) : nullptr;
+  if (whole == nullptr || whole->cell == none || whole->body == none) {  // a complex, for one, has no cell of its name
+    return std::nullopt;
+  }
+  const auto list = read_vertices(split->vertices, structure_.type(whole->cell).type);
+  if (!list) {
+    return std::nullopt;
+  }
+  const NameTable::Name* cell = list->is_whole ? whole : structure_.names().find(whole->text + "." + list->sorted);
+  if (cell == nullptr || cell->cell == none) {
+    return std::nullopt;
+  }
+  return structure_.maps().reordered(structure_.maps().order(list->order), given(*cell));
+}
+
+std::optional<Value> NameReader::read_derived(Part part) {
+  TextHash hash;
+  for (std::size_t k = part.begin; k < part.end; ++k) {
+    if (ends_prefix(text(part), k - part.begin)) {
+      const NameTable::Name* name = structure_.names().find(text({part.begin, k}), hash.value());
+      const Cone* cone = name != nullptr && name->cell != none ? structure_.cone_from(name->cell) : nullptr;
+      const FamilyId product = name != nullptr ? structure_.product_named(*name) : none;
+      if (cone != nullptr) {
+        return text_[k] == '*' ? read_coned(*cone, {k + 1, part.end}) : std::nullopt;
+      }
+      if (product != none) {
+        return text_[k] == '.' && text_[part.end - 1] == ')' ? read_pair(product, {k + 2, part.end - 1}) : std::nullopt;
+      }
+    }
+    hash.add(text_[k]);
+  }
+  return std::nullopt;
+}
+
+/// One level deeper; false when that is too deep.
+bool NameReader::enter() {
+  if (depth_ == most_nested) {
+    failure_ = Failure::nested;
+    return false;
+  }
+  if (!hashes_) {
+    hashes_.emplace(text_);
+  }
+  ++depth_;
+  return true;
+}
+
+std::optional<Value> NameReader::read_coned(const Cone& cone, Part base) {
+  if (!enter()) {
+    return std::nullopt;
+  }
+  const auto value = read(base);
+  --depth_;
+  return value ? coned(cone, *value) : std::nullopt;
+}
+
+std::optional<Value> NameReader::read_pair(FamilyId product, Part inside) {
+  if (!enter()) {
+    return std::nullopt;
+  }
+  if (!brackets_) {
+    brackets_.emplace(text_);
+    tries_all_bars_ = contains_odd_name();
+  }
+  std::optional<Value> pair;
+  if (tries_all_bars_) {
+    for (std::size_t bar = inside.begin; bar < inside.end && !pair && failure_ != Failure::ambiguous; ++bar) {
+      pair = text_[bar] == '|' ? read_pair(product, {inside.begin, bar}, {bar + 1, inside.end}) : std::nullopt;
+    }
+  } else if (const Brackets::Pair* found = brackets_->at(inside.begin - 1);
+             found != nullptr && found->close == inside.end && found->bar != Brackets::nowhere) {
+    pair = read_pair(product, {inside.begin, found->bar}, {found->bar + 1, inside.end});
+  }
+  --depth_;
+  return pair;
+}
+
+std::optional<Value> NameReader::read_pair(FamilyId product, Part left_part, Part right_part) {
+  const LazyFamily& family = structure_.family(product);
+  const bool is_simplicial = family.kind == FamilyKind::simplicial_product;
+  const auto left = read_factor(left_part, family.bodies[0], is_simplicial);
+  const auto right = left ? read_factor(right_part, family.bodies[1], is_simplicial) : std::nullopt;
+  if (!right) {
+    return std::nullopt;
+  }
+  if (is_simplicial) {
+    return left->type == right->type ? simplicial_pair(product, *left, *right) : std::nullopt;
+  }
+  return value_of(structure_.lazy_face(product, LazyPart::pair, *left, *right));
+}
+
+Value NameReader::value_of(const Incidence& incidence) const {
+  return {incidence.node, structure_.type_id(incidence.node), 0, incidence.order};
+}
+
+/// A simplex of a simplicial product has vertices that increase on both sides. A name may have them in another order.
+std::optional<Value> NameReader::simplicial_pair(FamilyId product, const Value& left, const Value& right) const {
+  VertexMaps& maps = structure_.maps();
+  const VertexMap of_left = maps.map_of(left);
+  const VertexMap of_right = maps.map_of(right);
+  std::vector<std::uint8_t> increasing(of_left.size());
+  std::iota(increasing.begin(), increasing.end(), std::uint8_t{0});
+  std::stable_sort(increasing.begin(), increasing.end(), [&](std::uint8_t a, std::uint8_t b) {
+    return std::pair{of_left[a], of_right[a]} < std::pair{of_left[b], of_right[b]};
+  });
+  const OrderId order = maps.order(increasing);
+  const Value sorted_left = maps.reordered(order, left);
+  const Value sorted_right = maps.reordered(order, right);
+  if (sorted_left.order != same_order || sorted_right.order != same_order) {
+    return std::nullopt;
+  }
+  return maps.reordered(maps.inverse(order),
+                        value_of(structure_.lazy_face(product, LazyPart::pair, sorted_left, sorted_right)));
+}
+
+/// The name of a cell of a factor, in a simplicial product also with collapsed directions after it.
+std::optional<Value> NameReader::read_factor(Part part, BodyId body, bool is_simplicial) {
+  const BodyId bodies[] = {body};
+  if (const auto value = read(part)) {
+    if (auto found = in_bodies(*value, bodies)) {
+      return found;
+    }
+  }
+  const auto split = is_simplicial ? split_directions(text(part)) : std::nullopt;
+  const auto value = split ? read({part.begin, part.begin + split->length}) : std::nullopt;
+  const auto found = value ? in_bodies(*value, bodies) : std::nullopt;
+  if (!found) {
+    return std::nullopt;
+  }
+  const int n = structure_.types().info(found->type).dimension + std::popcount(split->collapsed);
+  return n > largest_dimension || split->collapsed >> n != 0
+             ? std::nullopt
+             : std::optional{
+                   structure_.maps().compose({none, structure_.types().simplex(n), split->collapsed}, *found)};
+}
+
+std::optional<Value> NameReader::in_bodies(Value value, std::span<const BodyId> bodies) const {
+  while (true) {
+    const CellId node = value.cell;
+    if (structure_.is_current(node) &&
+        std::find(bodies.begin(), bodies.end(), structure_.body_of(node)) != bodies.end()) {
+      return value;
+    }
+    if (lineage_.end_of(node) == Lineage::never) {
+      return std::nullopt;
+    }
+    lineage_.advance(value);
+  }
+}
+
+// -------------------------------------------------------------------------------------------------------------- cones
+
+std::optional<Value> NameReader::coned(const Cone& cone, Value base) const {
+  lineage_.advance_until(base, cone.made);
+  if (auto value = cone_over(cone, base)) {
+    return value;
+  }
+  std::optional<Value> first;
+  Instant when = 0;
+  CellId oldest = none;
+  for (const CellId node : lineage_.nodes_that_are(base)) {
+    Value itself{node, structure_.type_id(node), 0};
+    const bool was_current = lineage_.end_of(node) > cone.made;
+    if (!was_current || !cone_over(cone, itself)) {
+      continue;
+    }
+    const Lineage::Meeting met = lineage_.meeting(base, itself);
+    const Instant instant = std::max(met.instant, cone.made);
+    const CellId called = structure_.oldest_at(node, cone.links);
+    if (!first || instant < when || (instant == when && structure_.is_older(called, oldest))) {
+      itself.order = met.order;
+      first = cone_over(cone, itself);
+      when = instant;
+      oldest = called;
+    }
+  }
+  return first;
+}
+
+/// The cone over a value of the time when the cone was taken, if its cell was coned.
+std::optional<Value> NameReader::cone_over(const Cone& cone, const Value& value) const {
+  if (cone.family == none) {
+    const CellId node = written_cone_over(cone, value.cell);
+    if (node == none) {
+      return std::nullopt;
+    }
+    // The base has its vertices in the order of the name that it had.
+    VertexMaps& maps = structure_.maps();
+    const auto last = static_cast<std::uint32_t>(structure_.faces_as_created(node).size() - 1);
+    const OrderId order = maps.inverse(structure_.order_as_created(node, last));
+    return maps.coned(node, maps.compose(value, {node, structure_.type_id(value.cell), 0, order}), cone.by_edges);
+  }
+  const std::vector<BodyId>& bodies = structure_.family(cone.family).bodies;
+  if (!structure_.is_current(value.cell) ||
+      std::find(bodies.begin(), bodies.end(), structure_.body_of(value.cell)) == bodies.end()) {
+    return std::nullopt;
+  }
+  return value_of(structure_.lazy_face(cone.family, LazyPart::coned, value));
+}
+
+/// A cell of a cone that is written out has the canonical name that its base had then: so nothing is stored to find it.
+CellId NameReader::written_cone_over(const Cone& cone, CellId base) const {
+  std::string name{structure_.own_name(cone.apex)};
+  name.append(1, '*').append(structure_.own_name(structure_.oldest_at(base, cone.links)));
+  const NameTable::Name* found = structure_.names().find(name);
+  return found != nullptr && found->cell != none && found->cell > cone.apex && found->cell < cone.end &&
+                 structure_.faces_as_created(found->cell).back() == base
+             ? found->cell
+             : none;
+}
+
+}  // namespace sesame::ops

@@ -1,0 +1,566 @@
+/// \file
+/// The cell structure under construction: simploids with faces, names, bodies, the union-find of identifications and
+/// degeneracies, copies made by de-identification, families of cells that are made when they are asked for, and the
+/// abstract simplicial complexes among the bodies.
+/// Append-only but for undo, which is truncation.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "ops/cells/cell_type.hpp"
+#include "ops/cells/degeneracy.hpp"
+#include "ops/cells/lazy_family.hpp"
+#include "ops/name_table.hpp"
+#include "ops/simplicial/abstract_complex.hpp"
+
+namespace sesame::ops {
+
+/// A node as a face: vertex k of the face is vertex order(k) of the node.
+struct Incidence {
+  CellId node;
+  OrderId order = same_order;
+};
+
+/// `removed` becomes the cell `survivor`, vertex k of it vertex order(k): two current cells of one type whose
+/// boundaries agree by then, up to the sign of the order. Or, with survivor = none, it becomes degenerate: the value
+/// `becomes`, whose boundary is 0 by then.
+struct Merge {
+  CellId removed;
+  CellId survivor;
+  Value becomes;
+  OrderId order = same_order;
+};
+
+/// Face number `slot` of a current cell becomes the cell `to`, in an order.
+struct Move {
+  CellId cell;
+  std::uint32_t slot;
+  CellId to;
+  OrderId order;
+};
+
+/// What an insertion or a collapse changes in the abstract simplicial complexes.
+struct AbstractChange {
+  struct Collapse {
+    LabelId from, to;
+    VertexId gone, kept;
+  };
+  std::vector<std::string> labels;  ///< of new vertices, whose numbers follow those in use
+  /// The vertices of the new cells in their orders, one cell after the other.
+  std::vector<VertexId> vertices;
+  std::optional<Collapse> collapse;
+  std::vector<CellId> renamed;  ///< cells that have the vertex `gone` and will have `kept` in its place
+};
+
+/// What is known of all cells of a body.
+struct BodyKind {
+  bool is_abstract = false;  ///< it is an abstract simplicial complex, made by insertions and collapses only
+  bool keeps_orders = true;  ///< faces have their vertices in the order of the cells whose faces they are
+  friend bool operator==(const BodyKind&, const BodyKind&) = default;
+};
+
+/// What an operation would do, as a value: worked out by the planner without touching the structure, then applied
+/// whole. New cells have the ids that follow those in use. Reusable: `clear` keeps the memory.
+struct Plan {
+  struct NewCell {
+    TypeId type;
+    std::uint32_t first_face;  ///< in `faces`
+    std::uint64_t name_end;    ///< its name ends here in `names` (and begins where the one before ends)
+  };
+  std::vector<NewCell> cells;
+  std::vector<CellId> faces;
+  std::vector<std::pair<std::uint32_t, OrderId>> face_orders;  ///< of those faces, by position, that have another order
+  CellId first = none;                                         ///< the id of the first new cell
+  std::string names;
+  std::vector<std::pair<std::string, CellId>> aliases;  ///< further names of new cells
+  std::vector<Merge> merges;  ///< by dimension, so that boundaries agree when their turn comes
+  std::vector<std::pair<std::uint32_t, Value>> degenerate;  ///< new cells, by position, that are degenerate: no names
+  std::vector<CellId> sources;                              ///< empty, or per new cell: the cell that it is a copy of
+  /// Copies, by position, whose names stand for their vertices in another order: that of the name of the cell split.
+  std::vector<std::pair<std::uint32_t, OrderId>> name_orders;
+  std::vector<Move> moves;  ///< incidences that go to a copy
+  /// Cones among the new cells, by position: the apex, then the cells of the cone, whose last faces are what is coned.
+  struct WrittenCone {
+    std::uint32_t apex, end;
+    bool by_edges;
+  };
+  std::vector<WrittenCone> cones;
+  std::optional<NewFamily> family;         ///< bodies become a product or a cone
+  std::optional<AbstractChange> abstract;  ///< of an insertion or a collapse
+  std::optional<std::string> new_body;     ///< the new cells make a body of this name
+  std::optional<BodyId> into_body;         ///< the new cells join this body
+  std::vector<BodyId> joined_bodies;       ///< become one with `into_body` (the older name stays)
+  std::uint64_t already = 0;  ///< simplices of an insertion that are there, or stand in its list more than once
+
+  void clear();
+  [[nodiscard]] bool changes_nothing() const { return cells.empty() && merges.empty() && !family; }
+};
+
+/// A moment of the history: how many cells had been created and removed, incidences moved, copies and lazy families
+/// made.
+struct Moment {
+  CellId created = 0;
+  LinkId links = 0;
+  std::uint32_t moves = 0;
+  FamilyId families = 0;
+  std::uint32_t copies = 0;
+  friend bool operator==(const Moment&, const Moment&) = default;
+};
+
+/// Removals and families in one order: how many of each there had been.
+using Instant = std::uint64_t;
+[[nodiscard]] constexpr Instant instant_of(LinkId links, FamilyId families) {
+  return Instant{links} << 32U | Instant{families};
+}
+/// Just after a removal, before any family that followed it.
+[[nodiscard]] constexpr Instant instant_after(LinkId link) { return instant_of(link + 1, 0); }
+
+/// A cone as it was made: over which cells follows from the moment and, when it is written out, from its cells.
+struct Cone {
+  CellId apex;
+  CellId end;       ///< of a cone that is written out: its cells come between the apex and this
+  Instant made;     ///< what happened before
+  LinkId links;     ///< of that, removals
+  FamilyId family;  ///< of a lazy cone, else none
+  bool by_edges;    ///< as in NewFamily
+};
+
+/// How much of everything there was at some moment: all that undo needs.
+struct StructureMark {
+  CellId cells = 0;
+  LinkId links = 0;
+  std::uint32_t names = 0;
+  std::uint32_t bodies = 0;
+  std::uint32_t body_links = 0;
+  std::uint32_t moves = 0;
+  std::uint32_t copies = 0;
+  std::uint32_t cones = 0;
+  FamilyId families = 0;
+  std::uint32_t expansions = 0;
+  std::uint32_t body_kinds = 0;
+  std::uint32_t abstract = 0;
+  friend bool operator==(const StructureMark&, const StructureMark&) = default;
+};
+
+/// The cells of all bodies. Cost of every lookup below: O(1) or O(log cells).
+///
+/// A *node* is a cell as it was created; the *current cell* that it is now is `find(node)`, or none when it has become
+/// degenerate; its *value* is its normal form in either case.
+///
+/// Cells of products and of cones over whole bodies are *lazy*: they get an id, their faces and their name when
+/// something first asks for them. That is knowledge, not state: it happens inside queries too, and nothing that the
+/// structure says depends on it but ids.
+class Structure {
+ public:
+  Structure();
+  ~Structure();
+
+  // ---- cells
+  [[nodiscard]] TypeTable& types() const { return *types_; }
+  /// The arithmetic of values, and all orders of vertices that there are.
+  [[nodiscard]] VertexMaps& maps() const { return *maps_; }
+  /// The number of nodes ever created (and not undone), lazy ones counted when they were asked for.
+  [[nodiscard]] CellId created() const { return static_cast<CellId>(nodes_->type.size()); }
+  [[nodiscard]] TypeId type_id(CellId c) const { return nodes_->type[c]; }
+  [[nodiscard]] const TypeInfo& type(CellId c) const { return types_->info(nodes_->type[c]); }
+  [[nodiscard]] int dimension(CellId c) const { return type(c).dimension; }
+  /// The faces as they were given at creation, in flattened order: not yet looked up by `find`.
+  [[nodiscard]] std::span<const CellId> faces_as_created(CellId c) const;
+  /// The nodes that the faces are now: those given at creation, but for the incidences that have moved since.
+  [[nodiscard]] std::span<const CellId> faces(CellId c) const;
+  /// The order in which face k has the vertices of the node faces_as_created(c)[k], or faces(c)[k].
+  [[nodiscard]] OrderId order_as_created(CellId c, std::uint32_t k) const {
+    return has_orders_ ? known_order_as_created(c, k) : same_order;
+  }
+  [[nodiscard]] OrderId order_of_face(CellId c, std::uint32_t k) const {
+    return has_orders_ ? known_order_of_face(c, k) : same_order;
+  }
+  /// The current cell that c is now, or none when it is degenerate.
+  [[nodiscard]] CellId find(CellId c) const {
+    const std::vector<CellId>& parent = nodes_->parent;
+    while (c != none && parent[c] != c) {
+      c = parent[c];
+    }
+    return c;
+  }
+  /// The cell that c was (or none) when there had been only `links` removals.
+  [[nodiscard]] CellId find_at(CellId c, LinkId links) const;
+  /// The current cell that c is now, or none, and with which orientation: sign 1, or -1 when it is the opposite one.
+  struct Oriented {
+    CellId cell;
+    int sign;
+  };
+  [[nodiscard]] Oriented find_oriented(CellId c) const { return find_oriented_at(c, links()); }
+  [[nodiscard]] Oriented find_oriented_at(CellId c, LinkId links) const;
+  /// The sign of the node faces_as_created(c)[k], or faces(c)[k], in the boundary of c.
+  [[nodiscard]] int face_sign(CellId c, std::uint32_t k) const {
+    const int sign = type(c).faces[k].sign;
+    return has_orders_ ? sign * maps_->sign(known_order_as_created(c, k)) : sign;
+  }
+  [[nodiscard]] int sign_of_face(CellId c, std::uint32_t k) const {
+    const int sign = type(c).faces[k].sign;
+    return has_orders_ ? sign * maps_->sign(known_order_of_face(c, k)) : sign;
+  }
+  /// The cell that face k of c was at a moment, or none, with its sign in the boundary of c.
+  [[nodiscard]] Oriented oriented_face_at(CellId c, std::uint32_t k, const Moment& moment) const;
+  /// The normal form of what c is now.
+  [[nodiscard]] Value value(CellId c) const;
+  /// The same for a value whose cell is any node.
+  [[nodiscard]] Value normal_form(Value v) const;
+  /// Face k of a value in normal form, in normal form. Cost O(dimension), amortised.
+  [[nodiscard]] Value face(const Value& v, std::uint32_t k) const;
+  /// Face k of a cell, in normal form.
+  [[nodiscard]] Value face_of_cell(CellId c, std::uint32_t k) const;
+  /// A value in normal form as a face: a cell in an order, or a node that is degenerate from the start.
+  [[nodiscard]] Incidence incidence_of(const Value& v) const;
+  [[nodiscard]] bool is_current(CellId c) const { return nodes_->parent[c] == c; }
+  /// The number of current cells of each dimension, up to the largest that has one.
+  [[nodiscard]] std::span<const std::uint64_t> counts() const;
+  [[nodiscard]] Moment now() const {
+    return {created(), links(), static_cast<std::uint32_t>(moves_.size()), families(), copies()};
+  }
+  /// Whether c was a current cell of the object at a moment.
+  [[nodiscard]] bool was_current(CellId c, const Moment& moment) const;
+
+  // ---- the union-find forest: one link per removed cell, each tree at most log2(cells) deep
+  [[nodiscard]] LinkId links() const { return static_cast<LinkId>(links_.size()); }
+  [[nodiscard]] CellId removed(LinkId link) const { return links_[link].removed; }
+  /// -1 when the removed cell became the other one with the opposite orientation.
+  [[nodiscard]] int sign_of(LinkId link) const { return reverses_[link] ? -1 : 1; }
+  /// Vertex k of the removed cell became vertex order(k) of the other one.
+  [[nodiscard]] OrderId order_of(LinkId link) const;
+  /// The number of removals before the step in which one was made.
+  [[nodiscard]] LinkId links_before_step(LinkId link) const;
+  /// What c was removed in favour of: a node, or none when it became degenerate; c itself when it is current.
+  [[nodiscard]] CellId parent(CellId c) const { return nodes_->parent[c]; }
+  /// The link by which c was removed, or `none`.
+  [[nodiscard]] LinkId link_of(CellId c) const { return nodes_->link_of[c]; }
+  /// The number of nodes that a current cell stands for.
+  [[nodiscard]] std::uint32_t members(CellId current) const { return nodes_->size[current]; }
+  /// Calls visit(node) for each node that a current cell stands for. Cost: their number.
+  template <class Visit>
+  void for_each_member(CellId current, Visit&& visit) const;
+
+  /// Calls visit(link) for each removal in favour of a node itself, the latest first, as far as it is none of the first
+  /// `since` removals.
+  template <class Visit>
+  void for_each_child_link(CellId node, LinkId since, Visit&& visit) const {
+    for (LinkId link = nodes_->last_child[node]; link != none && link >= since; link = links_[link].previous_child) {
+      visit(link);
+    }
+  }
+
+  // ---- de-identification
+  /// A copy: made of `source` at a moment.
+  struct Copy {
+    CellId copy, source;
+    Moment moment;
+  };
+  [[nodiscard]] std::uint32_t copies() const { return static_cast<std::uint32_t>(copies_.size()); }
+  /// What c is a copy of, or null.
+  [[nodiscard]] const Copy* copy(CellId c) const;
+  /// The copies that were made of a node itself.
+  [[nodiscard]] std::span<const CellId> copies_of(CellId source) const;
+  /// A move as it happened: face `slot` of `cell` was `before` and became `after` when there were `links` removals.
+  struct MadeMove {
+    CellId cell;
+    std::uint32_t slot;
+    CellId before, after;
+    LinkId links;
+    OrderId order_before, order_after;
+  };
+  [[nodiscard]] std::span<const MadeMove> moves() const { return moves_; }
+  /// The sign of the face in the boundary of the cell after a move.
+  [[nodiscard]] int sign_after(const MadeMove& made) const {
+    return type(made.cell).faces[made.slot].sign * maps_->sign(made.order_after);
+  }
+  /// Calls visit(move) for the moves of face k of a cell whose numbers are in [first, last), in order.
+  template <class Visit>
+  void for_each_move_of(CellId c, std::uint32_t k, std::uint32_t first, std::uint32_t last, Visit&& visit) const;
+  /// The current cells that have a face which is a given current cell or degenerate over it, oldest first.
+  /// Cost: the incidences that its members were created with; for a lazy cell also those of the factors' cells, for the
+  /// apex of a lazy cone all cells that the cone is taken over.
+  [[nodiscard]] std::vector<CellId> cofaces(CellId current) const;
+
+  /// The places where a node was given as a face since a moment: at the creation of cells, and by moves. As (cell as
+  /// created, number). Stops when there are more than `most`.
+  [[nodiscard]] std::vector<std::pair<CellId, std::uint32_t>> places_of(CellId node, const Moment& since,
+                                                                        std::size_t most = SIZE_MAX) const;
+
+  // ---- names
+  [[nodiscard]] const NameTable& names() const { return names_; }
+  /// The node of a name, or empty. Cells of bodies that a cone was taken over are those of the cone. May make a node,
+  /// for a degenerate cell that only the name describes.
+  [[nodiscard]] std::optional<CellId> lookup(std::string_view name) const {
+    const auto named = lookup_in_order(name);
+    return named ? std::optional{named->node} : std::nullopt;
+  }
+  /// The canonical name of the cell that c is now: that of its oldest member.
+  [[nodiscard]] std::string_view name(CellId c) const { return own_name(oldest(c)); }
+  /// The sign with which the canonical name of a current cell denotes it: a name stands for the orientation that the
+  /// cell had which it was made for.
+  [[nodiscard]] int sign_of_name(CellId current) const {
+    return has_orders_ ? maps_->sign(named_value(current).order) : 1;
+  }
+  /// A current cell with its vertices in the order in which its canonical name stands for them.
+  [[nodiscard]] Value named_value(CellId current) const;
+  /// The order in which the name that a node was created with has its vertices. Cost: O(1), unless it is lazy.
+  [[nodiscard]] OrderId order_of_own_name(CellId node) const;
+  /// The order in which any name has the vertices of the node that `lookup` finds: another one when it lists vertices
+  /// or labels that are not in the order of the node's vertices, or has such a name in it.
+  [[nodiscard]] OrderId order_of_name(std::string_view name) const;
+  /// The sign with which it denotes that node.
+  [[nodiscard]] int sign_of_name(std::string_view name) const { return maps_->sign(order_of_name(name)); }
+  /// The name that c was created with.
+  [[nodiscard]] std::string_view own_name(CellId c) const;
+  /// The oldest member of the class of c: of the cell that it is now, or was last before it became degenerate.
+  [[nodiscard]] CellId oldest(CellId c) const { return nodes_->oldest[last_root(c)]; }
+  /// Whether a was created before b. Cells of one lazy family are as old as what they are made of.
+  [[nodiscard]] bool is_older(CellId a, CellId b) const { return families_.empty() ? a < b : compare_age(a, b) < 0; }
+  [[nodiscard]] bool is_name_taken(std::string_view name) const;
+  /// True when some name begins with this and goes on with "*" or ".(": the prefix of a lazy family would be ambiguous.
+  [[nodiscard]] bool is_prefix_taken(std::string_view prefix) const;
+  /// True when one of the two names begins with the other, of an apex or a product, and goes on with "*" or ".(": what
+  /// names of their cells stand for would be ambiguous. `name` is new.
+  [[nodiscard]] bool is_ambiguous_prefix(std::string_view name) const;
+  /// How often names, parts of names and labels have been looked up: what reading names has cost. Only grows.
+  [[nodiscard]] std::uint64_t names_looked_up() const { return names_.looked_up() + abstract_.labels_looked_up(); }
+
+  // ---- bodies
+  /// The current body of a name, or empty. A body that became part of a cone is that cone's body.
+  [[nodiscard]] std::optional<BodyId> lookup_body(std::string_view name) const;
+  [[nodiscard]] BodyId find_body(BodyId b) const;
+  [[nodiscard]] BodyId body_of(CellId c) const { return find_body(nodes_->body[c]); }
+  /// The family whose factor a current body has become, or none: its cells are no longer cells of the object.
+  [[nodiscard]] FamilyId consumed_by(BodyId b) const { return bodies_[find_body(b)].consumed_by; }
+  [[nodiscard]] bool is_consumed(CellId c) const { return !families_.empty() && consumed_by(nodes_->body[c]) != none; }
+  [[nodiscard]] std::string_view body_name(BodyId b) const {
+    return names_[bodies_[bodies_[find_body(b)].oldest].name].text;
+  }
+  /// Current bodies, oldest name first.
+  [[nodiscard]] std::vector<BodyId> current_bodies() const;
+  /// The number of current cells of a body, by dimension.
+  [[nodiscard]] std::span<const std::uint64_t> counts_of(BodyId body) const { return bodies_[find_body(body)].counts; }
+  /// The current cells of a body, oldest first. Cost: the cells ever created in it; makes all its lazy cells.
+  [[nodiscard]] std::vector<CellId> cells_of(BodyId body) const;
+  /// The number of current cells of a body that are no simplices: of a type longer than one.
+  [[nodiscard]] std::uint64_t simploids_of(BodyId body) const { return bodies_[find_body(body)].simploids; }
+
+  /// How many lazy families are made of one another to make the cells of a body.
+  [[nodiscard]] std::uint32_t nesting_of(BodyId body) const { return bodies_[find_body(body)].nesting; }
+
+  /// True when all cells of a body are simplices: vertices or of a type of length 1.
+  [[nodiscard]] bool has_only_simplices(BodyId body) const { return simploids_of(body) == 0; }
+
+  // ---- abstract simplicial complexes
+  [[nodiscard]] const AbstractComplex& abstract() const { return abstract_; }
+  [[nodiscard]] BodyKind kind_of(BodyId body) const { return bodies_[find_body(body)].kind; }
+
+  // ---- cones, lazy or written out, and what their cells are called after
+  [[nodiscard]] std::uint32_t cones() const { return static_cast<std::uint32_t>(cones_.size()); }
+  /// The cone that has a cell as its apex, or null.
+  [[nodiscard]] const Cone* cone_from(CellId apex) const;
+  /// The oldest member that a node had when there had been only `links` removals and it was a current cell.
+  [[nodiscard]] CellId oldest_at(CellId node, LinkId links) const;
+  /// The product that a name is that of, or none.
+  [[nodiscard]] FamilyId product_named(const NameTable::Name& name) const;
+  /// What a node became that is degenerate. Requires: parent(node) == none.
+  [[nodiscard]] const Value& squashed(CellId node) const { return nodes_->squashed.at(node); }
+  /// The nodes that became degenerate over a node itself.
+  [[nodiscard]] std::span<const CellId> squashed_onto(CellId node) const;
+  /// Names with brackets that do not match, or with a bar outside of brackets: their numbers. See NameReader.
+  [[nodiscard]] std::span<const std::uint32_t> odd_names() const { return odd_names_; }
+
+  // ---- lazy families: products, and cones over whole bodies
+  [[nodiscard]] FamilyId families() const { return static_cast<FamilyId>(families_.size()); }
+  [[nodiscard]] const LazyFamily& family(FamilyId f) const { return families_[f]; }
+  [[nodiscard]] bool is_lazy(CellId c) const { return lazy_of(c) != nullptr; }
+  /// What a lazy cell is made of, or null for others.
+  [[nodiscard]] const LazyCell* lazy_of(CellId c) const {
+    return families_.empty() || nodes_->lazy[c] == none ? nullptr : &nodes_->lazy_cells[nodes_->lazy[c]];
+  }
+  /// A lazy cell, made if need be, as a face: of a degenerate one the node. The parts are values in normal form.
+  [[nodiscard]] Incidence lazy_face(FamilyId family, LazyPart part, const Value& left, const Value& right = {}) const;
+  /// Its node.
+  [[nodiscard]] CellId lazy_cell(FamilyId family, LazyPart part, const Value& left, const Value& right = {}) const {
+    return lazy_face(family, part, left, right).node;
+  }
+  /// Makes all lazy cells of the object: for looking at the whole of it. Cost: the cells of all families.
+  void make_all_lazy_cells() const;
+
+  // ---- change
+  [[nodiscard]] StructureMark mark() const;
+  /// Carries a plan out. Requires: planned for the present state. Cost: the size of the plan.
+  void apply(const Plan& plan);
+  /// Goes back to a mark of the past. Cost: the size of what goes.
+  void truncate(const StructureMark& mark);
+
+ private:
+  /// One entry per node. Behind a pointer, as lazy nodes are added by queries.
+  struct Nodes {
+    std::vector<TypeId> type;
+    std::vector<std::uint64_t> first_face;
+    std::vector<CellId> faces;
+    std::vector<std::uint32_t> next_incidence;   ///< per entry of `faces`: the next one with the same face
+    std::vector<std::uint32_t> first_incidence;  ///< per node: the entry of `faces` that named it last
+    std::vector<CellId> parent, oldest;
+    std::vector<std::uint32_t> size;
+    std::vector<LinkId> link_of;
+    std::vector<LinkId> last_child;  ///< the last link that ends at this node
+    std::vector<std::uint32_t> name;
+    std::vector<std::uint32_t> lazy;
+    std::vector<BodyId> body;
+    std::unordered_map<CellId, Value> squashed;                     ///< what a node that became degenerate is
+    std::unordered_map<CellId, std::vector<CellId>> squashed_onto;  ///< per node: those that became degenerate over it
+    std::deque<LazyCell> lazy_cells;
+    std::unordered_map<LazyKey, CellId, LazyKeyHash> lazy_index;
+    std::unordered_map<Value, CellId, ValueHash> degenerate_index;
+    std::vector<std::vector<CellId>> lazy_made;  ///< per family: those asked for, in that order
+    std::vector<CellId> expanded;                ///< lazy nodes whose faces have been asked for, in that order
+  };
+  struct Link {
+    CellId removed, oldest_before;
+    LinkId previous_child;  ///< the link that ended at the same node before
+    CellId created;         ///< nodes, when it was made: undo goes back through the events in their order
+  };
+  struct Range {
+    CellId first, last;
+  };
+  struct Body {
+    std::uint32_t name;  ///< its number among the names
+    BodyId parent, oldest;
+    std::vector<Range> made;       ///< creations that joined this very body
+    std::vector<BodyId> children;  ///< bodies linked below it
+    std::uint32_t size = 1;
+    std::vector<std::uint64_t> counts;  ///< current cells by dimension, those of the bodies below it included
+    FamilyId family = none;             ///< that it was made as
+    FamilyId consumed_by = none;
+    std::uint64_t simploids = 0;  ///< of those counted, the ones of a type longer than one
+    BodyKind kind;
+    std::uint32_t nesting = 0;
+  };
+  struct BodyLink {
+    BodyId child, oldest_before;
+    CellId created;
+    LinkId links;
+    BodyKind kind_before;
+    std::uint32_t nesting_before;
+  };
+  /// A body became less of an abstract complex than it was.
+  struct KindChange {
+    BodyId body;
+    BodyKind before;
+    std::uint32_t body_links;
+  };
+
+  CellId add_node(TypeId type, std::uint32_t name, std::uint32_t lazy, BodyId body) const;
+  void squash(CellId node, const Value& becomes) const;
+  void unsquash(CellId node) const;
+  void drop_last_node();
+  void add_cells(const Plan& plan, BodyId new_body);
+  void add_family(const NewFamily& family, BodyId body);
+  void link(const Merge& merge);
+  void undo_last_link();
+  void undo_last_body_link();
+  void undo_last_family();
+  void undo_last_move();
+  void make_move(const Move& move);
+  void join_bodies(BodyId a, BodyId b);
+  void change_abstract(const Plan& plan, CellId first);
+  void leave_abstract(const Plan& plan);
+  void note_orders(const Plan& plan, CellId first);
+  void lower_kind(BodyId body, BodyKind kind);
+  void undo_last_kind_change();
+  [[nodiscard]] OrderId known_order_as_created(CellId c, std::uint32_t k) const;
+  [[nodiscard]] OrderId known_order_of_face(CellId c, std::uint32_t k) const;
+  void count(CellId c, int change);
+  static void add_counts(std::span<const std::uint64_t> from, std::vector<std::uint64_t>& to, bool subtract);
+  void add_name(std::string_view text, CellId cell, BodyId body);
+  void drop_last_name();
+  [[nodiscard]] CellId last_root(CellId c) const;
+  void advance_to_root(Value& v) const;
+  [[nodiscard]] int compare_age(CellId a, CellId b) const;
+  [[nodiscard]] std::vector<Incidence> faces_of_lazy(const LazyKey& key) const;
+  void make_all_cells_of(FamilyId family) const;
+  [[nodiscard]] std::optional<Incidence> lookup_in_order(std::string_view name) const;
+  [[nodiscard]] std::string lazy_name(const LazyKey& key) const;
+  [[nodiscard]] CellId owner_of(std::uint32_t entry) const;
+  void add_cofaces(CellId current, std::vector<CellId>& out) const;
+  void add_cofaces_of_apex(FamilyId id, std::vector<CellId>& out) const;
+  void add_lazy_cofaces(const LazyKey& key, CellId cell, std::vector<CellId>& out) const;
+
+  std::unique_ptr<TypeTable> types_;  // behind a pointer: planning interns types, and that changes no state
+  std::unique_ptr<VertexMaps> maps_;  // likewise
+  std::unique_ptr<Nodes> nodes_;
+  std::vector<Link> links_;
+  std::vector<bool> reverses_;                       ///< per link
+  LinkId reversals_ = 0;                             ///< links that do
+  std::unordered_map<LinkId, OrderId> link_orders_;  ///< of links in another order
+  std::vector<LinkId> first_links_;                  ///< of the steps that made some
+  std::vector<std::uint64_t> counts_;
+
+  std::vector<Copy> copies_;
+  std::unordered_map<CellId, std::uint32_t> copy_index_;
+  std::unordered_map<CellId, std::vector<CellId>> copies_of_;
+  std::vector<MadeMove> moves_;
+  struct MovedFaces {
+    std::vector<CellId> faces;           ///< as they are now
+    std::vector<OrderId> orders;         ///< of these
+    std::vector<std::uint32_t> history;  ///< numbers in moves_
+  };
+  std::unordered_map<CellId, MovedFaces> moved_;                       ///< cells that have moved incidences
+  std::unordered_map<CellId, std::vector<std::uint32_t>> moved_onto_;  ///< per node: the moves that ended at it
+
+  NameTable names_;
+  /// Per hash, how many names have a prefix with it that could be that of a lazy family.
+  std::unordered_map<std::uint64_t, std::uint32_t> prefixes_;
+  std::vector<std::uint32_t> odd_names_;
+  std::deque<Cone> cones_;
+
+  std::deque<Body> bodies_;
+  std::vector<BodyLink> body_links_;
+  std::vector<KindChange> kind_changes_;
+  AbstractComplex abstract_;
+  /// Orders of faces as created, where not the same: by place in the list of all faces.
+  std::unordered_map<std::uint64_t, OrderId> face_orders_;
+  std::unordered_map<CellId, OrderId> name_orders_;  ///< of copies, as in Plan
+  mutable bool has_orders_ = false;                  ///< some face, link or name has, or had, another order
+  std::deque<LazyFamily> families_;
+};
+
+template <class Visit>
+void Structure::for_each_member(CellId current, Visit&& visit) const {
+  std::vector<CellId> pending{current};
+  while (!pending.empty()) {
+    const CellId node = pending.back();
+    pending.pop_back();
+    visit(node);
+    for_each_child_link(node, 0, [&](LinkId link) { pending.push_back(links_[link].removed); });
+  }
+}
+
+template <class Visit>
+void Structure::for_each_move_of(CellId c, std::uint32_t k, std::uint32_t first, std::uint32_t last,
+                                 Visit&& visit) const {
+  const auto moved = moved_.empty() ? moved_.end() : moved_.find(c);
+  if (moved == moved_.end()) {
+    return;
+  }
+  const std::vector<std::uint32_t>& history = moved->second.history;
+  for (auto at = std::lower_bound(history.begin(), history.end(), first); at != history.end() && *at < last; ++at) {
+    if (moves_[*at].slot == k) {
+      visit(moves_[*at]);
+    }
+  }
+}
+
+}  // namespace sesame::ops

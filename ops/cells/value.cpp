@@ -1,0 +1,198 @@
+#include "ops/cells/value.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "sparse/contract.hpp"
+
+namespace sesame::ops {
+namespace {
+
+/// The components of a type as stretches of its vertices, or of the entries of a map.
+template <class Visit>
+void for_each_component(const CellType& type, Visit visit) {
+  std::size_t begin = 0;
+  for (const int a : type) {
+    visit(begin, begin + static_cast<std::size_t>(a) + 1);
+    begin += static_cast<std::size_t>(a) + 1;
+  }
+}
+
+/// The vertex up to which a stretch of a map goes: the dimension of the component of the cell, 0 when it has none.
+std::uint8_t last_vertex(const VertexMap& map, std::size_t begin, std::size_t end) {
+  return *std::max_element(map.begin() + static_cast<std::ptrdiff_t>(begin),
+                           map.begin() + static_cast<std::ptrdiff_t>(end));
+}
+
+/// The inner map after the outer one, whose vertices are those of `type`.
+VertexMap composed(const CellType& type, VertexMap outer, const VertexMap& inner) {
+  std::size_t of_inner = 0;
+  for_each_component(type, [&](std::size_t begin, std::size_t end) {
+    const std::uint8_t last = last_vertex(outer, begin, end);
+    if (last == 0) {
+      return;  // sent to a single vertex: the cell has no such component
+    }
+    for (std::size_t k = begin; k < end; ++k) {
+      outer[k] = inner[of_inner + outer[k]];
+    }
+    of_inner += std::size_t{last} + 1;
+  });
+  return outer;
+}
+
+}  // namespace
+
+VertexMap VertexMaps::map_of(const Value& v) const {
+  const CellType& type = types_.info(v.type).type;
+  VertexMap monotone;
+  int direction = 0;
+  for (const int a : type) {
+    monotone.push_back(0);
+    for (int j = 0; j < a; ++j, ++direction) {
+      const bool moves = (v.collapsed >> direction & 1) == 0;
+      monotone.push_back(static_cast<std::uint8_t>(monotone.back() + (moves ? 1 : 0)));
+    }
+  }
+  if (v.order == same_order) {
+    return monotone;
+  }
+  VertexMap map;
+  for (const std::uint8_t place : permutation(v.order)) {
+    map.push_back(monotone[place]);
+  }
+  return map;
+}
+
+Value VertexMaps::value_of(CellId cell, TypeId type, const VertexMap& map) {
+  Value v{cell, type, 0, same_order};
+  std::vector<std::uint8_t> places(map.size());
+  std::vector<std::size_t> sorted(map.size());
+  std::iota(sorted.begin(), sorted.end(), std::size_t{0});
+  int direction = 0;
+  for_each_component(types_.info(type).type, [&](std::size_t begin, std::size_t end) {
+    std::stable_sort(sorted.begin() + static_cast<std::ptrdiff_t>(begin),
+                     sorted.begin() + static_cast<std::ptrdiff_t>(end),
+                     [&map](std::size_t a, std::size_t b) { return map[a] < map[b]; });
+    for (std::size_t place = begin; place < end; ++place) {
+      places[sorted[place]] = static_cast<std::uint8_t>(place);
+      if (place > begin) {
+        v.collapsed |= Degeneracy{map[sorted[place]] == map[sorted[place - 1]]} << direction++;
+      }
+    }
+  });
+  v.order = order(places);
+  return v;
+}
+
+Value VertexMaps::compose(const Value& outer, const Value& inner) {
+  if (outer.order == same_order && inner.order == same_order) {
+    return {inner.cell, outer.type, ops::compose(outer.collapsed, inner.collapsed), same_order};
+  }
+  const VertexMap map = composed(types_.info(outer.type).type, map_of(outer), map_of(inner));
+  return value_of(inner.cell, outer.type, map);
+}
+
+OrderId VertexMaps::compose(OrderId outer, OrderId inner) {
+  if (outer == same_order || inner == same_order) {
+    return outer == same_order ? inner : outer;
+  }
+  std::vector<std::uint8_t> composite;
+  for (const std::uint8_t k : permutation(outer)) {
+    composite.push_back(permutation(inner)[k]);
+  }
+  return order(composite);
+}
+
+OrderId VertexMaps::inverse(OrderId id) {
+  std::vector<std::uint8_t> back(permutation(id).size());
+  for (std::size_t k = 0; k < back.size(); ++k) {
+    back[permutation(id)[k]] = static_cast<std::uint8_t>(k);
+  }
+  return order(back);
+}
+
+Value VertexMaps::product(CellId cell, const Value& left, const Value& right) {
+  const TypeId type = types_.product(left.type, right.type);
+  if (left.order == same_order && right.order == same_order) {
+    return {cell, type, left.collapsed | right.collapsed << types_.info(left.type).dimension, same_order};
+  }
+  VertexMap map = map_of(left);
+  const VertexMap more = map_of(right);
+  map.insert(map.end(), more.begin(), more.end());
+  return value_of(cell, type, map);
+}
+
+Value VertexMaps::coned(CellId cell, const Value& v, bool by_edge) {
+  const TypeId type = types_.coned(v.type, by_edge);
+  if (v.order == same_order) {
+    return {cell, type, v.collapsed, same_order};
+  }
+  VertexMap map = map_of(v);
+  if (by_edge) {
+    map.insert(map.end(), {0, 1});
+  } else {
+    map.push_back(static_cast<std::uint8_t>(*std::max_element(map.begin(), map.end()) + 1));
+  }
+  return value_of(cell, type, map);
+}
+
+VertexMaps::FaceStep VertexMaps::without_vertex(const Value& v, std::uint32_t k) {
+  const TypeInfo& info = types_.info(v.type);
+  if (v.order == same_order) {
+    const DegenerateFace step = face_of_degenerate(info, v.collapsed, k);
+    return {{v.cell, step.type, step.collapsed, same_order}, step.of_cell};
+  }
+  VertexMap map = map_of(v);
+  std::size_t begin = 0;  // of the component of the face
+  std::size_t end = 0;
+  std::uint32_t number = 0;  // of faces of the cell, in the components before that
+  for_each_component(info.type, [&](std::size_t first, std::size_t last) {
+    if (first <= k) {
+      if (end != 0) {
+        const std::uint8_t before = last_vertex(map, begin, end);
+        number += before == 0 ? 0U : std::uint32_t{before} + 1;
+      }
+      begin = first;
+      end = last;
+    }
+  });
+  const std::uint8_t vertex = map[k];
+  map.erase(map.begin() + static_cast<std::ptrdiff_t>(k));
+  --end;
+  const auto stretch = std::span{map}.subspan(begin, end - begin);
+  const bool keeps_cell = std::find(stretch.begin(), stretch.end(), vertex) != stretch.end();
+  if (!keeps_cell) {
+    for (std::uint8_t& image : stretch) {
+      image = static_cast<std::uint8_t>(image - (image > vertex ? 1 : 0));
+    }
+  }
+  if (stretch.size() == 1) {  // the component has vanished
+    map.erase(map.begin() + static_cast<std::ptrdiff_t>(begin));
+  }
+  return {value_of(v.cell, info.faces[k].type, map), keeps_cell ? DegenerateFace::itself : number + vertex};
+}
+
+OrderId VertexMaps::order(std::span<const std::uint8_t> permutation) {
+  const std::size_t size = permutation.size();
+  std::size_t kept = 0;
+  while (kept < size && permutation[kept] == kept) {
+    ++kept;
+  }
+  if (kept == size) {
+    return same_order;
+  }
+  std::vector<std::uint8_t> key(permutation.begin(), permutation.end());
+  const auto [at, is_new] = index_.emplace(std::move(key), static_cast<OrderId>(orders_.size()));
+  if (is_new) {
+    int sign = 1;
+    for (std::size_t a = 0; a < size; ++a) {
+      for (std::size_t b = a + 1; b < size; ++b) {
+        sign = permutation[a] > permutation[b] ? -sign : sign;
+      }
+    }
+    orders_.push_back({at->first, sign});
+  }
+  return at->second;
+}
+
+}  // namespace sesame::ops

@@ -1,0 +1,106 @@
+/// \file
+/// Values: cells with their vertices in any order, and degenerate cells; the arithmetic of the maps between vertices.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "ops/cells/cell_type.hpp"
+#include "ops/cells/degeneracy.hpp"
+#include "ops/ids.hpp"
+
+namespace sesame::ops {
+
+/// A map from the vertices of some type onto those of a cell, component by component; the cell has a component for each
+/// one that is not sent to a single vertex. `order` puts the vertices into the order of those that they go to, and
+/// leaves the order of vertices that go to one; after that the map is monotone, and the directions that it collapses
+/// are `collapsed`.
+///
+/// In normal form the cell is a current one. Then there is one value for each cell of the object, in each order of its
+/// vertices, and for each degenerate one (the Eilenberg-Zilber lemma, for symmetric simplicial sets in which no cell is
+/// itself in another order).
+struct Value {
+  CellId cell = none;
+  TypeId type = 0;
+  Degeneracy collapsed = 0;
+  OrderId order = same_order;
+  [[nodiscard]] bool is_degenerate() const { return collapsed != 0; }
+  /// A cell, its vertices in its own order.
+  [[nodiscard]] bool is_plain() const { return collapsed == 0 && order == same_order; }
+  friend bool operator==(const Value&, const Value&) = default;
+};
+
+[[nodiscard]] inline std::size_t mix(std::size_t seed, std::uint64_t value) {
+  return (seed ^ value) * 0x9E37'79B9'7F4A'7C15ULL ^ (seed >> 29);
+}
+struct ValueHash {
+  std::size_t operator()(const Value& v) const {
+    return mix(mix(v.cell, std::uint64_t{v.type} << 32U | v.order), v.collapsed);
+  }
+};
+
+/// Where vertices go: an entry for each vertex of a type, the components one after the other as those of its faces are,
+/// and in it the number of a vertex of the cell, counted from 0 in each component.
+using VertexMap = std::vector<std::uint8_t>;
+
+/// The arithmetic of values, and the orders that occur. Orders are permutations of the vertices of a type, which are
+/// numbered through all components; none moves a vertex to another component. They are knowledge, not state, as types
+/// are: they only grow in number, and nothing depends on theirs. Cost of all below: O(1) where vertices keep their
+/// order, else the square of their number.
+class VertexMaps {
+ public:
+  explicit VertexMaps(TypeTable& types) : types_{types} {}
+
+  /// The map of a value, and the value of a map.
+  [[nodiscard]] VertexMap map_of(const Value& v) const;
+  [[nodiscard]] Value value_of(CellId cell, TypeId type, const VertexMap& map);
+
+  /// The value whose map is that of `outer`, then that of `inner`: `inner` is what the cell of `outer` is.
+  [[nodiscard]] Value compose(const Value& outer, const Value& inner);
+  [[nodiscard]] OrderId compose(OrderId outer, OrderId inner);
+  [[nodiscard]] OrderId inverse(OrderId order);
+  /// A value with its vertices in another order: vertex k of the new one is vertex order(k) of the old one.
+  [[nodiscard]] Value reordered(OrderId order, const Value& v) { return compose(Value{none, v.type, 0, order}, v); }
+
+  /// Face k of a value, in normal form. `face_of(cell, number)` gives the faces of cells, in normal form.
+  template <class FaceOf>
+  [[nodiscard]] Value face(const Value& v, std::uint32_t k, FaceOf face_of) {
+    if (v.is_plain()) {
+      return face_of(v.cell, k);
+    }
+    const auto [rest, of_cell] = without_vertex(v, k);
+    return of_cell == DegenerateFace::itself ? rest : compose(rest, face_of(v.cell, of_cell));
+  }
+
+  /// The product of two values, as a value of some cell: of the product of their cells.
+  [[nodiscard]] Value product(CellId cell, const Value& left, const Value& right);
+  /// The cone over a value, as a value of some cell, the cone over its cell: with one more vertex, the last one; or
+  /// `by_edge` times an edge.
+  [[nodiscard]] Value coned(CellId cell, const Value& v, bool by_edge);
+
+  /// The order that sends vertex k to entry k. Requires: a permutation that keeps to the components.
+  [[nodiscard]] OrderId order(std::span<const std::uint8_t> permutation);
+  /// The permutation of an order; empty for the same order.
+  [[nodiscard]] std::span<const std::uint8_t> permutation(OrderId order) const { return orders_[order].permutation; }
+  /// +1 or -1: what the order does to the orientation of a cell.
+  [[nodiscard]] int sign(OrderId order) const { return orders_[order].sign; }
+
+ private:
+  struct Order {
+    std::vector<std::uint8_t> permutation;
+    int sign;
+  };
+  struct FaceStep {
+    Value rest;             ///< type and map are those of the face, onto face `of_cell` of the cell
+    std::uint32_t of_cell;  ///< or DegenerateFace::itself: the cell itself
+  };
+  [[nodiscard]] FaceStep without_vertex(const Value& v, std::uint32_t k);
+
+  TypeTable& types_;
+  std::vector<Order> orders_{{{}, 1}};
+  std::map<std::vector<std::uint8_t>, OrderId> index_;
+};
+
+}  // namespace sesame::ops

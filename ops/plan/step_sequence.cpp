@@ -1,0 +1,286 @@
+#include "ops/plan/step_sequence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sparse/contract.hpp"
+
+namespace sesame::ops {
+namespace {
+
+using reductions::ChainComplex;
+using reductions::GradedMap;
+using sparse::Index;
+using sparse::Matrix;
+using sparse::Rest;
+using sparse::Ring;
+using sparse::Terms;
+
+Index size_at(const std::vector<Index>& sizes, std::size_t p) { return p < sizes.size() ? sizes[p] : 0; }
+
+/// A map of degree 0 whose columns are `rest` but for those that `column(p, cell)` gives for the cells of `stored`.
+template <Ring R, class Column>
+GradedMap<R> map_with_columns(const R& ring, const CellBasis& source, const CellBasis& target, Rest rest,
+                              const CellBasis& stored, Column column) {
+  const std::vector<Index> from = source.sizes();
+  const std::vector<Index> to = target.sizes();
+  std::vector<Matrix<R>> parts;
+  for (std::size_t p = 0; p < from.size(); ++p) {
+    Matrix<R> part(ring, size_at(to, p), from[p], rest);
+    if (p < stored.cells().size()) {
+      for (const CellId cell : stored.cells()[p]) {
+        Terms<R> terms = column(cell);
+        sparse::normalize(ring, terms);
+        part.set_column(source.index(cell), terms);
+      }
+    }
+    parts.push_back(std::move(part));
+  }
+  return GradedMap<R>(ring, 0, from, to, std::move(parts));
+}
+
+template <Ring R>
+Terms<R> unit(const R& ring, const CellBasis& basis, CellId c) {
+  return {{basis.index(c), ring.one()}};
+}
+
+/// The node that a cell of the object is after a step: itself, but for the cells that a lazy cone was taken over.
+CellId after_step(const Structure& structure, CellId c, Moment after) {
+  const FamilyId family = structure.families() == 0 ? none : structure.consumed_by(structure.body_of(c));
+  return family < after.families ? structure.lazy_cell(family, LazyPart::base, {c, structure.type_id(c), 0}) : c;
+}
+
+template <Ring R>
+StepSequence<R> added(const Structure& structure, Moment before, Moment after, const R& ring) {
+  CellBasis old_cells = cells_at(structure, before);
+  CellBasis all;
+  CellBasis fresh;
+  std::unordered_map<CellId, CellId> before_step;
+  for (const auto& cells : old_cells.cells()) {
+    for (const CellId c : cells) {
+      const CellId now = after_step(structure, c, after);
+      before_step.emplace(now, c);
+      all.add(structure.dimension(c), now);
+    }
+  }
+  const CellBasis now_cells = cells_at(structure, after);
+  for (const auto& cells : now_cells.cells()) {
+    for (const CellId c : cells) {
+      if (!before_step.contains(c)) {
+        all.add(structure.dimension(c), c);
+        fresh.add(structure.dimension(c), c);
+      }
+    }
+  }
+  const CellBasis none_stored;
+  const auto itself_in = [&ring](const CellBasis& basis) {
+    return [&ring, &basis](CellId c) { return unit(ring, basis, c); };
+  };
+  auto i = map_with_columns(ring, old_cells, all, Rest::identity, none_stored, itself_in(all));
+  auto r = map_with_columns(ring, all, old_cells, Rest::identity, none_stored, itself_in(all));
+  auto j = map_with_columns(ring, all, fresh, Rest::zero, fresh, itself_in(fresh));
+  auto s = map_with_columns(ring, fresh, all, Rest::zero, fresh, itself_in(all));
+  return {Direction::backward,
+          {chain_complex(structure, old_cells, before, ring), chain_complex(structure, all, after, ring),
+           chain_complex(structure, fresh, after, ring), std::move(i), std::move(j), std::move(r), std::move(s)},
+          std::move(old_cells),
+          std::move(all),
+          std::move(fresh)};
+}
+
+/// The sequence in which C0 is spanned by some cells of C1 as differences: i, j and r have a column for each of those,
+/// s and the rest of j are identities, and d0 = r d1 i.
+template <Ring R, class I, class J>
+StepSequence<R> differences(const Structure& structure, const R& ring, Direction direction, CellBasis small,
+                            CellBasis all, Moment moment_of_all, CellBasis quotient, Moment moment_of_quotient, I i_of,
+                            J j_of, const typename R::Element& r_of) {
+  const CellBasis none_stored;
+  auto i = map_with_columns(ring, small, all, Rest::zero, small, i_of);
+  auto r = map_with_columns(ring, all, small, Rest::zero, small, [&](CellId c) {
+    return Terms<R>{{small.index(c), r_of}};
+  });
+  auto j = map_with_columns(ring, all, quotient, Rest::identity, small, j_of);
+  auto s =
+      map_with_columns(ring, quotient, all, Rest::identity, none_stored, [&](CellId c) { return unit(ring, all, c); });
+  ChainComplex<R> c1 = chain_complex(structure, all, moment_of_all, ring);
+  std::vector<Matrix<R>> d0;
+  for (int p = 0; p < static_cast<int>(small.cells().size()); ++p) {
+    d0.push_back(r.at(p - 1) * c1.boundary(p) * i.at(p));
+  }
+  ChainComplex<R> c0(ring, small.sizes(), std::move(d0));
+  return {direction,
+          {std::move(c0), std::move(c1), chain_complex(structure, quotient, moment_of_quotient, ring), std::move(i),
+           std::move(j), std::move(r), std::move(s)},
+          std::move(small),
+          std::move(all),
+          std::move(quotient)};
+}
+
+template <Ring R>
+StepSequence<R> removed_cells(const Structure& structure, Moment before, Moment after, const R& ring) {
+  CellBasis kept = cells_at(structure, after);
+  CellBasis all = kept;
+  CellBasis removed;
+  for (LinkId link = before.links; link < after.links; ++link) {
+    const CellId c = structure.removed(link);
+    all.add(structure.dimension(c), c);
+    removed.add(structure.dimension(c), c);
+  }
+  const auto minus_one = ring.negate(ring.one());
+  /// The cell that c became, with its orientation, or 0 when that is degenerate.
+  const auto became = [&](const CellBasis& basis, CellId c) {
+    const auto [survivor, sign] = structure.find_oriented_at(c, after.links);
+    return survivor == none ? Terms<R>{} : Terms<R>{{basis.index(survivor), ring.from(sign)}};
+  };
+  const auto i_of = [&](CellId c) {
+    Terms<R> terms = became(all, c);
+    terms.push_back({all.index(c), minus_one});
+    return terms;
+  };
+  const auto j_of = [&](CellId c) { return became(kept, c); };
+  return differences(structure, ring, Direction::forward, removed, all, before, kept, after, i_of, j_of, minus_one);
+}
+
+template <Ring R>
+StepSequence<R> split_cells(const Structure& structure, Moment before, Moment after, const R& ring) {
+  CellBasis old_cells = cells_at(structure, before);
+  CellBasis all = old_cells;
+  CellBasis copies;
+  for (CellId c = before.created; c < after.created; ++c) {
+    if (structure.copy(c) != nullptr) {
+      all.add(structure.dimension(c), c);
+      copies.add(structure.dimension(c), c);
+    }
+  }
+  const auto source = [&](CellId c) { return structure.copy(c)->source; };
+  const auto i_of = [&](CellId c) {
+    return Terms<R>{{all.index(c), ring.one()}, {all.index(source(c)), ring.negate(ring.one())}};
+  };
+  const auto j_of = [&](CellId c) { return unit(ring, old_cells, source(c)); };
+  return differences(structure, ring, Direction::backward, copies, all, after, old_cells, before, i_of, j_of,
+                     ring.one());
+}
+
+}  // namespace
+
+void CellBasis::add(int degree, CellId cell) {
+  const auto p = static_cast<std::size_t>(degree);
+  if (p >= cells_.size()) {
+    cells_.resize(p + 1);
+  }
+  index_.emplace(cell, static_cast<Index>(cells_[p].size()));
+  cells_[p].push_back(cell);
+}
+
+std::vector<Index> CellBasis::sizes() const {
+  std::vector<Index> sizes;
+  for (const auto& cells : cells_) {
+    sizes.push_back(static_cast<Index>(cells.size()));
+  }
+  return sizes;
+}
+
+CellBasis cells_at(const Structure& structure, Moment moment) {
+  CellBasis basis;
+  structure.make_all_lazy_cells();
+  for (CellId c = 0; c < structure.created(); ++c) {
+    if (structure.was_current(c, moment)) {
+      basis.add(structure.dimension(c), c);
+    }
+  }
+  return basis;
+}
+
+namespace {
+
+/// The faces of an abstract simplex should be those on all but one of its vertices, in its order.
+std::optional<std::string> broken_vertex_law(const Structure& structure, CellId cell) {
+  const AbstractComplex& complex = structure.abstract();
+  const auto vertices = complex.vertices(cell);
+  const auto faces = structure.faces(cell);
+  for (std::uint32_t k = 0; k < faces.size(); ++k) {
+    std::vector<VertexId> opposite(vertices.begin(), vertices.end());
+    opposite.erase(opposite.begin() + k);
+    const Value face = structure.face_of_cell(cell, k);
+    if (face.is_degenerate() || face.cell != complex.find(opposite) ||
+        face.order != structure.maps().order(places_in(complex.vertices(face.cell), opposite))) {
+      return fmt::format("face {} of {} is not the simplex opposite to its vertex {}", k, structure.name(cell), k);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> first_broken_face_law(const Structure& structure, const CellBasis& basis) {
+  for (const auto& cells : basis.cells()) {
+    for (const CellId c : cells) {
+      const bool is_abstract = structure.kind_of(structure.body_of(c)).is_abstract;
+      if (auto broken = is_abstract ? broken_vertex_law(structure, c) : std::nullopt) {
+        return broken;
+      }
+      const Value cell = structure.value(c);
+      for (const FaceLaw& law : structure.type(c).laws) {
+        if (!(structure.face(structure.face(cell, law.first), law.second) ==
+              structure.face(structure.face(cell, law.other_first), law.other_second))) {
+          return fmt::format("face {} of face {} of {} is not its face {} of face {}", law.second, law.first,
+                             structure.name(c), law.other_second, law.other_first);
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+template <Ring R>
+ChainComplex<R> chain_complex(const Structure& structure, const CellBasis& basis, Moment moment, const R& ring) {
+  const std::vector<Index> sizes = basis.sizes();
+  std::vector<Matrix<R>> boundaries;
+  for (std::size_t p = 0; p < sizes.size(); ++p) {
+    Matrix<R> boundary(ring, p == 0 ? 0 : sizes[p - 1], 0);
+    for (const CellId cell : basis.cells()[p]) {
+      Terms<R> terms;
+      const auto arity = static_cast<std::uint32_t>(structure.type(cell).faces.size());
+      for (std::uint32_t k = 0; k < arity; ++k) {
+        const auto [face, sign] = structure.oriented_face_at(cell, k, moment);
+        if (face != none && basis.contains(face)) {
+          terms.push_back({basis.index(face), ring.from(sign)});
+        }
+      }
+      sparse::normalize(ring, terms);
+      boundary.append_column(terms);
+    }
+    boundaries.push_back(std::move(boundary));
+  }
+  return ChainComplex<R>(ring, sizes, std::move(boundaries));
+}
+
+template <Ring R>
+std::optional<StepSequence<R>> step_sequence(const Structure& structure, Moment before, Moment after, const R& ring) {
+  if (after.links > before.links) {
+    for (CellId c = before.created; c < after.created; ++c) {  // only those that queries asked for
+      sparse::expects(structure.is_lazy(c) || structure.find_at(c, after.links) != c,
+                      "a step adds cells or removes cells, not both");
+    }
+    return removed_cells(structure, before, after, ring);
+  }
+  const bool is_product =
+      after.families > before.families && structure.family(before.families).kind != FamilyKind::cone;
+  if (after.copies > before.copies) {
+    return split_cells(structure, before, after, ring);
+  }
+  bool has_new_cells = after.families > before.families;
+  for (CellId c = before.created; c < after.created && !has_new_cells; ++c) {  // queries may have made nodes as well
+    has_new_cells = !structure.is_lazy(c) && structure.find_at(c, after.links) == c;
+  }
+  return is_product || !has_new_cells ? std::nullopt : std::optional{added(structure, before, after, ring)};
+}
+
+#define SESAME_INSTANTIATE(R)                                                                   \
+  template ChainComplex<R> chain_complex(const Structure&, const CellBasis&, Moment, const R&); \
+  template std::optional<StepSequence<R>> step_sequence(const Structure&, Moment, Moment, const R&);
+SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
+#undef SESAME_INSTANTIATE
+
+}  // namespace sesame::ops

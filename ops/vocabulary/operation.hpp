@@ -1,0 +1,150 @@
+/// \file
+/// The vocabulary of construction steps, as plain values; and their text form, one JSON object a line.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "ops/cells/cell_type.hpp"
+#include "sparse/integer.hpp"
+#include "sparse/result.hpp"
+
+namespace sesame::ops {
+
+using Point = std::array<double, 3>;
+using sparse::Integer;
+
+/// A standard simplex with all its faces. `at`: empty, or a point per vertex.
+struct MakeSimplex {
+  std::string name;
+  int dimension = 0;
+  std::vector<Point> at;
+};
+
+/// A product of simplices with all its faces. `at`: a point per vertex, in lexicographic order of the vertices.
+struct MakeSimploid {
+  std::string name;
+  CellType type;
+  std::vector<Point> at;
+};
+
+/// An explicit complex; cells may be listed in any order.
+struct MakeComplex {
+  struct Cell {
+    std::string id;
+    std::optional<CellType> type;  ///< empty: a simplex with as many faces as are listed
+    std::vector<std::string> faces;
+    std::optional<Point> at;
+  };
+  std::string name;
+  std::vector<Cell> cells;
+};
+
+/// What a cone or a suspension is taken over: everything, a body, or the closure of some cells.
+using ConeBase = std::variant<std::monostate, std::string, std::vector<std::string>>;
+
+struct MakeCone {
+  std::string apex;
+  ConeBase over;
+  std::optional<Point> at;
+};
+
+/// Two cones over the same cells. `at`: empty, or a point per apex.
+struct MakeSuspension {
+  std::array<std::string, 2> apexes;
+  ConeBase over;
+  std::vector<Point> at;
+};
+
+/// Glues pairs of cells, and all that this entails on their faces.
+struct Identify {
+  /// For each component of the type, to which vertex of the second cell each vertex of the first is glued.
+  using Map = std::vector<std::vector<int>>;
+  std::vector<std::pair<std::string, std::string>> pairs;
+  std::map<std::size_t, Map> maps = {};  ///< of those pairs, by position, that are not glued in order
+};
+
+/// Squashes a cell so that it becomes the degenerate s^i_j of its face d^i_j, and all that this entails.
+struct Degenerate {
+  std::string cell;
+  std::optional<int> component;  ///< i, counted from 1; may be left out for a simplex
+  int index = 0;                 ///< j
+};
+
+/// Splits cells: each gets a copy, to which the incidences listed go (face number k, in flattened order, of a cell).
+struct Deidentify {
+  struct Split {
+    std::string cell, copy;
+    std::vector<std::pair<std::string, std::int64_t>> moves;
+  };
+  std::vector<Split> splits;
+};
+
+/// Consumes two bodies, or one twice, and makes their product: of simploids, or triangulated.
+struct MakeProduct {
+  std::string name, left, right;
+  bool simplicial = false;
+};
+
+/// Adds simplices, each a list of vertices, and their faces as far as they are missing, to an abstract simplicial
+/// complex. A label is a text; an integer is written in decimal, so 3 and "3" are the same label.
+struct Insert {
+  std::vector<std::vector<std::string>> simplices;
+  bool exist_ok = false;  ///< simplices that are there already, or stand in the list twice, are counted, not refused
+};
+
+/// The simplicial map of an abstract complex that sends one vertex to another.
+struct Collapse {
+  std::string from, to;
+};
+
+/// What the state should be; a field that is absent is not looked at.
+struct Expect {
+  std::optional<std::vector<Integer>> betti;
+  std::optional<std::vector<std::vector<Integer>>> torsion;
+  std::optional<Integer> euler;
+  std::optional<std::vector<Integer>> cells;
+};
+
+/// Asks for the class of a chain.
+struct AskClass {
+  std::vector<std::pair<Integer, std::string>> chain;
+};
+
+/// Takes back the last steps.
+struct Undo {
+  std::uint64_t steps = 1;
+};
+
+struct Note {
+  std::string text;
+};
+
+using Operation = std::variant<MakeSimplex, MakeSimploid, MakeComplex, MakeCone, MakeSuspension, MakeProduct, Identify,
+                               Degenerate, Deidentify, Insert, Collapse, Expect, AskClass, Undo, Note>;
+
+/// The word that stands for an operation in a log: "simplex", "identify", ...
+[[nodiscard]] std::string_view keyword(const Operation& operation);
+
+/// The first line of a log.
+struct Header {
+  int version = 1;
+  std::string ring = "Z";
+  std::string title;
+};
+
+/// Reads one line of a log. Errors: bad_input, naming the unknown op or field, or what a field should be.
+Result<Operation> parse_operation(std::string_view line);
+Result<Header> parse_header(std::string_view line);
+/// The same line again, in canonical form (fields in the order of the documentation, no spaces, no newline).
+[[nodiscard]] std::string to_text(const Operation& operation);
+[[nodiscard]] std::string to_text(const Header& header);
+
+}  // namespace sesame::ops

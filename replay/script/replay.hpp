@@ -1,0 +1,60 @@
+/// \file
+/// Replaying a script: reader, engine, reports, verification, in one loop.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <ostream>
+
+#include "engine/engine.hpp"
+#include "ops/plan/planner.hpp"
+#include "replay/script/progress.hpp"
+#include "replay/script/reporter.hpp"
+#include "replay/script/script.hpp"
+
+namespace sesame::replay {
+
+/// How a replay ended; the values are the exit statuses of the program.
+enum class Outcome : int {
+  done = 0,
+  wrong_usage = 1,
+  wrong_script = 2,
+  expectation_failed = 3,
+  law_failed = 4,
+  interrupted = 130,
+};
+
+struct ReplayOptions {
+  std::optional<sparse::AnyRing> ring;          ///< instead of the one that the header names
+  std::optional<std::uint64_t> until;           ///< stop after that many operations
+  std::uint64_t every = 1;                      ///< report every so many steps; 0: none but answers to `class`
+  std::optional<std::uint64_t> report_at_most;  ///< then report as with every = 0
+  bool verify = false;
+  std::optional<GeneratorOptions> generators;  ///< those to be written at the end
+  /// A step that is refused, or an `expect` that fails, is reported, and the replay goes on behind it.
+  bool keep_going = false;
+  /// A step without which there would be a barcode is an error of the script; see Engine::barcode.
+  bool needs_barcode = false;
+  bool partial = false;  ///< after an error of the script or a failed `expect`, summarise what was before it
+  const std::atomic<bool>* stop = nullptr;  ///< set from outside: finish the current step, then summarise
+  ops::Limits limits;                       ///< of what a step may make
+  /// The operations applied, a line each, flushed after each. When that fails the replay ends with wrong_usage; why, is
+  /// for its owner to say.
+  std::ostream* log = nullptr;
+  /// The log as it is so far, to be gone on from: its steps come first, neither reported nor verified, counted by
+  /// `until` or written again, and its header is that of both. It has to be over the ring of the replay.
+  ScriptReader* older_steps = nullptr;
+  std::ostream* notes = nullptr;  ///< what is worth to know and no error, one line each
+};
+
+/// Replays a script into a fresh engine. Reports go to `reporter` (null: none), errors to `errors` (one line each),
+/// progress to `progress` (null: none).
+///
+/// Over another ring than the header's, the Betti numbers and torsion of an `expect`, which are those over the
+/// header's, are not checked, as a line in `notes` says; cells and Euler characteristic are.
+Outcome replay(ScriptReader& script, const ReplayOptions& options, Reporter* reporter, std::ostream& errors,
+               Progress* progress);
+
+}  // namespace sesame::replay

@@ -1,0 +1,50 @@
+/// \file
+/// The lines of a text of any length.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "replay/text/byte_source.hpp"
+#include "sparse/result.hpp"
+
+namespace sesame::replay {
+
+/// The most bytes of a line, unless the caller says otherwise. A mesh is one line of a script (`sesame import`), and
+/// one of a million triangles takes 170 MB; a file that has no lines at all should not take all the memory.
+inline constexpr std::size_t longest_line = std::size_t{1} << 30;
+
+/// Where the line that begins at `begin` ends in the window of a source: at a line feed, or where the input ends.
+/// Errors: those of the source; bad_input for a line, of this number, that is longer than `longest`.
+Result<std::size_t> find_line_end(ByteSource& source, std::size_t begin, std::uint64_t line, std::size_t longest);
+
+/// Reads line by line, nothing after an error. A line that was still being written when the input was stopped is none.
+class LineSource {
+ public:
+  explicit LineSource(ByteSource source, std::size_t longest = longest_line)
+      : source_{std::move(source)}, longest_{longest} {}
+
+  /// What has been read and is not handed out yet, at the beginning of the input one byte at least, unless it is empty.
+  /// Errors: those of the source.
+  Result<std::string_view> beginning();
+  /// The next line without its line feed, the first one without a byte order mark; nothing at the end. Valid until the
+  /// next one is read. Errors: those of the source; bad_input, with its place, when a line is too long.
+  Result<std::optional<std::string_view>> next();
+  /// The line read last, or that could not be read, counted from 1.
+  [[nodiscard]] std::uint64_t line() const { return line_; }
+  /// `NAME:LINE: ` of the line read last.
+  [[nodiscard]] std::string place() const;
+  [[nodiscard]] const std::string& name() const { return source_.name(); }
+  [[nodiscard]] bool is_stopped() const { return source_.is_stopped(); }
+
+ private:
+  ByteSource source_;
+  std::size_t longest_;
+  std::uint64_t line_ = 0;
+  bool is_done_ = false;
+};
+
+}  // namespace sesame::replay

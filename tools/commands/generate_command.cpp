@@ -1,0 +1,146 @@
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <variant>
+
+#include "replay/script/replay.hpp"
+#include "tools/bench/filtrations.hpp"
+#include "tools/bench/towers.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/commands/options.hpp"
+#include "tools/commands/output_file.hpp"
+
+namespace sesame::tools {
+namespace {
+
+using replay::Outcome;
+
+struct Arguments {
+  std::string name;
+  std::string out = "-";
+  std::string format;
+  std::uint64_t seed = 1;
+  std::optional<std::uint64_t> size;
+};
+
+/// A workload: what `--size` means for it, and how to make one.
+struct FiltrationWorkload {
+  std::uint64_t size, smallest, largest;
+  std::function<Filtration(std::uint32_t size, std::uint64_t seed)> make;
+};
+struct TowerWorkload {
+  TowerOptions options;  ///< the size is the number of operations
+};
+using Workload = std::variant<FiltrationWorkload, TowerWorkload>;
+
+const std::map<std::string, Workload>& workloads() {
+  const auto torus = [](std::uint32_t n, std::uint64_t) { return torus_filtration(n); };
+  const auto rips = [](std::uint32_t n, std::uint64_t seed) { return rips_filtration(n, std::size_t{2000} * n, seed); };
+  const auto random = [](std::uint32_t n, std::uint64_t seed) { return cubical_filtration(n, 0, seed); };
+  const auto smooth = [](std::uint32_t n, std::uint64_t seed) { return cubical_filtration(n, 4, seed); };
+  const auto triangles = [](std::uint32_t n, std::uint64_t seed) { return random_two_complex(n, 100'000, seed); };
+  static const std::map<std::string, Workload> all{
+      {"torus", FiltrationWorkload{700, 3, 5000, torus}},
+      {"torus-300", FiltrationWorkload{300, 3, 5000, torus}},
+      {"rips", FiltrationWorkload{700, 1, 5000, rips}},
+      {"cubical", FiltrationWorkload{80, 1, 300, random}},
+      {"cubical-smooth", FiltrationWorkload{80, 1, 300, smooth}},
+      {"random-2-complex", FiltrationWorkload{140, 1, 500, triangles}},
+      {"tower-A", TowerWorkload{{20'000, 100, 2, 0.1, true, 0}}},
+      {"tower-B", TowerWorkload{{20'000, 1000, 3, 0.05, true, 0}}},
+      {"tower-C", TowerWorkload{{20'000, 300, 3, 0.05, false, 0}}},
+      {"tower-D", TowerWorkload{{200'000, 300, 3, 0.05, true, 0}}},
+      {"tower-stream", TowerWorkload{{10'000'000, 900, 3, 0.05, true, 0}}},
+  };
+  return all;
+}
+
+int wrong_usage(const std::string& what) {
+  std::cerr << "sesame generate: " << what << '\n';
+  return static_cast<int>(Outcome::wrong_usage);
+}
+
+std::string names() {
+  std::string text;
+  for (const auto& [name, workload] : workloads()) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
+/// What is wrong with the arguments for this workload, or an empty string.
+std::string objection(const Arguments& arguments, const FiltrationWorkload& workload) {
+  if (arguments.size.value_or(workload.size) < workload.smallest || arguments.size > workload.largest) {
+    return "--size of " + arguments.name + " goes from " + std::to_string(workload.smallest) + " to " +
+           std::to_string(workload.largest);
+  }
+  const bool is_cubical = arguments.name.starts_with("cubical");
+  if (is_cubical && (arguments.format == "gudhi" || arguments.format == "tower")) {
+    return "the format " + arguments.format + " lists simplices, and cubes are none: use phat-binary or phat";
+  }
+  return {};
+}
+
+std::string objection(const Arguments& arguments, const TowerWorkload&) {
+  return arguments.format.empty() || arguments.format == "tower" ? "" : "a tower has the format tower only";
+}
+
+void write(std::ostream& out, const Arguments& arguments, const FiltrationWorkload& workload) {
+  const auto size = static_cast<std::uint32_t>(arguments.size.value_or(workload.size));
+  const Filtration filtration = workload.make(size, arguments.seed);
+  if (arguments.format == "phat") return write_phat(out, filtration);
+  if (arguments.format == "gudhi") return write_gudhi(out, filtration);
+  if (arguments.format == "tower") return write_tower(out, filtration);
+  write_phat_binary(out, filtration);
+}
+
+void write(std::ostream& out, const Arguments& arguments, const TowerWorkload& workload) {
+  TowerOptions options = workload.options;
+  options.operations = arguments.size.value_or(options.operations);
+  options.seed = arguments.seed;
+  write_random_tower(out, options);
+}
+
+int run_generate(const Arguments& arguments) {
+  const auto found = workloads().find(arguments.name);
+  if (found == workloads().end()) {
+    return wrong_usage("there is no \"" + arguments.name + "\"; there are " + names());
+  }
+  const std::string objected = std::visit([&](const auto& kind) { return objection(arguments, kind); }, found->second);
+  if (!objected.empty()) return wrong_usage(objected);
+  OutputFiles outputs({});
+  const Result<std::ostream*> out = outputs.open(arguments.out);
+  if (!out) return wrong_usage(out.error().what);
+  std::visit([&](const auto& kind) { write(**out, arguments, kind); }, found->second);
+  const Status written = outputs.commit();
+  return written ? 0 : wrong_usage(written.error().what);
+}
+
+}  // namespace
+
+void add_generate_command(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("generate", "Make a filtration or a random tower to measure with");
+  auto arguments = std::make_shared<Arguments>();
+  const std::vector<std::string> formats{"phat-binary", "phat", "gudhi", "tower"};
+  command->add_option("NAME", arguments->name, "One of " + names())->required();
+  command->add_option("-o,--output", arguments->out, "The file; - for standard output")->capture_default_str();
+  command
+      ->add_option("--format", arguments->format,
+                   "Default: phat-binary, a boundary matrix, for a filtration, and tower for a tower")
+      ->check(one_of(formats))
+      ->type_name(alternatives(formats));
+  command->add_option("--seed", arguments->seed, "What the random choices depend on")
+      ->check(from_zero_on())
+      ->capture_default_str();
+  command
+      ->add_option("--size", arguments->size,
+                   "Vertices a side of torus and grid, points, vertices of the complete graph, operations of a tower")
+      ->check(from_one_on());
+  command->footer(
+      "The same name, size and seed give the same bytes on every machine.\n"
+      "Exit status: 0 done, 1 wrong usage or a file that cannot be written.");
+  command->callback([arguments, &status] { status = run_generate(*arguments); });
+}
+
+}  // namespace sesame::tools

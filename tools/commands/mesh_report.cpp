@@ -1,0 +1,286 @@
+#include "tools/commands/mesh_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "replay/script/groups.hpp"
+#include "sesame/version.hpp"
+#include "tools/mesh/text.hpp"
+
+namespace sesame::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using sparse::Integer;
+
+constexpr std::size_t generators_shown_by_default = 20;
+
+// ------------------------------------------------------------------------------------------------------- for programs
+
+/// Integers beyond 64 bits are written as strings of digits, as everywhere in sesame's JSON.
+Json number(const Integer& n) {
+  const auto word = n.to_int64();
+  return word ? Json(*word) : Json(n.to_string());
+}
+
+Json chain(const engine::CellChain& chain, const ops::Structure& structure) {
+  Json out = Json::array();
+  for (const auto& [coefficient, cell] : chain.terms) {
+    out.push_back(Json::array({number(coefficient.numerator()), structure.name(cell)}));
+  }
+  return out;
+}
+
+/// A number, or its digits in a string where doubles do not reach.
+Json number(const Measure& measure) {
+  const double value = measure.to_double();
+  return measure.value == 0 || std::isnormal(value) ? Json(value) : Json(to_text(measure));
+}
+
+Json validity_object(const Validity& validity, const std::vector<std::string>& more_remarks) {
+  Json components = Json::array();
+  for (const Component& component : validity.components) {
+    const auto genus = component.genus();
+    components.push_back({{"vertices", component.vertices},
+                          {"edges", component.edges},
+                          {"faces", component.faces},
+                          {"euler", component.euler()},
+                          {"boundary_edges", component.boundary_edges},
+                          {"boundary_loops", component.boundary_loops},
+                          {"manifold", component.is_manifold},
+                          {"orientable", component.is_orientable},
+                          {"closed", component.is_closed()},
+                          {"genus", genus ? Json(*genus) : Json(nullptr)}});
+  }
+  Json remarks = validity.remarks;
+  for (const std::string& remark : more_remarks) remarks.push_back(remark);
+  return {{"points_in_file", validity.points_in_file},
+          {"faces_in_file", validity.faces_in_file},
+          {"vertices", validity.vertices},
+          {"edges", validity.edges},
+          {"faces", validity.faces},
+          {"lines", validity.lines},
+          {"manifold", validity.is_manifold()},
+          {"closed", validity.is_closed()},
+          {"orientable", validity.is_orientable()},
+          {"consistently_oriented", validity.is_consistently_oriented()},
+          {"boundary_edges", validity.boundary_edges},
+          {"boundary_loops", validity.boundary_loops},
+          {"non_manifold_edges", validity.non_manifold_edges},
+          {"non_manifold_vertices", validity.non_manifold_vertices},
+          {"degenerate_faces", validity.cleaning.degenerate_faces},
+          {"duplicate_faces", validity.cleaning.duplicate_faces},
+          {"segments", validity.cleaning.segments},
+          {"folded_faces", validity.cleaning.folded_faces},
+          {"unused_points", validity.cleaning.unused_points},
+          {"components", std::move(components)},
+          {"remarks", std::move(remarks)}};
+}
+
+Json generator_object(const MeshGenerator& generator, const ops::Structure& structure) {
+  Json out{{"dim", generator.degree}, {"order", number(generator.order)}};
+  if (generator.degree < 2) out["vertices"] = generator.vertices;
+  if (generator.degree == 1) {
+    out["length"] = number(generator.length);
+    out["closed"] = !generator.vertices.empty();
+    out["short"] = generator.is_short;
+  }
+  if (generator.degree == 2) {
+    out["triangles"] = generator.triangles;
+    out["area"] = number(generator.area);
+    out["volume"] = generator.volume ? number(*generator.volume) : Json(nullptr);
+  }
+  out["centre"] = generator.centre;
+  out["box"] = generator.box;
+  out["chain"] = chain(generator.chain, structure);
+  if (generator.bounding) out["bounds"] = chain(*generator.bounding, structure);
+  return out;
+}
+
+}  // namespace
+
+void write_json(std::ostream& out, const MeshHomology& found, const MeshReportOptions& options) {
+  engine::Engine& engine = *found.engine;
+  Json torsion = Json::array();
+  for (const auto& factors : found.homology.torsion) {
+    Json& degree = torsion.emplace_back(Json::array());
+    for (const Integer& factor : factors) degree.push_back(number(factor));
+  }
+  Json generators = Json::array();
+  for (const MeshGenerator& generator : found.generators) {
+    if (options.generators_limit && generators.size() == *options.generators_limit) {
+      break;
+    }
+    generators.push_back(generator_object(generator, engine.structure()));
+  }
+  const Json object{{"mesh", options.source},           {"ring", sparse::ring_name(found.ring)},
+                    {"version", SESAME_VERSION},        {"validity", validity_object(found.validity, found.remarks)},
+                    {"cells", engine.cells()},          {"euler", engine.euler_characteristic()},
+                    {"betti", found.homology.betti},    {"torsion", std::move(torsion)},
+                    {"loops_tried", found.loops_tried}, {"generators", std::move(generators)},
+                    {"seconds", options.seconds}};
+  // The path of the mesh may be no UTF-8.
+  out << object.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+namespace {
+
+// --------------------------------------------------------------------------------------------------------- for people
+
+/// Coordinates that are zero but for rounding, measured by the size of the generator and its distance, read 0.
+std::string point_text(const Point& point, const std::array<Point, 2>& box) {
+  double size = 0;
+  for (const Point& corner : box) {
+    for (const double x : corner) size = std::max(size, std::abs(x));
+  }
+  const auto shown = [size](double x) { return std::abs(x) < 1e-12 * size ? 0 : x; };
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", shown(point[0]), shown(point[1]), shown(point[2]));
+}
+
+std::string place_text(const MeshGenerator& generator) {
+  return fmt::format("centre {}, box {} to {}", point_text(generator.centre, generator.box),
+                     point_text(generator.box[0], generator.box), point_text(generator.box[1], generator.box));
+}
+
+/// Where the tunnels of a surface come from; empty for what is not an orientable surface.
+std::string origin_of_tunnels(const Validity& validity) {
+  std::size_t handles = 0;
+  for (const Component& component : validity.components) {
+    const auto genus = component.genus();
+    if (!genus) return {};
+    handles += static_cast<std::size_t>(*genus);
+  }
+  std::string text =
+      handles == 0 ? "" : counted(handles, "handle", "handles") + ", with a loop around and one along each";
+  if (validity.boundary_loops > 0) {
+    text += fmt::format("{}{}, of which all but one of each piece that has any", text.empty() ? "" : "; ",
+                        counted(validity.boundary_loops, "boundary loop", "boundary loops"));
+  }
+  return text;
+}
+
+/// What a group means, a line each.
+std::vector<std::string> meaning(const MeshHomology& found, std::size_t degree) {
+  const auto betti = static_cast<std::size_t>(found.homology.betti[degree]);
+  const bool has_torsion = !found.homology.torsion[degree].empty();
+  if (degree == 0) return {counted(betti, "connected piece", "connected pieces")};
+  if (degree == 2) {
+    return {betti == 0 ? "no cavities: no closed surface encloses anything"
+                       : counted(betti, "cavity: a closed surface that encloses space",
+                                 "cavities: closed surfaces that enclose space")};
+  }
+  std::vector<std::string> lines;
+  if (betti > 0) {
+    lines.push_back(
+        counted(betti, "tunnel: a loop that nothing fills in", "tunnels: independent loops that nothing fills in"));
+    if (const std::string origin = origin_of_tunnels(found.validity); !origin.empty()) lines.push_back(origin);
+  } else {
+    lines.emplace_back(has_torsion ? "no tunnels" : "no tunnels: every loop is filled in");
+  }
+  if (has_torsion) lines.emplace_back("torsion: loops that are filled in only when they are run several times");
+  return lines;
+}
+
+void print_groups(std::ostream& out, const MeshHomology& found) {
+  const sparse::AnyRing& ring = found.ring;
+  const std::vector<std::string> groups = replay::group_names(found.homology, ring);
+  std::size_t width = 0;
+  for (const std::string& group : groups) width = std::max(width, group.size());
+  out << "\nhomology over " << sparse::ring_name(ring) << '\n';
+  for (std::size_t degree = 0; degree < groups.size(); ++degree) {
+    std::string head = fmt::format("  H{} = {:<{}}  ", degree, groups[degree], width);
+    for (const std::string& line : meaning(found, degree)) {
+      out << head << line << '\n';
+      head.assign(head.size(), ' ');
+    }
+  }
+  if (std::holds_alternative<sparse::Rationals>(ring)) {
+    out << "  over Q loops that are filled in when they are run several times are no tunnels; --ring Z shows them\n";
+  } else if (!std::holds_alternative<sparse::Integers>(ring)) {
+    out << "  over a field, torsion of its characteristic counts as tunnels and cavities; --ring Z tells them apart\n";
+  }
+}
+
+void print_generator(std::ostream& out, const MeshGenerator& generator, std::size_t number,
+                     const ops::Structure& structure) {
+  constexpr std::size_t most_terms = 12;
+  if (generator.degree == 0) {
+    out << fmt::format("  {:>4}  vertex {}; {}\n", number, generator.vertices.front(), place_text(generator));
+    return;
+  }
+  if (generator.degree == 2) {
+    out << fmt::format("  {:>4}  {}, area {}", number, counted(generator.triangles, "triangle", "triangles"),
+                       to_text(generator.area));
+    if (generator.volume) {
+      out << fmt::format(", volume {}{}", to_text(*generator.volume),
+                         generator.volume->value < 0 ? " (the faces point inwards)" : "");
+    }
+    out << "; " << place_text(generator) << '\n';
+    return;
+  }
+  out << fmt::format("  {:>4}  length {}, {}{}; {}\n", number, to_text(generator.length),
+                     counted(generator.chain.terms.size(), "edge", "edges"),
+                     generator.order.is_zero() ? "" : ", of order " + generator.order.to_string(),
+                     place_text(generator));
+  if (generator.vertices.empty()) {
+    out << "        not one loop: " << replay::chain_text(generator.chain, structure, most_terms) << '\n';
+  } else {
+    out << fmt::format("        vertices {}\n", fmt::join(generator.vertices, " "));
+  }
+}
+
+void print_notes(std::ostream& out, const MeshHomology& found, const MeshReportOptions& options) {
+  const bool is_obj = options.source.ends_with(".obj") || options.source.ends_with(".OBJ");
+  out << fmt::format(
+      "\nVertices are counted from 0 as the file lists them{}; of welded points only the first counts.\n",
+      is_obj ? " (OBJ itself counts from 1)" : "");
+  const auto short_ones = std::count_if(found.generators.begin(), found.generators.end(),
+                                        [](const MeshGenerator& g) { return g.is_short; });
+  const auto others = std::count_if(found.generators.begin(), found.generators.end(),
+                                    [](const MeshGenerator& g) { return g.degree == 1 && !g.is_short; });
+  if (short_ones + others > 0) {
+    out << "Generators are not unique: other loops through the same tunnels, and sums of them, would do as well.\n";
+  }
+  if (short_ones > 0) {
+    out << fmt::format(
+        "The loops are short: the shortest that can generate H1 together, of {} loops along edges that were compared.\n"
+        "Shorter ones may exist: this is a search, not a proof.\n",
+        found.loops_tried);
+  }
+  if (others > 0) {
+    out << fmt::format("{} of H1 {} not shortened: what is listed is any cycle of the class.\n",
+                       counted(static_cast<std::size_t>(others), "generator", "generators"),
+                       others == 1 ? "was" : "were");
+  }
+}
+
+}  // namespace
+
+void write_text(std::ostream& out, const MeshHomology& found, const MeshReportOptions& options) {
+  out << options.source << '\n' << to_text(found.validity);
+  for (const std::string& remark : found.remarks) out << "remark                " << remark << '\n';
+  print_groups(out, found);
+  const std::size_t limit = options.generators_limit.value_or(generators_shown_by_default);
+  const std::array<const char*, 3> titles{"one vertex per piece", "loops that together generate it", "closed surfaces"};
+  for (int degree = 0; degree < 3; ++degree) {
+    std::size_t number = 0;
+    for (const MeshGenerator& generator : found.generators) {
+      if (generator.degree != degree) continue;
+      if (number == 0 && limit > 0) {
+        out << fmt::format("\ngenerators of H{}: {}\n", degree, titles[static_cast<std::size_t>(degree)]);
+      }
+      if (number++ < limit) print_generator(out, generator, number, found.engine->structure());
+    }
+    if (limit > 0 && number > limit) {
+      out << fmt::format("        and {} more; --generators-limit {} shows all\n", number - limit, number);
+    }
+  }
+  if (limit > 0) print_notes(out, found, options);
+  out << fmt::format("{:.2f} s\n", options.seconds);
+}
+
+}  // namespace sesame::tools
