@@ -44,30 +44,38 @@ concept Ring = std::copyable<R> && std::equality_comparable<R> && std::regular<t
   { k.name() } -> std::same_as<std::string>;
 };
 
-/// The integers.
-class Integers {
+/// What the rings of exact numbers share: their elements come with the arithmetic.
+template <class Number>
+class ExactNumbers {
  public:
-  using Element = Integer;
-  static constexpr bool is_field = false;
+  using Element = Number;
 
   [[nodiscard]] Element zero() const { return {}; }
   [[nodiscard]] Element one() const { return 1; }
   [[nodiscard]] Element from(std::int64_t n) const { return n; }
   [[nodiscard]] Element from(const Integer& n) const { return n; }
-  [[nodiscard]] Integer to_integer(const Element& a) const { return a; }
   [[nodiscard]] Element add(const Element& a, const Element& b) const { return a + b; }
   [[nodiscard]] Element subtract(const Element& a, const Element& b) const { return a - b; }
   [[nodiscard]] Element negate(const Element& a) const { return -a; }
   [[nodiscard]] Element multiply(const Element& a, const Element& b) const { return a * b; }
   void add_product(Element& acc, const Element& a, const Element& b) const { acc += a * b; }
   [[nodiscard]] bool is_zero(const Element& a) const { return a.is_zero(); }
+  [[nodiscard]] std::uint32_t characteristic() const { return 0; }
+  friend bool operator==(const ExactNumbers&, const ExactNumbers&) = default;
+};
+
+/// The integers.
+class Integers : public ExactNumbers<Integer> {
+ public:
+  static constexpr bool is_field = false;
+
+  [[nodiscard]] Integer to_integer(const Element& a) const { return a; }
   [[nodiscard]] bool is_unit(const Element& a) const { return a.is_unit(); }
   [[nodiscard]] Element inverse(const Element& a) const {
     expects(a.is_unit(), "inverse in Z: only 1 and -1 have one");
     return a;
   }
   [[nodiscard]] Element quotient(const Element& a, const Element& b) const { return divide(a, b).quotient; }
-  [[nodiscard]] std::uint32_t characteristic() const { return 0; }
   [[nodiscard]] std::string name() const { return "Z"; }
   friend bool operator==(const Integers&, const Integers&) = default;
 };
@@ -145,32 +153,20 @@ class Zp {
 };
 
 /// The field of rational numbers, exact.
-class Rationals {
+class Rationals : public ExactNumbers<Rational> {
  public:
-  using Element = Rational;
   static constexpr bool is_field = true;
 
-  [[nodiscard]] Element zero() const { return {}; }
-  [[nodiscard]] Element one() const { return 1; }
-  [[nodiscard]] Element from(std::int64_t n) const { return n; }
-  [[nodiscard]] Element from(const Integer& n) const { return n; }
   [[nodiscard]] Integer to_integer(const Element& a) const {
     expects(a.is_integer(), "to_integer in Q: of integers only");
     return a.numerator();
   }
-  [[nodiscard]] Element add(const Element& a, const Element& b) const { return a + b; }
-  [[nodiscard]] Element subtract(const Element& a, const Element& b) const { return a - b; }
-  [[nodiscard]] Element negate(const Element& a) const { return -a; }
-  [[nodiscard]] Element multiply(const Element& a, const Element& b) const { return a * b; }
-  void add_product(Element& acc, const Element& a, const Element& b) const { acc += a * b; }
-  [[nodiscard]] bool is_zero(const Element& a) const { return a.is_zero(); }
   [[nodiscard]] bool is_unit(const Element& a) const { return !a.is_zero(); }
   [[nodiscard]] Element inverse(const Element& a) const {
     expects(!a.is_zero(), "inverse in Q: zero has none");
     return a.inverse();
   }
   [[nodiscard]] Element quotient(const Element& a, const Element& b) const { return a * inverse(b); }
-  [[nodiscard]] std::uint32_t characteristic() const { return 0; }
   [[nodiscard]] std::string name() const { return "Q"; }
   friend bool operator==(const Rationals&, const Rationals&) = default;
 };
