@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <iterator>
 
@@ -15,47 +16,28 @@ namespace {
 
 bool is_operation(std::string_view word) { return word == "i" || word == "c"; }
 
+struct NamedFormat {
+  TowerFormat format;
+  std::string_view name, description;
+};
+constexpr std::array formats{
+    NamedFormat{TowerFormat::automatic, "auto", "what it looks like"},
+    NamedFormat{TowerFormat::tower, "tower", "a tower"},
+    NamedFormat{TowerFormat::phat, "phat", "a boundary matrix of PHAT"},
+    NamedFormat{TowerFormat::phat_binary, "phat-binary", "a binary boundary matrix of PHAT"},
+    NamedFormat{TowerFormat::gudhi, "gudhi", "a list of simplices and values, as GUDHI writes it"},
+    NamedFormat{TowerFormat::facets, "facets", "a list of facets"},
+    NamedFormat{TowerFormat::script, "script", "a script"},
+};
+static_assert(formats.size() == static_cast<std::size_t>(TowerFormat::script) + 1);
+
+const NamedFormat& named(TowerFormat format) { return *std::ranges::find(formats, format, &NamedFormat::format); }
+
 }  // namespace
 
-std::string_view format_name(TowerFormat format) {
-  switch (format) {
-    case TowerFormat::automatic:
-      return "auto";
-    case TowerFormat::tower:
-      return "tower";
-    case TowerFormat::phat:
-      return "phat";
-    case TowerFormat::phat_binary:
-      return "phat-binary";
-    case TowerFormat::gudhi:
-      return "gudhi";
-    case TowerFormat::facets:
-      return "facets";
-    case TowerFormat::script:
-      return "script";
-  }
-  return "";
-}
+std::string_view format_name(TowerFormat format) { return named(format).name; }
 
-std::string_view format_description(TowerFormat format) {
-  switch (format) {
-    case TowerFormat::automatic:
-      return "what it looks like";
-    case TowerFormat::tower:
-      return "a tower";
-    case TowerFormat::phat:
-      return "a boundary matrix of PHAT";
-    case TowerFormat::phat_binary:
-      return "a binary boundary matrix of PHAT";
-    case TowerFormat::gudhi:
-      return "a list of simplices and values, as GUDHI writes it";
-    case TowerFormat::facets:
-      return "a list of facets";
-    case TowerFormat::script:
-      return "a script";
-  }
-  return "";
-}
+std::string_view format_description(TowerFormat format) { return named(format).description; }
 
 /// Nothing when there is something else on the line, or no number.
 std::optional<FormatFinder::Row> FormatFinder::row_of(std::string_view line) {

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 
@@ -45,6 +46,20 @@ bool is_facet_list(const MeshInput& input) {
   return format && *format == replay::TowerFormat::facets;  // else the readers of meshes say what is wrong
 }
 
+/// Calls `write` with the output, which takes its place when that returns 0. Returns the exit status.
+int write_script(const Arguments& arguments, const std::function<int(std::ostream&)>& write) {
+  OutputFiles outputs({arguments.mesh.file});
+  const Result<std::ostream*> opened = outputs.open(arguments.out);
+  if (!opened) {
+    return fail("sesame import: " + opened.error().what, Outcome::wrong_usage);
+  }
+  if (const int status = write(**opened); status != 0) {
+    return status;
+  }
+  const Status written = outputs.commit();
+  return written ? 0 : fail("sesame import: " + written.error().what, Outcome::wrong_usage);
+}
+
 /// One insertion of all facets, or one for each.
 int import_facets(const Arguments& arguments) {
   const std::string name = name_of(arguments.mesh);
@@ -59,22 +74,17 @@ int import_facets(const Arguments& arguments) {
   if (!facets) {
     return refuse(facets.error());
   }
-  OutputFiles outputs({arguments.mesh.file});
-  const Result<std::ostream*> opened = outputs.open(arguments.out);
-  if (!opened) {
-    return fail("sesame import: " + opened.error().what, Outcome::wrong_usage);
-  }
   const std::size_t count = facets->size();
-  **opened << replay::script_of(std::move(*facets), arguments.ring, name,
-                                arguments.assemble ? replay::FacetSteps::each : replay::FacetSteps::one);
-  if (const Status written = outputs.commit(); !written) {
-    return fail("sesame import: " + written.error().what, Outcome::wrong_usage);
-  }
-  if (!arguments.quiet) {
+  const int status = write_script(arguments, [&](std::ostream& out) {
+    out << replay::script_of(std::move(*facets), arguments.ring, name,
+                             arguments.assemble ? replay::FacetSteps::each : replay::FacetSteps::one);
+    return 0;
+  });
+  if (status == 0 && !arguments.quiet) {
     std::cerr << name << ": read as a list of facets: " << counted(count, "facet", "facets") << "; "
               << counted(arguments.assemble ? count : 1, "step", "steps") << '\n';
   }
-  return 0;
+  return status;
 }
 
 int run_import(const Arguments& arguments) {
@@ -88,32 +98,27 @@ int run_import(const Arguments& arguments) {
   if (!mesh) {
     return refuse(mesh.error());
   }
-  OutputFiles outputs({arguments.mesh.file});
-  const Result<std::ostream*> opened = outputs.open(arguments.out);
-  if (!opened) {
-    return fail("sesame import: " + opened.error().what, Outcome::wrong_usage);
-  }
-  std::ostream& out = **opened;
   const std::string name = name_of(arguments.mesh);
   const ScriptOptions options{name, arguments.ring, arguments.polygons, arguments.order, true};
-  const Result<ScriptSummary> summary =
-      arguments.assemble ? write_assembled_script(*mesh, out, options) : write_complex_script(*mesh, out, options);
-  if (!summary) {
-    return fail(name + ": " + summary.error().what, Outcome::wrong_script);
-  }
-  if (const Status written = outputs.commit(); !written) {
-    return fail("sesame import: " + written.error().what, Outcome::wrong_usage);
-  }
-  if (!arguments.quiet) {
-    for (const std::string& remark : summary->remarks) {
+  ScriptSummary summary;
+  const int status = write_script(arguments, [&](std::ostream& out) {
+    Result<ScriptSummary> made =
+        arguments.assemble ? write_assembled_script(*mesh, out, options) : write_complex_script(*mesh, out, options);
+    if (!made) {
+      return fail(name + ": " + made.error().what, Outcome::wrong_script);
+    }
+    summary = std::move(*made);
+    return 0;
+  });
+  if (status == 0 && !arguments.quiet) {
+    for (const std::string& remark : summary.remarks) {
       std::cerr << name << ": " << remark << '\n';
     }
-    std::cerr << name << ": " << counted(summary->vertices, "vertex", "vertices") << ", "
-              << counted(summary->edges, "edge", "edges") << ", "
-              << counted(summary->triangles, "triangle", "triangles") << "; "
-              << counted(summary->steps, "step", "steps") << '\n';
+    std::cerr << name << ": " << counted(summary.vertices, "vertex", "vertices") << ", "
+              << counted(summary.edges, "edge", "edges") << ", " << counted(summary.triangles, "triangle", "triangles")
+              << "; " << counted(summary.steps, "step", "steps") << '\n';
   }
-  return 0;
+  return status;
 }
 
 }  // namespace
