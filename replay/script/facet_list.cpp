@@ -215,12 +215,15 @@ Status FacetParser::add(std::vector<std::string> labels) {
     return error(fmt::format("the vertex {} stands twice in a facet", *twice));
   }
   facets_.push_back({std::move(labels), line_});
+  has_facets_ = true;
   return Done{};
 }
 
 Status FacetParser::finish() const {
-  return open_.empty() ? Status{Done{}}
-                       : error(fmt::format("the list ends here, but '{}' has not been closed", open_.back().bracket));
+  if (!open_.empty()) {
+    return error(fmt::format("the list ends here, but '{}' has not been closed", open_.back().bracket));
+  }
+  return has_facets_ ? Status{Done{}} : error("this list has no facets; it should have one at least, such as [1,2,3]");
 }
 
 std::optional<Facet> FacetParser::next() {

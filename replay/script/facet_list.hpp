@@ -36,7 +36,8 @@ class FacetParser {
   /// Takes a line, which is counted from 1. Errors: bad_input, with the place: what is no label, a label twice in a
   /// facet, brackets that do not match or are at different depths, a second list.
   Status take(std::string_view text, std::uint64_t line);
-  /// After the last line. Errors: bad_input, for brackets that are still open.
+  /// After the last line. Errors: bad_input, with the place, for brackets that are still open and a list without
+  /// facets.
   [[nodiscard]] Status finish() const;
   /// The next facet that is complete.
   std::optional<Facet> next();
@@ -57,12 +58,13 @@ class FacetParser {
   [[nodiscard]] Error error(const std::string& what) const;
 
   std::string name_;
-  std::uint64_t line_ = 0;
+  std::uint64_t line_ = 1;
   enum class Style { unknown, lines, groups } style_ = Style::unknown;
   std::vector<Group> open_;
   std::size_t facet_depth_ = 0;  ///< how many brackets are open inside of a
                                  ///< facet; 0: there was none yet
   bool is_closed_ = false;       ///< the list has ended
+  bool has_facets_ = false;      ///< some have come
   std::deque<Facet> facets_;
 };
 

@@ -113,12 +113,6 @@ TEST_CASE("facets know the line where they end", "[replay]") {
   CHECK(lines == std::vector<std::uint64_t>{2, 2, 4});
 }
 
-TEST_CASE("a list without facets is one", "[replay]") {
-  CHECK(facets("").empty());
-  CHECK(facets("[]\n").empty());
-  CHECK(facets("M = [];\n").empty());
-}
-
 TEST_CASE("what is no list of facets of one complex is refused with its line", "[replay]") {
   const std::vector<std::pair<std::string, std::string>> texts{
       {"[[1,2,3],\n[1,2,1]]", "list:2: the vertex 1 stands twice in a facet"},
@@ -133,6 +127,14 @@ TEST_CASE("what is no list of facets of one complex is refused with its line", "
       {"[[1,2],3]\n", "list:1: \"3]\" stands between facets"},
       {"[[1,[2,3]]]\n", "list:1: brackets open behind vertices"},
       {"[[1,2],[]]\n", "list:1: a facet should have at least one vertex"},
+      {"", "list:1: this list has no facets"},
+      {"# none\n\n", "list:2: this list has no facets"},
+      {", ,\n", "list:1: this list has no facets"},
+      {"[]\n", "list:1: this list has no facets"},
+      {"\nM = [ ];\n", "list:2: this list has no facets"},
+      {"{}\n", "list:1: this list has no facets"},
+      {"[[]]\n", "list:1: a facet should have at least one vertex"},
+      {"[]\n[[1,2]]\n", "list:2: a second list begins"},
       {"[[1;2]]\n", "list:1: \";\" should be a vertex"},
       {"1 2\n[3,4]\n", "list:2: brackets in a list that has not begun with one"},
       {"[[1,2]] and [[3,4]]\n", "list:1: \"and\" stands outside of the brackets"}};

@@ -208,6 +208,21 @@ class FacetLists(unittest.TestCase):
                 self.assertIn(f"list.txt:{line}: ", done.stderr)
                 self.assertIn(what, done.stderr)
 
+    def test_a_list_without_facets_is_refused_by_every_command(self):
+        for text, line in (("[]\n", 1), ("# none\n\nM = [ ];\n", 3)):
+            path = self.file("none.txt", text)
+            for command in (["tower"], ["tower", "--format", "facets"], ["tower", "--json", "--ring", "Z"], ["replay"],
+                            ["import"], ["import", "--assemble"], ["import", "--format", "facets"]):
+                done = self.run_on(*command, path)
+                self.assertEqual((done.returncode, done.stdout), (2, ""), (command, text))
+                self.assertIn(f"none.txt:{line}: this list has no facets", done.stderr)
+        for command in ("tower", "import"):
+            done = self.run_on(command, "--format", "facets", self.file("empty.txt", ""))
+            self.assertEqual((done.returncode, done.stdout), (2, ""), command)
+            self.assertIn("empty.txt:1: this list has no facets", done.stderr)
+        done = self.run_on("tower", "--partial", "--json", self.file("none.txt", "[]\n"))
+        self.assertEqual((done.returncode, json.loads(done.stdout)["bars"]), (2, []))
+
     def test_a_tower_given_to_replay_is_sent_to_the_right_command(self):
         done = self.run_on("replay", self.file("t.tower", "i 0\ni 1\n"))
         self.assertEqual(done.returncode, 2)
