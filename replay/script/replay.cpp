@@ -57,7 +57,7 @@ class Run {
     }
     const bool is_summarised = outcome == Outcome::done || outcome == Outcome::interrupted ||
                                (options_.partial && outcome != Outcome::law_failed) ||
-                               (options_.keep_going && outcome == refused_);
+                               (options_.keep_going && outcome == refused_ && !script_.is_broken());
     if (!is_summarised) {
       return outcome;
     }
@@ -211,7 +211,7 @@ class Run {
   /// Of a step that did not happen: whether the replay goes on all the same. The error has its place.
   Outcome refuse(const Error& error) {
     const Outcome outcome = fail(error.what, outcome_of(error.code));
-    if (!options_.keep_going || error.code == Errc::io) {
+    if (!options_.keep_going || script_.is_broken()) {
       return outcome;
     }
     if (reporter_ != nullptr) {

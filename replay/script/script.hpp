@@ -28,6 +28,8 @@ class ScriptReader {
   [[nodiscard]] std::uint64_t line() const { return lines_.line(); }
   /// `NAME:LINE: ` of the line read last.
   [[nodiscard]] std::string place() const { return lines_.place(); }
+  /// Whether the input ended by an error, so that nothing can be read behind it.
+  [[nodiscard]] bool is_broken() const { return lines_.is_broken(); }
 
  private:
   Result<std::optional<std::string_view>> next_object();

@@ -35,6 +35,7 @@ Result<std::optional<std::string_view>> LineSource::next() {
   if (is_done_) return std::optional<std::string_view>{};
   ++line_;
   const Result<std::size_t> end = find_line_end(source_, 0, line_, longest_);
+  is_broken_ = !end;
   is_done_ = !end || *end == source_.window().size();
   if (!end) return end.error();
   if (is_done_ && (*end == 0 || source_.is_stopped())) {

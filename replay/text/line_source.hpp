@@ -39,12 +39,14 @@ class LineSource {
   [[nodiscard]] std::string place() const;
   [[nodiscard]] const std::string& name() const { return source_.name(); }
   [[nodiscard]] bool is_stopped() const { return source_.is_stopped(); }
+  /// Whether it ended by an error.
+  [[nodiscard]] bool is_broken() const { return is_broken_; }
 
  private:
   ByteSource source_;
   std::size_t longest_;
   std::uint64_t line_ = 0;
-  bool is_done_ = false;
+  bool is_done_ = false, is_broken_ = false;
 };
 
 }  // namespace sesame::replay

@@ -348,6 +348,42 @@ class Logs(Folder):
         self.assertEqual(self.replay("-", "--log", "new", text="no header\n").returncode, 2)
         self.assertEqual(self.names(), before)
 
+    def test_a_replay_that_goes_on_behind_refused_steps_replaces_the_log_with_what_happened(self):
+        refused = simplices("a") + '{"op":"no such"}\nno JSON\n{"op":"expect","betti":[7]}\n'
+        for text, status in ((SCRIPT + simplices("a") + refused + simplices("b"), 2),
+                             (SCRIPT + simplices("a") + '{"op":"expect","betti":[7]}\n' + simplices("b"), 3)):
+            self.write("log", OLD)
+            before = self.names()
+            done = self.replay("-", "--log", "log", "--overwrite", "--keep-going", text=text)
+            self.assertEqual((done.returncode, self.read("log")), (status, SCRIPT + simplices("ab")), done.stderr)
+            self.assertEqual(self.names(), before)
+            self.assertEqual(self.steps("log")[:3], [[1, 0, 0], [2, 0, 0], [3, 0, 0]])
+        done = self.replay("-", "--log", "log", "--append", "--keep-going", text=SCRIPT.replace('"t"', '"u"') + refused)
+        self.assertEqual((done.returncode, self.read("log")),
+                         (2, SCRIPT + simplices("ab") + SCRIPT.replace('"t"', '"u"').splitlines(keepends=True)[1]))
+
+    def test_a_replay_that_goes_on_but_has_no_header_leaves_the_old_log(self):
+        self.write("log", OLD)
+        before = self.names()
+        for text in ("", "no header\n", simplices("ab"), '{"sesame":1,"ring":"Z/6"}\n' + simplices("ab")):
+            done = self.replay("-", "--log", "log", "--overwrite", "--keep-going", text=text)
+            self.assertEqual((done.returncode, self.read("log"), self.names()), (2, OLD, before), text)
+
+    def test_a_replay_that_goes_on_to_an_end_that_is_none_leaves_both_logs(self):
+        packed = gzip.compress((SCRIPT + simplices("abcdefgh")).encode())
+        (self.folder / "cut.gz").write_bytes(packed[:-12])
+        self.write("long.jsonl", SCRIPT + '{"op":"note","text":"%s"}\n' % ("x" * 200) + simplices("a"))
+        for arguments, what in ((["cut.gz"], "cut off"), (["long.jsonl", "--max-line", "100"], "long.jsonl:3: ")):
+            self.write("log", OLD)
+            done = self.replay(*arguments, "--json", "--log", "log", "--overwrite", "--keep-going")
+            self.assertEqual((done.returncode, self.read("log")), (2, OLD), arguments)
+            self.assertIn(what, done.stderr)
+            self.assertIn("log is as it was; the log of the steps until here is ", done.stderr)
+            self.assertTrue(self.read("log.part").startswith(SCRIPT))
+            objects = [json.loads(line) for line in done.stdout.splitlines()]
+            self.assertEqual([o for o in objects if "summary" in o or "error" in o], [])
+            os.remove(self.folder / "log.part")
+
     def begin(self, *arguments):
         process = subprocess.Popen([SESAME, "replay", "-", "--json", *arguments], cwd=self.folder, text=True,
                                    stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)

@@ -124,12 +124,12 @@ Result<Script> as_script(replay::ByteSource source, const Arguments& arguments) 
   return Script{replay::ByteSource::of_text(script, name + " as a script"), true};
 }
 
-/// The exit status, that of the outcome unless the log could not be kept.
-int close_log(LogFile* log, const std::string& path, Outcome outcome, bool keeps_going) {
+/// The exit status, that of the outcome unless the log could not be kept. `goes_on`: behind steps that are refused.
+int close_log(LogFile* log, const std::string& path, Outcome outcome, bool goes_on) {
   if (log != nullptr) {
     // A script without a header has no log, and no end to come to.
-    const bool passed_over = keeps_going && !log->part().empty() &&
-                             (outcome == Outcome::wrong_script || outcome == Outcome::expectation_failed);
+    const bool passed_over =
+        goes_on && !log->part().empty() && (outcome == Outcome::wrong_script || outcome == Outcome::expectation_failed);
     const bool is_whole = outcome == Outcome::done || outcome == Outcome::interrupted || passed_over;
     if (const Status closed = log->close(is_whole); !closed) {
       return wrong_usage(closed.error().what);
@@ -214,7 +214,7 @@ int run_replay(const Arguments& arguments) {
   }
   replay::ScriptReader script(std::move(found->source), arguments.longest_line);
   const Outcome outcome = replay::replay(script, options, reporter.get(), std::cerr, progress.get());
-  return close_log(log.get(), arguments.log, outcome, options.keep_going);
+  return close_log(log.get(), arguments.log, outcome, options.keep_going && !script.is_broken());
 }
 
 }  // namespace
