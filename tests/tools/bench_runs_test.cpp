@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -242,4 +243,41 @@ TEST_CASE("a mesh is assembled, and its homology is known from counting", "[benc
   REQUIRE(book);
   CHECK_FALSE(book->answer(0).has_value());
   CHECK_FALSE(mesh_scenario(meshes + "/wrong_index.off"));
+}
+
+TEST_CASE("pairs of PHAT are compared when all of them can be read, else the run has failed", "[bench]") {
+  const Scenario circle{.name = "circle",
+                        .family = "test",
+                        .what = "a test",
+                        .size_name = "vertices",
+                        .size = 3,
+                        .quick_size = 3,
+                        .input = CellFiltration{[](std::uint64_t) { return random_two_complex(3, 0, 1); }},
+                        .answer = [](std::uint64_t) {
+                          return Answer{{1, 1}};
+                        }};
+  // A program of that name, which writes what it finds.
+  const ScratchDirectory folder;
+  const std::string program = folder.path("phat"), pairs = folder.path("pairs");
+  std::ofstream(program) << "#!/bin/sh\nfor out; do :; done\ntest ! -e " << pairs << " || cp " << pairs << " $out\n";
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (folder.path("") + ":" + path).c_str(), 1);
+  const auto run = [&](const std::vector<std::uint64_t>& words, std::size_t bytes) {
+    std::ofstream(pairs, std::ios::binary)
+        .write(reinterpret_cast<const char*>(words.data()), static_cast<std::streamsize>(bytes));
+    return FiltrationProgram(circle, 3, "phat").run(60);
+  };
+  const Sample absent = FiltrationProgram(circle, 3, "phat").run(60);
+  const Sample right = run({2, 1, 3, 2, 4}, 40), other = run({1, 1, 3}, 24), cut = run({2, 1, 3, 2, 4}, 36),
+               empty = run({}, 0);
+  setenv("PATH", path.c_str(), 1);
+  CHECK(right.verdict == Verdict::right);
+  CHECK(other.verdict == Verdict::wrong);
+  CHECK_THAT(other.remark, Contains("other bars than the 4 of sesame"));
+  CHECK(cut.verdict == Verdict::failed);
+  CHECK_THAT(cut.remark, Contains("ends too early"));
+  CHECK(empty.verdict == Verdict::failed);
+  CHECK(absent.verdict == Verdict::failed);
+  CHECK_THAT(absent.remark, Contains("cannot read"));
 }

@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <stdexcept>
 
+#include "replay/text/byte_source.hpp"
 #include "sparse/contract.hpp"
 #include "tools/bench/answer_check.hpp"
 #include "tools/bench/runs.hpp"
@@ -36,27 +39,54 @@ std::vector<std::string> words_of(const std::string& text) {
   return {std::istream_iterator<std::string>{in}, {}};
 }
 
-std::uint64_t next_word(std::istream& in) {
-  std::uint64_t word = 0;
-  in.read(reinterpret_cast<char*>(&word), sizeof word);
-  return word;
+/// Throws when the file cannot be read.
+std::string content_of(const std::string& path) {
+  Result<std::string> content = replay::read_file(path);
+  if (!content) {
+    throw std::runtime_error(content.error().what);
+  }
+  return *std::move(content);
 }
+
+/// The 64 bit integers of a file, in turn. Throws when it cannot be read or ends too early.
+class Words {
+ public:
+  explicit Words(const std::string& path) : path_{path}, bytes_{content_of(path)} {}
+
+  std::uint64_t next() {
+    std::uint64_t word = 0;
+    const std::size_t at = at_;
+    skip(1);
+    std::memcpy(&word, bytes_.data() + at, sizeof word);
+    return word;
+  }
+  void skip(std::uint64_t words) {
+    if (words > (bytes_.size() - at_) / sizeof words) {
+      throw std::runtime_error(path_ + " ends too early");
+    }
+    at_ += words * sizeof words;
+  }
+
+ private:
+  std::string path_, bytes_;
+  std::size_t at_ = 0;
+};
 
 /// The bars of the boundary matrix and the pairs that PHAT wrote; the cells without a partner begin those without an
 /// end.
 BarSet bars_of_pairs(const std::string& matrix, const std::string& pairs) {
   std::vector<std::uint8_t> dimensions;
-  std::ifstream in(matrix, std::ios::binary);
-  for (std::uint64_t left = next_word(in); left > 0 && in; --left) {
-    dimensions.push_back(static_cast<std::uint8_t>(next_word(in)));
-    in.ignore(static_cast<std::streamsize>(sizeof(std::uint64_t) * next_word(in)));
+  Words columns(matrix);
+  for (std::uint64_t left = columns.next(); left > 0; --left) {
+    dimensions.push_back(static_cast<std::uint8_t>(columns.next()));
+    columns.skip(columns.next());
   }
   BarSet bars;
   std::vector<bool> is_paired(dimensions.size());
   const auto add = [&](std::uint64_t birth, engine::Time death) { bars.add({dimensions.at(birth), birth, death}); };
-  std::ifstream pairs_in(pairs, std::ios::binary);
-  for (std::uint64_t left = next_word(pairs_in); left > 0 && pairs_in; --left) {
-    const std::uint64_t birth = next_word(pairs_in), death = next_word(pairs_in);
+  Words written(pairs);
+  for (std::uint64_t left = written.next(); left > 0; --left) {
+    const std::uint64_t birth = written.next(), death = written.next();
     add(birth, death);
     is_paired.at(birth) = is_paired.at(death) = true;
   }
@@ -68,10 +98,10 @@ BarSet bars_of_pairs(const std::string& matrix, const std::string& pairs) {
   return bars;
 }
 
-/// The bars of lines `dim birth death`.
+/// The bars of lines `dim birth death`. Throws when the file cannot be read.
 BarSet bars_of_lines(const std::string& path) {
   BarSet bars;
-  std::ifstream in(path);
+  std::istringstream in(content_of(path));
   for (std::string line; std::getline(in, line);) {
     if (const std::vector<std::string> words = words_of(line); words.size() == 3) {
       bars.add({std::stoi(words[0]), std::stod(words[1]), std::stod(words[2])});
@@ -150,19 +180,18 @@ std::vector<std::string> FiltrationProgram::command(const std::string& options) 
   return {program_, directory_.path("cells")};
 }
 
-std::string FiltrationProgram::wrong_answer(const std::string& printed) const {
+Result<std::string> FiltrationProgram::wrong_answer(const std::string& printed) const {
   if (method_ == "gudhi") {
     const std::optional<Answer> answer = scenario_.answer(size_);
-    return answer ? difference({betti_from_line(printed), {}, {}, {}}, *answer) : "";
+    return answer ? difference({betti_from_line(printed), {}, {}, {}}, *answer) : std::string{};
   }
-  const Result<std::string> wrong = in_child(  // so that what the files need is not memory of this process
+  return in_child(  // so that what the files need is not memory of this process
       [&]() -> std::string {
         const std::string out = directory_.path("out");
         const BarSet bars = method_ == "phat" ? bars_of_pairs(directory_.path("cells"), out) : bars_of_lines(out);
         return bars == bars_ ? "" : fmt::format("found {} other bars than the {} of sesame", bars.size, bars_.size);
       },
       3600);
-  return wrong ? *wrong : wrong.error().what;
 }
 
 Sample FiltrationProgram::run_with(const std::string& options, unsigned most_seconds) {
@@ -177,11 +206,14 @@ Sample FiltrationProgram::run_with(const std::string& options, unsigned most_sec
   sample.seconds = run->seconds;
   sample.busy = run->processor_seconds / run->seconds;
   sample.memory.resident = run->peak_bytes;
-  sample.remark = wrong_answer(run->output);
-  sample.verdict = sample.remark.empty() ? Verdict::right : Verdict::wrong;
-  if (sample.remark.empty()) {
-    sample.remark = options;
+  const Result<std::string> wrong = wrong_answer(run->output);
+  if (!wrong) {
+    sample.verdict = Verdict::failed;
+    sample.remark = wrong.error().what;
+    return sample;
   }
+  sample.verdict = wrong->empty() ? Verdict::right : Verdict::wrong;
+  sample.remark = wrong->empty() ? options : *wrong;
   return sample;
 }
 

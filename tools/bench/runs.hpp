@@ -56,7 +56,8 @@ class FiltrationProgram {
  private:
   [[nodiscard]] Sample run_with(const std::string& options, unsigned most_seconds);
   [[nodiscard]] std::vector<std::string> command(const std::string& options) const;
-  [[nodiscard]] std::string wrong_answer(const std::string& printed) const;
+  /// What is wrong, or an empty text. Errors: what the program wrote cannot be read.
+  [[nodiscard]] Result<std::string> wrong_answer(const std::string& printed) const;
 
   const Scenario& scenario_;
   std::uint64_t size_;
