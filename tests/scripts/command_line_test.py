@@ -61,18 +61,6 @@ class Replay(unittest.TestCase):
             done = run("replay", "--quiet", "--verify", script)
             self.assertEqual((script.name, done.returncode, done.stderr), (script.name, 0, ""))
 
-    def test_over_the_rationals_ranks_are_those_over_the_integers_and_there_is_no_torsion(self):
-        for script in sorted(EXAMPLES.glob("*.jsonl")):
-            done = run("replay", "--json", "--verify", "--generators", "--ring", "Q", script)
-            self.assertEqual((script.name, done.returncode), (script.name, 0), done.stderr)
-            rational, integral = [json.loads(d.stdout.splitlines()[-1]) for d in
-                                  (done, run("replay", "--json", "--ring", "Z", script))]
-            self.assertEqual(rational["ring"], "Q")
-            for key in ("steps", "cells", "euler", "betti"):
-                self.assertEqual((script.name, rational[key]), (script.name, integral[key]))
-            self.assertEqual(sum(rational["torsion"], []), [])
-            self.assertEqual(len(rational["generators"]), sum(rational["betti"]))
-
     def test_a_loop_of_finite_order_bounds_a_rational_chain(self):
         text = (EXAMPLES / "projective_plane.jsonl").read_text(encoding="utf-8") + \
             '{"op":"class","chain":[[1,"a.0-1"]]}\n'
