@@ -62,6 +62,21 @@ Run run(const std::vector<TowerStep>& tower, std::int64_t p, const std::vector<d
   return run;
 }
 
+/// Calls `check` with the tracker, the complex and the time after each operation of a tower, at times 0, 1, ...
+template <class Check>
+void check_each_operation(const std::vector<TowerStep>& tower, std::int64_t p, Check&& check) {
+  const auto tracker = engine::make_barcode_tracker(field(p), [](const Bar&) {});
+  TowerComplex complex;
+  tests::PlainComplex plain;
+  BarcodeTracker* told = tracker.get();
+  for (std::size_t k = 0; k < tower.size(); ++k) {
+    const auto time = static_cast<double>(k);
+    tests::apply(tower[k], complex, {&told, 1}, time);
+    plain.apply(tower[k]);
+    check(*tracker, plain, time);
+  }
+}
+
 std::vector<std::uint64_t> betti_of(const std::vector<Bar>& bars, double time) {
   std::vector<std::uint64_t> betti;
   for (const Bar& bar : bars) {
@@ -86,38 +101,26 @@ TEST_CASE("Betti numbers are those of the complex, at every operation, and the s
   const std::int64_t p = GENERATE(2, 3);
   CAPTURE(seed, p);
   const std::vector<TowerStep> tower = tests::random_tower(seed, 120, 8, 1 + seed % 4);
-  const auto tracker = engine::make_barcode_tracker(field(p), [](const Bar&) {});
   const std::vector<Bar> bars = run(tower, p).bars;
-  TowerComplex complex;
-  tests::PlainComplex plain;
-  BarcodeTracker* told = tracker.get();
-  for (std::size_t k = 0; k < tower.size(); ++k) {
-    tests::apply(tower[k], complex, {&told, 1}, static_cast<double>(k));
-    plain.apply(tower[k]);
-    REQUIRE(tracker->betti() == tests::betti_modulo(plain, p));
-    REQUIRE(tracker->betti() == betti_of(bars, static_cast<double>(k)));
-  }
+  check_each_operation(tower, p, [&](const BarcodeTracker& tracker, const tests::PlainComplex& plain, double time) {
+    REQUIRE(tracker.betti() == tests::betti_modulo(plain, p));
+    REQUIRE(tracker.betti() == betti_of(bars, time));
+  });
 }
 
 TEST_CASE("Betti numbers over Q are what ranks over Z say", "[engine][tower]") {
   const std::uint32_t seed = GENERATE(range(0u, 8u));
   CAPTURE(seed);
   const std::vector<TowerStep> tower = tests::random_tower(seed, 80, 7, 1 + seed % 4);
-  const auto tracker = engine::make_barcode_tracker(field(0), [](const Bar&) {});
-  TowerComplex complex;
-  tests::PlainComplex plain;
-  BarcodeTracker* told = tracker.get();
-  for (std::size_t k = 0; k < tower.size(); ++k) {
-    tests::apply(tower[k], complex, {&told, 1}, static_cast<double>(k));
-    plain.apply(tower[k]);
+  check_each_operation(tower, 0, [](const BarcodeTracker& tracker, const tests::PlainComplex& plain, double) {
     std::size_t rank_below = 0;
     for (std::size_t d = 0; !tests::numbered(plain, d).empty(); ++d) {
       const std::size_t rank_above = rational_rank(tests::boundary_rows(plain, d + 1));
       const std::size_t betti = tests::numbered(plain, d).size() - rank_below - rank_above;
-      REQUIRE((d < tracker->betti().size() ? tracker->betti()[d] : 0) == betti);
+      REQUIRE((d < tracker.betti().size() ? tracker.betti()[d] : 0) == betti);
       rank_below = rank_above;
     }
-  }
+  });
 }
 
 TEST_CASE("over Q the bars are those over all but a few fields Z/p", "[engine][tower]") {

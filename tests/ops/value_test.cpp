@@ -38,28 +38,32 @@ RandomMap random_map(Random& random) {
   return made;
 }
 
+/// Calls `check` with random maps and the values of a cell 7 that have them.
+template <class Check>
+void for_random_values(TypeTable& types, VertexMaps& maps, unsigned seed, Check&& check) {
+  Random random(seed);
+  for (int round = 0; round < 500; ++round) {
+    const RandomMap made = random_map(random);
+    check(made, maps.value_of(7, types.intern(made.type), made.map));
+  }
+}
+
 }  // namespace
 
 TEST_CASE("a value says where every vertex goes, and nothing else", "[ops]") {
   TypeTable types;
   VertexMaps maps(types);
-  Random random(1);
-  for (int round = 0; round < 500; ++round) {
-    const RandomMap made = random_map(random);
-    const Value v = maps.value_of(7, types.intern(made.type), made.map);
+  for_random_values(types, maps, 1, [&](const RandomMap& made, const Value& v) {
     CHECK(maps.map_of(v) == made.map);
     CHECK(v.is_degenerate() == (made.type != made.underneath));
     CHECK(maps.value_of(7, v.type, maps.map_of(v)) == v);
-  }
+  });
 }
 
 TEST_CASE("faces of values are restrictions of their maps", "[ops]") {
   TypeTable types;
   VertexMaps maps(types);
-  Random random(2);
-  for (int round = 0; round < 500; ++round) {
-    const RandomMap made = random_map(random);
-    const Value v = maps.value_of(7, types.intern(made.type), made.map);
+  for_random_values(types, maps, 2, [&](const RandomMap& made, const Value& v) {
     const TypeId underneath = types.intern(made.underneath);
     // Every face of the cell is a cell of its own, with its vertices in order.
     const auto face_of = [&](CellId, std::uint32_t number) {
@@ -78,7 +82,7 @@ TEST_CASE("faces of values are restrictions of their maps", "[ops]") {
         }
       }
     }
-  }
+  });
 }
 
 TEST_CASE("orders compose and have inverses, and signs multiply", "[ops]") {
