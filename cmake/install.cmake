@@ -3,7 +3,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 # A static library hands on what it links: the packages that the folders' third-party targets come from, and for
-# pkg-config those of them that are more than headers. GMP, which has no CMake package, is in sesameConfig.cmake.in.
+# pkg-config those of them that are more than headers, and Eigen, which a header of ours includes. GMP, which has no CMake package, is in sesameConfig.cmake.in.
 set(third_party "")
 foreach(library IN LISTS SESAME_LIBRARIES)
   get_target_property(linked ${library} LINK_LIBRARIES)
@@ -14,7 +14,7 @@ set(SESAME_PC_REQUIRES gmp)
 foreach(package IN ITEMS Boost Eigen3 fmt spdlog nlohmann_json ZLIB)
   if("${third_party}" MATCHES "(^|;)${package}::")
     string(APPEND SESAME_FIND_DEPENDENCIES "find_dependency(${package})\n")
-    if(package MATCHES "^(fmt|spdlog|ZLIB)$")
+    if(package MATCHES "^(Eigen3|fmt|spdlog|ZLIB)$")
       string(TOLOWER " ${package}" module)
       string(APPEND SESAME_PC_REQUIRES "${module}")
     endif()

@@ -4,7 +4,7 @@
 set(consumer ${CMAKE_CURRENT_LIST_DIR}/consumer)
 set(prefix ${WORK_DIR}/prefix)
 string(CONCAT expected
-  "betti 1 0 0\ntorsion of H1 2\nthe loop bounds: 0, twice the loop bounds: 1\n"
+  "betti 1 0 0\ntorsion of H1 2\nthe loop bounds: 0, twice the loop bounds: 1\nLaplacian 2 -2\n"
   "\"a\" is a simplex of dimension 2 and \"a.0\" a vertex: only cells of the same type can be identified\n"
   "sesame ${VERSION}\n")
 

@@ -1,5 +1,7 @@
-// What a user of the library writes: a projective plane from a square, its homology, and the class of a loop.
+// What a user of the library writes: a projective plane from a square, its homology, and the class of a loop; and the
+// Laplacian of its graph, by Eigen.
 #include <sesame/engine/engine.hpp>
+#include <sesame/sparse/eigen.hpp>
 #include <sesame/version.hpp>
 
 #include <iostream>
@@ -29,6 +31,12 @@ int main() {
   const auto twice = engine.chain({{2, "a.0-1"}});
   std::cout << "\nthe loop bounds: " << engine.classify(*once).is_zero
             << ", twice the loop bounds: " << engine.classify(*twice).is_zero << '\n';
+  const ops::Structure& object = engine.structure();
+  const auto complex = ops::chain_complex(object, ops::cells_at(object, ops::now(object)), ops::now(object),
+                                          sesame::sparse::Integers{});
+  const auto d = sesame::sparse::to_eigen<double>(complex.boundary(1));
+  const Eigen::SparseMatrix<double> laplacian = *d * Eigen::SparseMatrix<double>{d->transpose()};
+  std::cout << "Laplacian " << laplacian.coeff(0, 0) << ' ' << laplacian.coeff(0, 1) << '\n';
   const auto refused = engine.apply(ops::Identify{{{"a", "a.0"}}});
   std::cout << refused.error().what << "\nsesame " << SESAME_VERSION << '\n';
   return 0;
