@@ -1,19 +1,22 @@
-// Insertions into abstract simplicial complexes, and collapses of their vertices.
+// Insertions into abstract simplicial complexes.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <compare>
 #include <map>
 #include <set>
+#include <string>
+#include <vector>
 
-#include "ops/plan/planner.hpp"
+#include "ops/plan/new_cells.hpp"
+#include "ops/plan/operation_plans.hpp"
+#include "ops/plan/step_names.hpp"
 
 namespace sesame::ops {
 namespace {
 
-Error bad_input(std::string what) { return {Errc::bad_input, std::move(what)}; }
-
-bool comes_before(const std::string& a, const std::string& b) { return compare_labels(a, b) < 0; }
+bool comes_before(const std::string& a, const std::string& b) { return std::is_lt(compare_labels(a, b)); }
 
 /// A simplex: the positions of its vertices among the labels of an insertion, ascending.
 using Positions = std::vector<std::uint32_t>;
@@ -109,14 +112,13 @@ class InsertPlanner {
       for (auto& [simplex, cell] : simplices) {
         cell = next++;
         const std::vector<VertexId> vertices = chosen(vertices_, simplex);
-        const auto first_face = static_cast<std::uint32_t>(plan.faces.size());
+        const std::size_t first_face = plan.faces.size();
         if (simplex.size() > 1) {
           write_faces(simplex, vertices, plan);
         }
         change.vertices.insert(change.vertices.end(), vertices.begin(), vertices.end());
         plan.names += name(simplex);
-        plan.cells.push_back(
-            {structure_.types().simplex(static_cast<int>(simplex.size()) - 1), first_face, plan.names.size()});
+        add_cell(structure_.types().simplex(static_cast<int>(simplex.size()) - 1), first_face, plan);
       }
     }
     for (const auto& [vertex, cell] : missing_[0]) {
@@ -147,8 +149,7 @@ class InsertPlanner {
     if (bodies.empty()) {
       plan.new_body = name(missing_[0].begin()->first);
     } else {
-      plan.into_body = *bodies.begin();
-      plan.joined_bodies.assign(std::next(bodies.begin()), bodies.end());
+      join_bodies(bodies, plan);
     }
   }
 
@@ -156,17 +157,13 @@ class InsertPlanner {
     const auto& missing = missing_[simplex.size() - 2];
     for (std::size_t k = 0; k < simplex.size(); ++k) {
       if (const auto face = missing.find(without(simplex, k)); face != missing.end()) {
-        plan.faces.push_back(face->second);
+        add_face({face->second}, plan);
         continue;
       }
       std::vector<VertexId> order = vertices;
       order.erase(order.begin() + static_cast<std::ptrdiff_t>(k));
       const CellId cell = structure_.abstract().find(order);
-      if (const OrderId of_cell = structure_.maps().order(places_in(structure_.abstract().vertices(cell), order));
-          of_cell != same_order) {
-        plan.face_orders.emplace_back(static_cast<std::uint32_t>(plan.faces.size()), of_cell);
-      }
-      plan.faces.push_back(cell);
+      add_face({cell, structure_.maps().order(places_in(structure_.abstract().vertices(cell), order))}, plan);
     }
   }
 
@@ -177,144 +174,59 @@ class InsertPlanner {
   std::int64_t count_ = 0;                            ///< of all of them
 };
 
-/// Works out what becomes of the star of the vertex that goes.
-class CollapsePlanner {
- public:
-  CollapsePlanner(const Structure& structure, AbstractChange& change, std::vector<Merge>& merges)
-      : structure_{structure}, complex_{structure.abstract()}, change_{change}, merges_{merges} {}
-
-  void run() {
-    std::vector<CellId> star = complex_.star(change_.collapse->gone);
-    std::sort(star.begin(), star.end(), [this](CellId a, CellId b) {
-      const int p = structure_.dimension(a);
-      const int q = structure_.dimension(b);
-      return p != q ? p < q : a < b;
-    });
-    for (const CellId cell : star) {
-      const auto own = complex_.vertices(cell);
-      const std::vector<VertexId> vertices(own.begin(), own.end());
-      if (std::find(vertices.begin(), vertices.end(), change_.collapse->kept) != vertices.end()) {
-        squash(cell, vertices);
-      } else {
-        send(cell, vertices);
-      }
-    }
-  }
-
- private:
-  [[nodiscard]] static std::size_t place(const std::vector<VertexId>& vertices, VertexId v) {
-    return static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), v) - vertices.begin());
-  }
-
-  /// Onto the face without the vertex that goes, which itself goes where the other one is.
-  void squash(CellId cell, const std::vector<VertexId>& vertices) {
-    const std::size_t gone = place(vertices, change_.collapse->gone);
-    VertexMap map;  // onto the vertices of the face
-    for (std::size_t k = 0; k < vertices.size(); ++k) {
-      const std::size_t at = k == gone ? place(vertices, change_.collapse->kept) : k;
-      map.push_back(static_cast<std::uint8_t>(at - (at > gone ? 1 : 0)));
-    }
-    VertexMaps& maps = structure_.maps();
-    const Value squashed = maps.value_of(none, structure_.type_id(cell), map);
-    const Value face = structure_.face_of_cell(cell, static_cast<std::uint32_t>(gone));
-    merges_.push_back({cell, none, maps.compose(squashed, face)});
-  }
-
-  void send(CellId cell, std::vector<VertexId> vertices) {
-    std::replace(vertices.begin(), vertices.end(), change_.collapse->gone, change_.collapse->kept);
-    const CellId other = complex_.find(vertices);
-    if (other == none) {
-      change_.renamed.push_back(cell);
-      return;
-    }
-    VertexMaps& maps = structure_.maps();
-    const OrderId order = maps.order(places_in(complex_.vertices(other), vertices));
-    // The cell that stands for the most stays, as ever: so paths of the union-find forest are short.
-    const std::uint32_t m = structure_.members(cell);
-    const std::uint32_t n = structure_.members(other);
-    if (m != n ? m < n : structure_.is_older(structure_.oldest(other), structure_.oldest(cell))) {
-      merges_.push_back({cell, other, {}, order});
-    } else {
-      merges_.push_back({other, cell, {}, maps.inverse(order)});
-      change_.renamed.push_back(cell);
-    }
-  }
-
-  const Structure& structure_;
-  const AbstractComplex& complex_;
-  AbstractChange& change_;
-  std::vector<Merge>& merges_;
-};
-
-}  // namespace
-
-/// The body that a vertex belongs to, when it may be changed.
-Result<BodyId> Planner::abstract_body(LabelId label) const {
-  const AbstractComplex& complex = structure_.abstract();
-  const VertexId vertex = complex.vertex(label);
-  if (complex.is_collapsed(label)) {
-    return Error{Errc::refused, fmt::format("\"{}\" was collapsed into another vertex: write \"{}\"",
-                                            complex.text(label), complex.text(complex.label_of(vertex)))};
-  }
-  const BodyId body = structure_.body_of(complex.find({&vertex, 1}));
-  if (!structure_.kind_of(body).is_abstract) {
-    return Error{Errc::refused,
-                 fmt::format("the body \"{}\" of the vertex \"{}\" was changed by another operation: insert and "
-                             "collapse work on bodies that only they have made; undo that, or use new labels",
-                             structure_.body_name(body), complex.text(label))};
-  }
-  return body;
-}
-
-Result<LabelId> Planner::resolve_label(const std::string& text) const {
-  const LabelId label = structure_.abstract().label(text);
-  if (label == none) {
-    return Error{Errc::unknown_name,
-                 fmt::format("there is no vertex \"{}\": {} makes one", text, to_text(Insert{{{text}}, false}))};
-  }
-  return label;
-}
-
-Status Planner::check_simplex(std::vector<std::string> simplex) const {
+Status check_simplex(std::vector<std::string> simplex, const Limits& limits) {
   if (simplex.empty()) {
-    return bad_input("a simplex has at least one vertex: it should be a list of labels, such as [\"a\",\"b\"]");
+    return Error{Errc::bad_input,
+                 "a simplex has at least one vertex: it should be a list of labels, such as [\"a\",\"b\"]"};
   }
   for (const std::string& label : simplex) {
     if (!is_label(label)) {
-      return bad_input(
-          fmt::format("\"{}\" is not a label: a label is not empty, and has no white space, no control "
-                      "characters, and none of {{ }} and comma",
-                      label));
+      return Error{Errc::bad_input,
+                   fmt::format("\"{}\" is not a label: a label is not empty, and has no white space, no control "
+                               "characters, and none of {{ }} and comma",
+                               label)};
     }
   }
-  if (Status s = check_size({std::max(1, static_cast<int>(simplex.size()) - 1)}); !s) {
+  if (Status s = check_size({std::max(1, static_cast<int>(simplex.size()) - 1)}, limits); !s) {
     return s;
   }
   std::sort(simplex.begin(), simplex.end());
   if (const auto twice = std::adjacent_find(simplex.begin(), simplex.end()); twice != simplex.end()) {
-    return bad_input(fmt::format("the label \"{}\" stands twice in the simplex: labels must differ", *twice));
+    return Error{Errc::bad_input,
+                 fmt::format("the label \"{}\" stands twice in the simplex: labels must differ", *twice)};
   }
   return Done{};
 }
 
-Status Planner::plan(const Insert& operation, Plan& plan) {
-  plan.clear();
+/// The labels of all simplices, sorted, none twice. Errors: for a list that is no simplex, and for a label of a vertex
+/// that no insertion may touch.
+Result<std::vector<std::string>> labels_of(const Insert& operation, const Structure& structure, const Limits& limits) {
   std::vector<std::string> labels;
   for (const std::vector<std::string>& simplex : operation.simplices) {
-    if (Status s = check_simplex(simplex); !s) {
-      return s;
+    if (Status s = check_simplex(simplex, limits); !s) {
+      return s.error();
     }
     labels.insert(labels.end(), simplex.begin(), simplex.end());
   }
   std::sort(labels.begin(), labels.end(), comes_before);
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
   for (const std::string& label : labels) {
-    const LabelId known = structure_.abstract().label(label);
-    if (const auto body = known == none ? Result<BodyId>{none} : abstract_body(known); !body) {
+    const LabelId known = structure.abstract().label(label);
+    if (const auto body = known == none ? Result<BodyId>{none} : abstract_body(known, structure); !body) {
       return body.error();
     }
   }
-  InsertPlanner planner(structure_, std::move(labels));
+  return labels;
+}
+
+}  // namespace
+
+Status plan_insertion(const Insert& operation, const Structure& structure, const Limits& limits, Plan& plan) {
+  Result<std::vector<std::string>> labels = labels_of(operation, structure, limits);
+  if (!labels) {
+    return labels.error();
+  }
+  InsertPlanner planner(structure, std::move(*labels));
   for (const std::vector<std::string>& simplex : operation.simplices) {
     const Positions positions = planner.positions(simplex);
     if (planner.add(positions)) {
@@ -329,42 +241,16 @@ Status Planner::plan(const Insert& operation, Plan& plan) {
   if (planner.has_nothing_to_do()) {
     return Done{};
   }
-  const std::int64_t room = std::min(limits_.cells_per_step, limits_.cells - std::int64_t{structure_.created()});
+  const std::int64_t room = std::min(limits.cells_per_step, limits.cells - std::int64_t{structure.created()});
   if (!planner.add_faces(room)) {
     return Error{Errc::refused,
                  fmt::format("this step would make more than {} cells, as many as there is room for", room)};
   }
   if (const std::string name = planner.taken_name(); !name.empty()) {
-    return bad_input(fmt::format("the name \"{}\", which a new cell would have, is in use: choose other labels", name));
+    return Error{Errc::bad_input,
+                 fmt::format("the name \"{}\", which a new cell would have, is in use: choose other labels", name)};
   }
   planner.write(plan);
-  return Done{};
-}
-
-Status Planner::plan(const Collapse& operation, Plan& plan) {
-  plan.clear();
-  const Result<LabelId> from = resolve_label(operation.from);
-  const Result<LabelId> to = resolve_label(operation.to);
-  if (!from || !to) {
-    return from ? to.error() : from.error();
-  }
-  for (const LabelId label : {*from, *to}) {
-    if (const Result<BodyId> body = abstract_body(label); !body) {
-      return body.error();
-    }
-  }
-  if (*from == *to) {
-    return bad_input(fmt::format("the vertex \"{}\" cannot be collapsed into itself", operation.from));
-  }
-  const AbstractComplex& complex = structure_.abstract();
-  AbstractChange& change = plan.abstract.emplace();
-  VertexId gone = complex.vertex(*from);
-  VertexId kept = complex.vertex(*to);
-  if (complex.star_size(gone) > complex.star_size(kept)) {
-    std::swap(gone, kept);
-  }
-  change.collapse = AbstractChange::Collapse{*from, *to, gone, kept};
-  CollapsePlanner(structure_, change, plan.merges).run();
   return Done{};
 }
 

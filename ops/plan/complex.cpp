@@ -1,0 +1,207 @@
+// Explicit complexes.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "ops/plan/new_cells.hpp"
+#include "ops/plan/operation_plans.hpp"
+#include "ops/plan/step_names.hpp"
+
+namespace sesame::ops {
+namespace {
+
+/// Lays out the cells of a `complex` operation so that faces come before what they are faces of.
+class ComplexPlanner {
+ public:
+  ComplexPlanner(const MakeComplex& operation, const Structure& structure, const Limits& limits, Plan& plan)
+      : operation_{operation}, types_{structure.types()}, base_{structure.created()}, limits_{limits}, plan_{plan} {
+    plan_.first = base_;
+  }
+
+  Status run() {
+    if (Status s = index_cells(); !s) {
+      return s;
+    }
+    placed_.assign(operation_.cells.size(), none);
+    declared_.assign(operation_.cells.size(), none);
+    for (std::uint32_t k = 0; k < operation_.cells.size(); ++k) {
+      if (Status s = place(k); !s) {
+        return s;
+      }
+    }
+    return Done{};
+  }
+
+ private:
+  [[nodiscard]] std::string title(std::uint32_t k) const {
+    return fmt::format("cell \"{}\" of complex \"{}\"", operation_.cells[k].id, operation_.name);
+  }
+
+  Status index_cells() {
+    for (std::uint32_t k = 0; k < operation_.cells.size(); ++k) {
+      const std::string& id = operation_.cells[k].id;
+      if (!is_name(id)) {
+        return Error{Errc::bad_input,
+                     fmt::format("cell {} of complex \"{}\" needs an id without white space or control characters",
+                                 k + 1, operation_.name)};
+      }
+      if (!index_.emplace(id, k).second) {
+        return Error{Errc::bad_input,
+                     fmt::format("complex \"{}\" lists cell \"{}\" twice: ids must differ", operation_.name, id)};
+      }
+    }
+    return Done{};
+  }
+
+  /// Places cell k after its faces. A face's type is checked before the face is placed: types lose a dimension with
+  /// each face, so the recursion is never deeper than a dimension, and no cell can be met below itself.
+  Status place(std::uint32_t k) {
+    if (placed_[k] != none) {
+      return Done{};
+    }
+    const MakeComplex::Cell& cell = operation_.cells[k];
+    const Result<TypeId> type = type_of(k);
+    if (!type) {
+      return type.error();
+    }
+    std::vector<CellId> faces;
+    faces.reserve(cell.faces.size());
+    for (std::size_t f = 0; f < cell.faces.size(); ++f) {
+      const Result<CellId> face = place_face(k, f);
+      if (!face) {
+        return face.error();
+      }
+      faces.push_back(*face);
+    }
+    if (Status s = check_laws(k, *type, faces); !s) {
+      return s;
+    }
+    placed_[k] = base_ + static_cast<CellId>(plan_.cells.size());
+    plan_.names.append(operation_.name).append(1, '.').append(cell.id);
+    const std::size_t first_face = plan_.faces.size();
+    plan_.faces.insert(plan_.faces.end(), faces.begin(), faces.end());
+    add_cell(*type, first_face, plan_);
+    return Done{};
+  }
+
+  /// Face f of cell k, placed.
+  Result<CellId> place_face(std::uint32_t k, std::size_t f) {
+    const std::string& id = operation_.cells[k].faces[f];
+    const auto at = index_.find(id);
+    if (at == index_.end()) {
+      return Error{Errc::unknown_name, fmt::format("{} names a face \"{}\" that is not listed there", title(k), id)};
+    }
+    if (Status s = check_face_type(k, f, at->second); !s) {
+      return s.error();
+    }
+    if (Status s = place(at->second); !s) {
+      return s.error();
+    }
+    return placed_[at->second];
+  }
+
+  /// The type of cell k as listed. Errors: a number of faces that no such cell has; a type out of all proportion.
+  Result<TypeId> type_of(std::uint32_t k) {
+    if (declared_[k] != none) {
+      return declared_[k];
+    }
+    const MakeComplex::Cell& cell = operation_.cells[k];
+    CellType type;
+    if (cell.type) {
+      type = *cell.type;
+    } else if (cell.faces.size() == 1) {
+      return Error{Errc::bad_input, fmt::format("{} has 1 face: a vertex has none, an edge 2", title(k))};
+    } else if (!cell.faces.empty()) {
+      type = {static_cast<int>(cell.faces.size()) - 1};
+    }
+    if (has_bad_entry(type)) {
+      return Error{Errc::bad_input,
+                   fmt::format("{} has the type [{}]: the entries of a type are >= 1", title(k), fmt::join(type, ","))};
+    }
+    if (standard_cell_count(type) > limits_.cells_of_standard) {
+      return Error{Errc::refused, fmt::format("{} is a {}: cells may have at most {} faces of all dimensions", title(k),
+                                              describe(type), limits_.cells_of_standard)};
+    }
+    declared_[k] = types_.intern(type);
+    const std::size_t arity = types_.info(declared_[k]).faces.size();
+    if (arity != cell.faces.size()) {
+      return Error{Errc::bad_input, fmt::format("{} is a {} and needs {} faces, but {} are listed", title(k),
+                                                describe(type), arity, cell.faces.size())};
+    }
+    return declared_[k];
+  }
+
+  /// Face f of cell k is listed as cell `face`: are the types right?
+  Status check_face_type(std::uint32_t k, std::size_t f, std::uint32_t face) {
+    const Result<TypeId> type = type_of(face);
+    if (!type) {
+      return type.error();
+    }
+    const TypeId wanted = types_.info(declared_[k]).faces[f].type;
+    if (*type != wanted) {
+      return Error{Errc::bad_input, fmt::format("face {} of {} should be a {}, but \"{}\" is a {}", f, title(k),
+                                                describe(types_.info(wanted).type), operation_.cells[face].id,
+                                                describe(types_.info(*type).type))};
+    }
+    return Done{};
+  }
+
+  [[nodiscard]] const Plan::NewCell& planned(CellId c) const { return plan_.cells[c - base_]; }
+  [[nodiscard]] CellId planned_face(CellId c, std::uint32_t k) const { return plan_.faces[planned(c).first_face + k]; }
+  [[nodiscard]] std::string_view planned_name(CellId c) const {
+    const std::uint64_t begin = c == base_ ? 0 : planned(c - 1).name_end;
+    return std::string_view{plan_.names}.substr(begin, planned(c).name_end - begin);
+  }
+
+  Status check_laws(std::uint32_t k, TypeId type, const std::vector<CellId>& faces) const {
+    for (const FaceLaw& law : types_.info(type).laws) {
+      const CellId one = planned_face(faces[law.first], law.second);
+      const CellId other = planned_face(faces[law.other_first], law.other_second);
+      if (one != other) {
+        return Error{Errc::bad_input,
+                     fmt::format("{} breaks a face law: face {} of its face {} is \"{}\", and face {} of its face {} "
+                                 "is \"{}\", but they must be one cell",
+                                 title(k), law.second, law.first, planned_name(one), law.other_second, law.other_first,
+                                 planned_name(other))};
+      }
+    }
+    return Done{};
+  }
+
+  const MakeComplex& operation_;
+  TypeTable& types_;
+  CellId base_;
+  const Limits& limits_;
+  Plan& plan_;
+  std::unordered_map<std::string_view, std::uint32_t> index_;
+  std::vector<CellId> placed_;    // per listed cell: its id in the plan
+  std::vector<TypeId> declared_;  // per listed cell: its type
+};
+
+}  // namespace
+
+Status plan_complex(const MakeComplex& operation, const Structure& structure, const Limits& limits, Plan& plan) {
+  if (Status s = check_new_name(operation.name, structure); !s) {
+    return s;
+  }
+  if (Status s = check_room(static_cast<std::int64_t>(operation.cells.size()), structure, limits); !s) {
+    return s;
+  }
+  for (const MakeComplex::Cell& cell : operation.cells) {
+    if (const std::string full = operation.name + "." + cell.id; structure.is_name_taken(full)) {
+      return Error{Errc::bad_input,
+                   fmt::format("the name \"{}\" is in use: choose another name for the complex or the cell", full)};
+    }
+  }
+  if (Status s = ComplexPlanner(operation, structure, limits, plan).run(); !s) {
+    return s;
+  }
+  plan.new_body = operation.name;
+  return Done{};
+}
+
+}  // namespace sesame::ops

@@ -1,0 +1,204 @@
+#include "ops/plan/congruence.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace sesame::ops {
+namespace {
+
+/// The vertices of a type by where a map sends them, each component on its own.
+struct Fibres {
+  std::vector<std::size_t> rank;  ///< per vertex: how many before it go to the same vertex
+  std::vector<std::size_t> left;  ///< and how many after it
+  std::size_t most = 0;           ///< of the ranks
+};
+
+Fibres fibres_of(const VertexMap& map, const CellType& type) {
+  Fibres fibres;
+  std::size_t begin = 0;
+  for (const int a : type) {
+    const std::size_t end = begin + static_cast<std::size_t>(a) + 1;
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto like_k = [&](std::size_t from, std::size_t to) {
+        return static_cast<std::size_t>(std::count(map.begin() + static_cast<std::ptrdiff_t>(from),
+                                                   map.begin() + static_cast<std::ptrdiff_t>(to), map[k]));
+      };
+      fibres.rank.push_back(like_k(begin, k));
+      fibres.left.push_back(like_k(k + 1, end));
+      fibres.most = std::max(fibres.most, fibres.rank.back());
+    }
+    begin = end;
+  }
+  return fibres;
+}
+
+}  // namespace
+
+Result<std::vector<Merge>> Congruence::close(std::vector<Equation> equations) {
+  entries_.clear();
+  touched_.clear();
+  foldings_.clear();
+  pending_ = std::move(equations);
+  while (!pending_.empty()) {
+    const Value one = value(pending_.back().first);
+    const Value other = value(pending_.back().second);
+    pending_.pop_back();
+    equate(one, other);
+    if (pending_.empty()) {
+      if (Status s = settle_foldings(); !s) {
+        return s.error();
+      }
+    }
+  }
+  return merges();
+}
+
+void Congruence::equate(Value one, Value other) {
+  if (one == other) {
+    return;
+  }
+  if (one.is_degenerate() && other.is_degenerate()) {
+    add_restrictions(one, other);
+    add_restrictions(other, one);
+    return;
+  }
+  if (one.is_degenerate() ||
+      (!other.is_degenerate() && one.cell != other.cell && structure_.is_older(one.cell, other.cell))) {
+    std::swap(one, other);
+  }
+  if (one.order != same_order) {  // written in the order of the cell
+    other = structure_.maps().reordered(structure_.maps().inverse(one.order), other);
+    one.order = same_order;
+  }
+  if (!send(one.cell, other)) {
+    return;
+  }
+  const auto arity = static_cast<std::uint32_t>(structure_.type(one.cell).faces.size());
+  for (std::uint32_t k = 0; k < arity; ++k) {
+    pending_.emplace_back(structure_.face(one, k), structure_.face(other, k));
+  }
+}
+
+bool Congruence::send(CellId cell, const Value& becomes) {
+  if (becomes.cell == cell && !becomes.is_degenerate()) {
+    return foldings_.emplace(cell, becomes.order).second;
+  }
+  touch(cell);
+  if (!becomes.is_degenerate()) {
+    touch(becomes.cell);
+  }
+  entries_[cell] = {becomes.is_degenerate() ? none : becomes.cell, becomes};
+  return true;
+}
+
+void Congruence::touch(CellId c) {
+  if (entries_.emplace(c, Entry{c, {}}).second) {
+    touched_.push_back(c);
+  }
+}
+
+Value Congruence::root(CellId c) {
+  const auto above = [this](CellId cell) {
+    const auto at = entries_.find(cell);
+    return at == entries_.end() || at->second.parent == cell || at->second.parent == none ? nullptr : &at->second;
+  };
+  Value v{c, structure_.type_id(c), 0};
+  while (Entry* at = above(v.cell)) {
+    if (const Entry* next = above(at->parent)) {  // paths are halved as they are gone
+      *at = {next->parent, structure_.maps().compose(at->becomes, next->becomes)};
+    }
+    v = structure_.maps().compose(v, at->becomes);
+  }
+  return v;
+}
+
+Value Congruence::value(Value v) {
+  v = structure_.normal_form(v);
+  while (true) {
+    v = structure_.maps().compose(v, root(v.cell));
+    const auto at = entries_.find(v.cell);
+    if (at == entries_.end() || at->second.parent != none) {
+      return v;
+    }
+    v = structure_.maps().compose(v, at->second.becomes);
+  }
+}
+
+/// Sections: choices of a vertex for each vertex of the cell underneath. Number r takes the r-th of those that go to
+/// it, or the last; so between them they take every vertex.
+void Congruence::add_restrictions(const Value& one, const Value& other) {
+  const auto [rank, left, most] = fibres_of(structure_.maps().map_of(one), structure_.types().info(one.type).type);
+  for (std::size_t r = 0; r <= most; ++r) {
+    Value a = one;
+    Value b = other;
+    for (std::size_t k = rank.size(); k-- > 0;) {  // the numbers of those before are not changed
+      if (rank[k] != r && (rank[k] > r || left[k] > 0)) {
+        a = structure_.face(a, static_cast<std::uint32_t>(k));
+        b = structure_.face(b, static_cast<std::uint32_t>(k));
+      }
+    }
+    pending_.emplace_back(a, b);
+  }
+}
+
+Status Congruence::settle_foldings() {
+  for (auto at = foldings_.begin(); at != foldings_.end();) {
+    const Value cell{at->first, structure_.type_id(at->first), 0};
+    const Value one = value(cell);
+    const Value other = value(structure_.maps().reordered(at->second, cell));
+    if (one.is_degenerate() && !(one == other)) {
+      pending_.emplace_back(one, other);
+    }
+    at = one.is_degenerate() ? foldings_.erase(at) : std::next(at);
+  }
+  if (!pending_.empty() || foldings_.empty()) {
+    return Done{};
+  }
+  const auto& [cell, order] = *foldings_.rbegin();
+  return Error{Errc::refused,
+               fmt::format("this would glue \"{}\" to itself with its vertices in the order {}, and so fold it: "
+                           "subdivide the cells that are to be glued first, so that no cell meets itself",
+                           structure_.name(cell), fmt::join(structure_.maps().permutation(order), "-"))};
+}
+
+std::vector<Merge> Congruence::merges() {
+  std::unordered_map<CellId, std::vector<CellId>> classes;
+  for (const CellId c : touched_) {
+    classes[root(c).cell].push_back(c);
+  }
+  std::vector<Merge> all;
+  for (const CellId c : touched_) {
+    if (root(c).cell == c) {
+      add_merges(classes[c], c, all);
+    }
+  }
+  std::stable_sort(all.begin(), all.end(), [this](const Merge& x, const Merge& y) {
+    return structure_.dimension(x.removed) < structure_.dimension(y.removed);
+  });
+  return all;
+}
+
+/// The survivor of a class is the cell that stands for the most cells (the oldest of those): with it every path of the
+/// union-find forest stays logarithmic without compression, which undo could not take back.
+void Congruence::add_merges(std::vector<CellId>& of_class, CellId root_of_class, std::vector<Merge>& out) {
+  std::sort(of_class.begin(), of_class.end(), [this](CellId a, CellId b) {
+    const std::uint32_t m = structure_.members(a);
+    const std::uint32_t n = structure_.members(b);
+    return m != n ? m > n : structure_.is_older(structure_.oldest(a), structure_.oldest(b));
+  });
+  VertexMaps& maps = structure_.maps();
+  const CellId survivor = of_class[0];
+  const Value seen_from_survivor = root(survivor);
+  const OrderId back = maps.inverse(seen_from_survivor.order);
+  for (std::size_t k = 1; k < of_class.size(); ++k) {
+    out.push_back({of_class[k], survivor, {}, maps.compose(root(of_class[k]).order, back)});
+  }
+  if (const Entry& entry = entries_.at(root_of_class); entry.parent == none) {
+    out.push_back({survivor, none, maps.compose(seen_from_survivor, entry.becomes)});
+  }
+}
+
+}  // namespace sesame::ops

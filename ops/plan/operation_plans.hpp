@@ -1,0 +1,29 @@
+/// \file
+/// The plans of the operations that make cells, copy them or collapse a vertex, one function each. For what they share
+/// see Planner, which is what a caller uses; each here asks for no more than it needs. Requires: an empty plan.
+#pragma once
+
+#include "ops/cells/structure.hpp"
+#include "ops/plan/limits.hpp"
+#include "ops/vocabulary/operation.hpp"
+
+namespace sesame::ops {
+
+// standard_cells.cpp
+Status plan_simplex(const MakeSimplex& operation, const Structure& structure, const Limits& limits, Plan& plan);
+Status plan_simploid(const MakeSimploid& operation, const Structure& structure, const Limits& limits, Plan& plan);
+// complex.cpp
+Status plan_complex(const MakeComplex& operation, const Structure& structure, const Limits& limits, Plan& plan);
+// cone.cpp
+Status plan_cone(const MakeCone& operation, const Structure& structure, const Limits& limits, Plan& plan);
+Status plan_suspension(const MakeSuspension& operation, const Structure& structure, const Limits& limits, Plan& plan);
+// product.cpp
+Status plan_product(const MakeProduct& operation, const Structure& structure, Plan& plan);
+// deidentification.cpp
+Status plan_deidentification(const Deidentify& operation, const Structure& structure, const Limits& limits, Plan& plan);
+// insertion.cpp
+Status plan_insertion(const Insert& operation, const Structure& structure, const Limits& limits, Plan& plan);
+// collapse.cpp
+Status plan_collapse(const Collapse& operation, const Structure& structure, Plan& plan);
+
+}  // namespace sesame::ops

@@ -1,0 +1,130 @@
+#include "ops/plan/step_names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "ops/cells/name_reader.hpp"
+
+namespace sesame::ops {
+namespace {
+
+/// A name that may have any length, for a sentence: the beginning of a long one.
+std::string shortened(std::string_view name) {
+  constexpr std::size_t most = 200;
+  std::size_t length = std::min(name.size(), most);
+  while (length < name.size() && (static_cast<unsigned char>(name[length]) & 0xc0U) == 0x80U) {
+    --length;  // not within a character
+  }
+  return length == name.size() ? std::string{name}
+                               : fmt::format("{}... ({} bytes)", name.substr(0, length), name.size());
+}
+
+std::string why_unreadable(const std::string& name, NameReader::Failure failure, const Structure& structure) {
+  switch (failure) {
+    case NameReader::Failure::nested:
+      return fmt::format("the name \"{}\" has more than {} products and cones within one another, the limit",
+                         shortened(name), NameReader::most_nested);
+    case NameReader::Failure::ambiguous:
+      return fmt::format(
+          "the name \"{}\" can be taken apart in too many ways, since there are names with brackets that "
+          "do not match or with bars outside of brackets",
+          shortened(name));
+    case NameReader::Failure::unknown:
+      break;
+  }
+  return fmt::format("there is no cell \"{}\"{}", shortened(name),
+                     structure.lookup_body(name) ? ": this is the name of a body; name a cell of it" : "");
+}
+
+}  // namespace
+
+Result<Value> resolve_cell(const std::string& name, const Structure& structure) {
+  NameReader reader(structure, name);
+  auto named = reader.read();
+  if (!named) {
+    return Error{Errc::unknown_name, why_unreadable(name, reader.failure(), structure)};
+  }
+  Lineage(structure).advance_to_now(*named);
+  if (structure.is_consumed(named->cell)) {
+    const LazyFamily& product = structure.family(structure.consumed_by(structure.body_of(named->cell)));
+    return Error{
+        Errc::unknown_name,
+        fmt::format("the cell \"{}\" went into the product \"{}\", whose cells have names such as \"{}.(a|b)\"", name,
+                    product.name, product.name)};
+  }
+  return *named;
+}
+
+Result<BodyId> resolve_body(const std::string& name, const Structure& structure) {
+  const auto body = structure.lookup_body(name);
+  if (!body) {
+    return Error{Errc::unknown_name,
+                 fmt::format("there is no body \"{}\"{}", name,
+                             structure.lookup(name) ? ": this is a cell; name the body that it belongs to" : "")};
+  }
+  if (const FamilyId family = structure.consumed_by(*body); family != none) {
+    return Error{Errc::unknown_name, fmt::format("the body \"{}\" went into the product \"{}\": it can be used no more",
+                                                 name, structure.family(family).name)};
+  }
+  return *body;
+}
+
+Result<BodyId> abstract_body(LabelId label, const Structure& structure) {
+  const AbstractComplex& complex = structure.abstract();
+  const VertexId vertex = complex.vertex(label);
+  if (complex.is_collapsed(label)) {
+    return Error{Errc::refused, fmt::format("\"{}\" was collapsed into another vertex: write \"{}\"",
+                                            complex.text(label), complex.text(complex.label_of(vertex)))};
+  }
+  const BodyId body = structure.body_of(complex.find({&vertex, 1}));
+  if (!structure.kind_of(body).is_abstract) {
+    return Error{Errc::refused,
+                 fmt::format("the body \"{}\" of the vertex \"{}\" was changed by another operation: insert and "
+                             "collapse work on bodies that only they have made; undo that, or use new labels",
+                             structure.body_name(body), complex.text(label))};
+  }
+  return body;
+}
+
+Status check_new_name(const std::string& name, const Structure& structure) {
+  if (!is_name(name)) {
+    return Error{Errc::bad_input,
+                 fmt::format("\"{}\" is not a name: a name is UTF-8, not empty, and has no white space or control "
+                             "characters",
+                             name)};
+  }
+  if (structure.is_name_taken(name)) {
+    return Error{Errc::bad_input, fmt::format("the name \"{}\" is in use: names are unique, choose another", name)};
+  }
+  return Done{};
+}
+
+Status check_new_apex(const std::string& name, const Structure& structure) {
+  if (Status s = check_new_name(name, structure); !s) {
+    return s;
+  }
+  if (structure.is_ambiguous_prefix(name)) {
+    return Error{Errc::bad_input,
+                 fmt::format("the name \"{}\", or that of an apex or a product, goes on after the other with \"*\" or "
+                             "\".(\", so that names of their cells could be mistaken for one another: choose another",
+                             name)};
+  }
+  return Done{};
+}
+
+Status check_new_prefix(const std::string& name, const Structure& structure) {
+  if (Status s = check_new_apex(name, structure); !s) {
+    return s;
+  }
+  if (structure.is_prefix_taken(name)) {
+    return Error{Errc::bad_input,
+                 fmt::format("names that begin with \"{0}*\" or \"{0}.(\", as those of the new cells would, can be "
+                             "those of other cells: choose another",
+                             name)};
+  }
+  return Done{};
+}
+
+}  // namespace sesame::ops

@@ -1,0 +1,27 @@
+/// \file
+/// The names in a step: what those denote that should exist, and whether those are free that it gives.
+#pragma once
+
+#include <string>
+
+#include "ops/cells/structure.hpp"
+#include "sparse/result.hpp"
+
+namespace sesame::ops {
+
+/// What a name denotes, of a cell of the object, in normal form: its vertices in the order in which the name stands for
+/// them. Or unknown_name, with what would be right.
+[[nodiscard]] Result<Value> resolve_cell(const std::string& name, const Structure& structure);
+/// The current body of a name. Errors: unknown_name, also for a body that went into a product.
+[[nodiscard]] Result<BodyId> resolve_body(const std::string& name, const Structure& structure);
+/// The body that a vertex belongs to, when insertions and collapses may change it. Errors: refused.
+[[nodiscard]] Result<BodyId> abstract_body(LabelId label, const Structure& structure);
+
+/// May a cell or a body be given this name? Errors: bad_input, as for those below.
+Status check_new_name(const std::string& name, const Structure& structure);
+/// May an apex, after which cells of its cone are named?
+Status check_new_apex(const std::string& name, const Structure& structure);
+/// May a lazy family, whose cells' names all begin with it and are not looked up one by one?
+Status check_new_prefix(const std::string& name, const Structure& structure);
+
+}  // namespace sesame::ops
