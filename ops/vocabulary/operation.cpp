@@ -1,28 +1,86 @@
 #include "ops/vocabulary/operation.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "ops/vocabulary/json_line.hpp"
+#include "ops/vocabulary/operation_form.hpp"
+
 namespace sesame::ops {
 namespace {
 
-struct Keyword {
-  std::string_view operator()(const MakeSimplex&) const { return "simplex"; }
-  std::string_view operator()(const MakeSimploid&) const { return "simploid"; }
-  std::string_view operator()(const MakeComplex&) const { return "complex"; }
-  std::string_view operator()(const MakeCone&) const { return "cone"; }
-  std::string_view operator()(const MakeSuspension&) const { return "suspend"; }
-  std::string_view operator()(const Identify&) const { return "identify"; }
-  std::string_view operator()(const MakeProduct&) const { return "product"; }
-  std::string_view operator()(const Degenerate&) const { return "degenerate"; }
-  std::string_view operator()(const Deidentify&) const { return "deidentify"; }
-  std::string_view operator()(const Insert&) const { return "insert"; }
-  std::string_view operator()(const Collapse&) const { return "collapse"; }
-  std::string_view operator()(const Expect&) const { return "expect"; }
-  std::string_view operator()(const AskClass&) const { return "class"; }
-  std::string_view operator()(const Undo&) const { return "undo"; }
-  std::string_view operator()(const Note&) const { return "note"; }
-};
+/// A form for each operation, in the order in which a sentence lists them.
+constexpr std::tuple forms{&simplex_form,  &simploid_form, &complex_form,    &cone_form,       &suspension_form,
+                           &product_form,  &identify_form, &degenerate_form, &deidentify_form, &insert_form,
+                           &collapse_form, &expect_form,   &class_form,      &undo_form,       &note_form};
+
+template <class Op>
+const Form<Op>& form_of(const Op& /*operation*/) {
+  return *std::get<const Form<Op>*>(forms);
+}
+
+template <class Op>
+Op read_as(const Form<Op>& form, const Json& object) {
+  Fields in(object, fmt::format("\"{}\"", form.keyword));
+  (void)in.find("op");
+  Op operation = form.read(in);
+  in.finish();
+  return operation;
+}
+
+Operation read_operation(const Json& object) {
+  const auto op = object.find("op");
+  if (op == object.end() || !op->is_string()) {
+    throw Wrong{object.contains("sesame") ? "a script has one header, and this is another"
+                                          : "a step needs a field \"op\" that says which operation it is"};
+  }
+  const std::string word = op->get<std::string>();
+  std::optional<Operation> operation;
+  const auto read_if_named = [&](const auto& form) {
+    if (form.keyword == word) {
+      operation = read_as(form, object);
+    }
+    return operation.has_value();
+  };
+  if (std::apply([&](const auto*... form) { return (read_if_named(*form) || ...); }, forms)) {
+    return *std::move(operation);
+  }
+  const auto known = std::apply([](const auto*... form) { return std::array{form->keyword...}; }, forms);
+  throw Wrong{fmt::format("there is no op \"{}\"; the ops are: {}", word, fmt::join(known, ", "))};
+}
+
+template <class Read>
+auto parse_line(std::string_view line, Read read) -> Result<decltype(read(Json{}))> {
+  try {
+    return read(parse_json_line(line));
+  } catch (Wrong& wrong) {
+    return Error{Errc::bad_input, std::move(wrong.what)};
+  }
+}
+
+/// Text that is not UTF-8 can only come from a program; what is illegal in it is replaced.
+std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace
 
-std::string_view keyword(const Operation& operation) { return std::visit(Keyword{}, operation); }
+std::string_view keyword(const Operation& operation) {
+  return std::visit([](const auto& op) { return form_of(op).keyword; }, operation);
+}
+
+Result<Operation> parse_operation(std::string_view line) { return parse_line(line, read_operation); }
+
+Result<Header> parse_header(std::string_view line) { return parse_line(line, read_header); }
+
+std::string to_text(const Operation& operation) {
+  Json out;
+  out["op"] = keyword(operation);
+  std::visit([&](const auto& op) { form_of(op).write(op, out); }, operation);
+  return dump(out);
+}
+
+std::string to_text(const Header& header) { return dump(written(header)); }
 
 }  // namespace sesame::ops

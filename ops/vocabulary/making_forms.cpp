@@ -1,0 +1,245 @@
+// The text form of the operations that make cells out of nothing, or out of whole bodies.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "ops/vocabulary/operation_form.hpp"
+
+namespace sesame::ops {
+namespace {
+
+// ------------------------------------------------------------------------------------------------- points, types,
+// bases
+
+Point read_point(Fields& in, const Json& value) {
+  if (!value.is_array() || value.size() < 2 || value.size() > 3) {
+    in.wrong("at", "a point, [x,y] or [x,y,z]", value);
+  }
+  Point p{};
+  for (std::size_t k = 0; k < value.size(); ++k) {
+    if (!value[k].is_number()) {
+      in.wrong("at", "a point of numbers", value[k]);
+    }
+    p.at(k) = value[k].get<double>();
+  }
+  return p;
+}
+
+std::optional<Point> read_point(Fields& in) {
+  const Json* at = in.find("at");
+  return at != nullptr ? std::optional{read_point(in, *at)} : std::nullopt;
+}
+
+/// A point for each vertex, or none at all.
+std::vector<Point> read_points(Fields& in, std::size_t vertices) {
+  const Json* at = in.find("at");
+  if (at == nullptr) {
+    return {};
+  }
+  auto all =
+      read_each(in.items("at", *at, "a list of points"), [&](const Json& point) { return read_point(in, point); });
+  if (all.size() != vertices) {
+    throw Wrong{fmt::format("field \"at\" should have {} points, one per vertex, but has {}", vertices, all.size())};
+  }
+  return all;
+}
+
+void write_points(const std::vector<Point>& points, Json& out) {
+  if (!points.empty()) {
+    out["at"] = points;
+  }
+}
+
+CellType read_type(Fields& in, const Json& value) {
+  return read_each(in.items("type", value, "a list of dimensions >= 1, such as [2,1]"),
+                   [&](const Json& a) { return in.small("type", a, 1); });
+}
+
+ConeBase read_base(Fields& in) {
+  const Json* over = in.find("over");
+  if (over == nullptr) {
+    return {};
+  }
+  if (over->is_string()) {
+    return over->get<std::string>();
+  }
+  return in.texts("over", *over, "the name of a body or a list of cells");
+}
+
+void write_base(const ConeBase& over, Json& out) {
+  if (const auto* body = std::get_if<std::string>(&over)) {
+    out["over"] = *body;
+  } else if (const auto* cells = std::get_if<std::vector<std::string>>(&over)) {
+    out["over"] = *cells;
+  }
+}
+
+// ----------------------------------------------------------------------------------------------- simplices and
+// simploids
+
+MakeSimplex read_simplex(Fields& in) {
+  MakeSimplex op;
+  op.name = in.text("name");
+  op.dimension = in.small("dim", in.need("dim"), 0);
+  op.at = read_points(in, static_cast<std::size_t>(op.dimension) + 1);
+  return op;
+}
+
+void write_simplex(const MakeSimplex& op, Json& out) {
+  out["name"] = op.name;
+  out["dim"] = op.dimension;
+  write_points(op.at, out);
+}
+
+std::size_t saturating_vertices(const CellType& type) {
+  std::size_t vertices = 1;
+  for (const int a : type) {
+    if (__builtin_mul_overflow(vertices, static_cast<std::size_t>(a) + 1, &vertices)) {
+      return std::numeric_limits<std::size_t>::max();
+    }
+  }
+  return vertices;
+}
+
+MakeSimploid read_simploid(Fields& in) {
+  MakeSimploid op;
+  op.name = in.text("name");
+  op.type = read_type(in, in.need("type"));
+  op.at = read_points(in, saturating_vertices(op.type));
+  return op;
+}
+
+void write_simploid(const MakeSimploid& op, Json& out) {
+  out["name"] = op.name;
+  out["type"] = op.type;
+  write_points(op.at, out);
+}
+
+// ------------------------------------------------------------------------------------------------------------
+// complexes
+
+MakeComplex::Cell read_cell(const Json& value) {
+  if (!value.is_object()) {
+    throw Wrong{
+        fmt::format("field \"cells\" should be a list of objects with an \"id\", but holds {}", json_kind(value))};
+  }
+  Fields in(value, "a cell of a complex");
+  MakeComplex::Cell cell;
+  cell.id = in.text("id");
+  if (const Json* type = in.find("type")) {
+    cell.type = read_type(in, *type);
+  }
+  if (const Json* faces = in.find("faces")) {
+    cell.faces = in.texts("faces", *faces, "a list of cell ids");
+  }
+  if (in.find("at") != nullptr && !cell.faces.empty()) {
+    throw Wrong{fmt::format("cell \"{}\" has a position \"at\", but only vertices have one", cell.id)};
+  }
+  cell.at = read_point(in);
+  in.finish();
+  return cell;
+}
+
+MakeComplex read_complex(Fields& in) {
+  MakeComplex op;
+  op.name = in.text("name");
+  op.cells = read_each(in.items("cells", in.need("cells"), "a list of cells"), read_cell);
+  return op;
+}
+
+void write_complex(const MakeComplex& op, Json& out) {
+  out["name"] = op.name;
+  Json& cells = out["cells"] = Json::array();
+  for (const MakeComplex::Cell& cell : op.cells) {
+    Json item{{"id", cell.id}};
+    if (cell.type) {
+      item["type"] = *cell.type;
+    }
+    if (!cell.faces.empty()) {
+      item["faces"] = cell.faces;
+    }
+    if (cell.at) {
+      item["at"] = *cell.at;
+    }
+    cells.push_back(std::move(item));
+  }
+}
+
+// ------------------------------------------------------------------------------------------------ cones and
+// suspensions
+
+MakeCone read_cone(Fields& in) {
+  MakeCone op;
+  op.apex = in.text("apex");
+  op.over = read_base(in);
+  op.at = read_point(in);
+  return op;
+}
+
+void write_cone(const MakeCone& op, Json& out) {
+  out["apex"] = op.apex;
+  write_base(op.over, out);
+  if (op.at) {
+    out["at"] = *op.at;
+  }
+}
+
+MakeSuspension read_suspension(Fields& in) {
+  MakeSuspension op;
+  constexpr std::string_view expected = "a list of two names, such as [\"n\",\"s\"]";
+  const std::vector<std::string> names = in.texts("apexes", in.need("apexes"), expected);
+  if (names.size() != op.apexes.size()) {
+    throw Wrong{fmt::format("field \"apexes\" of a suspension should be {}, but lists {}", expected, names.size())};
+  }
+  std::copy(names.begin(), names.end(), op.apexes.begin());
+  op.over = read_base(in);
+  op.at = read_points(in, op.apexes.size());
+  return op;
+}
+
+void write_suspension(const MakeSuspension& op, Json& out) {
+  out["apexes"] = op.apexes;
+  write_base(op.over, out);
+  write_points(op.at, out);
+}
+
+// -------------------------------------------------------------------------------------------------------------
+// products
+
+MakeProduct read_product(Fields& in) {
+  MakeProduct op;
+  op.name = in.text("name");
+  op.left = in.text("left");
+  op.right = in.text("right");
+  if (const Json* kind = in.find("kind")) {
+    const std::string word = in.text("kind", *kind);
+    if (word != "simploidal" && word != "simplicial") {
+      throw Wrong{
+          fmt::format("field \"kind\" of a product should be \"simploidal\" or \"simplicial\", but is \"{}\"", word)};
+    }
+    op.simplicial = word == "simplicial";
+  }
+  return op;
+}
+
+void write_product(const MakeProduct& op, Json& out) {
+  out["name"] = op.name;
+  out["left"] = op.left;
+  out["right"] = op.right;
+  if (op.simplicial) {
+    out["kind"] = "simplicial";
+  }
+}
+
+}  // namespace
+
+constinit const Form<MakeSimplex> simplex_form{"simplex", read_simplex, write_simplex};
+constinit const Form<MakeSimploid> simploid_form{"simploid", read_simploid, write_simploid};
+constinit const Form<MakeComplex> complex_form{"complex", read_complex, write_complex};
+constinit const Form<MakeCone> cone_form{"cone", read_cone, write_cone};
+constinit const Form<MakeSuspension> suspension_form{"suspend", read_suspension, write_suspension};
+constinit const Form<MakeProduct> product_form{"product", read_product, write_product};
+
+}  // namespace sesame::ops

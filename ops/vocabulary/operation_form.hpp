@@ -1,0 +1,45 @@
+/// \file
+/// The text form of each operation: the word that stands for it, and how its fields are read and written.
+#pragma once
+
+#include <string_view>
+
+#include "ops/vocabulary/json_fields.hpp"
+#include "ops/vocabulary/operation.hpp"
+
+namespace sesame::ops {
+
+template <class Op>
+struct Form {
+  std::string_view keyword;
+  /// Throws Wrong.
+  Op (*read)(Fields& in);
+  /// Adds the fields, in the order of the documentation; not those that say no more than their absence.
+  void (*write)(const Op& operation, Json& out);
+};
+
+// making_forms.cpp
+extern const Form<MakeSimplex> simplex_form;
+extern const Form<MakeSimploid> simploid_form;
+extern const Form<MakeComplex> complex_form;
+extern const Form<MakeCone> cone_form;
+extern const Form<MakeSuspension> suspension_form;
+extern const Form<MakeProduct> product_form;
+// gluing_forms.cpp
+extern const Form<Identify> identify_form;
+extern const Form<Degenerate> degenerate_form;
+extern const Form<Deidentify> deidentify_form;
+// simplicial_forms.cpp
+extern const Form<Insert> insert_form;
+extern const Form<Collapse> collapse_form;
+// log_forms.cpp
+extern const Form<Expect> expect_form;
+extern const Form<AskClass> class_form;
+extern const Form<Undo> undo_form;
+extern const Form<Note> note_form;
+
+/// The header of a log, which is no operation. Throws Wrong.
+[[nodiscard]] Header read_header(const Json& object);
+[[nodiscard]] Json written(const Header& header);
+
+}  // namespace sesame::ops
