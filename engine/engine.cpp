@@ -84,32 +84,50 @@ std::vector<Integer> integers(const From& numbers) {
   return out;
 }
 
+/// Why a step is no map of the object before it to that after it, as the end of a sentence; null when it is one.
+const char* why_no_map(ops::StepKind kind) {
+  switch (kind) {
+    case ops::StepKind::split:
+      return "splits cells, and so maps the object before it nowhere";
+    case ops::StepKind::lazy_cone:
+      return "is a cone over more cells than are written out, whose base's classes are no longer told apart";
+    case ops::StepKind::product:
+      return "is a product, which consumes the bodies before it";
+    case ops::StepKind::nothing:
+    case ops::StepKind::addition:
+    case ops::StepKind::removal:
+      break;
+  }
+  return nullptr;
+}
+
 std::uint64_t total(std::span<const std::uint64_t> counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
 /// "cells made: 7; bodies made: 1": what has changed, for an undo what is as it was before.
-std::string description(const StepReport& report, const ops::StructureMark& before, const ops::StructureMark& after) {
-  std::string text = report.steps_undone > 0 ? fmt::format("steps taken back: {}", report.steps_undone) : "";
-  const auto add = [&text](const char* what, const char* undone, std::uint64_t from, std::uint64_t to) {
-    if (from != to) {
-      text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", from < to ? what : undone,
-                          from < to ? to - from : from - to);
+std::string description(const StepReport& report) {
+  using ops::EventKind;
+  const bool is_undo = report.steps_undone > 0;
+  std::string text = is_undo ? fmt::format("steps taken back: {}", report.steps_undone) : "";
+  const auto add = [&](const char* what, const char* undone, auto... kinds) {
+    if (const std::uint64_t count = (report.events[kinds] + ...); count > 0) {
+      text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", is_undo ? undone : what, count);
     }
   };
-  add("cells made", "cells gone", report.before.created, report.after.created);
-  add("cells merged or squashed", "cells separate again", report.before.links, report.after.links);
-  add("incidences moved", "incidences moved back", report.before.moves, report.after.moves);
-  add("products and large cones", "products and large cones gone", report.before.families, report.after.families);
-  add("bodies made", "bodies gone", before.bodies, after.bodies);
-  add("bodies joined to others", "bodies apart again", before.body_links, after.body_links);
+  add("cells made", "cells gone", EventKind::cell, EventKind::copy, EventKind::degenerate, EventKind::lazy);
+  add("cells merged or squashed", "cells separate again", EventKind::removal);
+  add("incidences moved", "incidences moved back", EventKind::move);
+  add("products and large cones", "products and large cones gone", EventKind::family);
+  add("bodies made", "bodies gone", EventKind::body);
+  add("bodies joined to others", "bodies apart again", EventKind::union_of_bodies);
   return text.empty() ? "nothing changed" : text;
 }
 
 }  // namespace
 
 Engine::Engine(sparse::AnyRing ring, ops::Limits limits, const RebasePolicy& rebases)
-    : ring_{ring}, planner_{structure_, limits}, equivalences_{ring, structure_, rebases} {
+    : ring_{ring}, workspace_{limits}, equivalences_{ring, workspace_.structure(), rebases} {
   spdlog::default_logger_raw();  // made now if need be, so that memory running out in a step is the step's own affair
 }
 
@@ -118,14 +136,13 @@ Engine::~Engine() = default;
 Result<StepReport> Engine::apply(ops::Operation operation) {
   sparse::expects(!is_broken_, "a step was cut off by an exception: the log is intact, make a new engine from it");
   is_broken_ = true;  // until this has come to its end
-  const ops::StructureMark before = structure_.mark();
   Result<StepReport> result = carry_out(operation);
   if (result) {
     log_.push_back(std::move(operation));
   }
   is_broken_ = false;
   if (result) {
-    notify(*result, before);
+    notify(*result);
   }
   return result;
 }
@@ -136,70 +153,66 @@ Result<StepReport> Engine::carry_out(const ops::Operation& operation) {
                                  if (Status status = check(expected); !status) {
                                    return status.error();
                                  }
-                                 push_history();
-                                 return begin_report(operation);
+                                 return pass(operation);
                                },
                                [&](const ops::AskClass& question) -> Result<StepReport> {
                                  const Result<CellChain> asked = chain(question.chain);
                                  if (!asked) {
                                    return asked.error();
                                  }
-                                 StepReport report = begin_report(operation);
-                                 report.answer = classify(*asked);
-                                 push_history();
+                                 ClassAnswer answer = classify(*asked);
+                                 StepReport report = pass(operation);
+                                 report.answer = std::move(answer);
                                  return report;
                                },
-                               [&](const ops::Note&) -> Result<StepReport> {
-                                 push_history();
-                                 return begin_report(operation);
-                               },
+                               [&](const ops::Note&) -> Result<StepReport> { return pass(operation); },
                                [&](const auto&) { return construct(operation); }},
                     operation);
 }
 
-/// What an operation would do, written into `into`; nothing, for one that constructs nothing.
-Status Engine::plan_into(const ops::Operation& operation, ops::Plan& into) {
-  return std::visit(
-      [&]<class Op>(const Op& op) -> Status {
-        if constexpr (requires { planner_.plan(op, into); }) {
-          return planner_.plan(op, into);
-        } else {
-          into.clear();
-          return Done{};
-        }
-      },
-      operation);
-}
-
 Result<ops::Plan> Engine::plan(const ops::Operation& operation) {
-  ops::Plan plan;
-  if (Status status = plan_into(operation, plan); !status) {
+  if (!ops::Workspace::is_construction(operation)) {
+    return ops::Plan{};
+  }
+  if (Status status = workspace_.plan(operation); !status) {
     return status.error();
   }
-  return plan;
+  return workspace_.planned();
 }
 
 Result<StepReport> Engine::construct(const ops::Operation& operation) {
-  if (Status status = plan_into(operation, plan_); !status) {
+  if (Status status = workspace_.plan(operation); !status) {
     return status.error();
   }
   if (Status status = check_room(operation); !status) {
     return status.error();
   }
   StepReport report = begin_report(operation);
-  report.already = plan_.already;
+  report.already = workspace_.planned().already;
+  report.kind = workspace_.planned().kind();
   const std::uint64_t before = total(cells());
-  push_history();
-  structure_.apply(plan_);
+  const ops::Journal& journal = structure().journal();
+  const ops::Journal::Position begin = journal.end();
+  remember();
+  workspace_.carry_out();
+  report.events = journal.counts_since(begin);
   report.rebased = equivalences_.extend();
-  report.after = ops::now(structure_);
+  report.after = ops::now(structure());
   const std::uint64_t after = total(cells());
-  if (!plan_.merges.empty()) {
-    report.sequence = SequenceSizes{ops::Direction::forward, before - after, before, after};
-  } else if (!plan_.sources.empty()) {
-    report.sequence = SequenceSizes{ops::Direction::backward, after - before, after, before};
-  } else if (!plan_.changes_nothing() && !std::holds_alternative<ops::MakeProduct>(operation)) {
-    report.sequence = SequenceSizes{ops::Direction::backward, before, after, after - before};
+  switch (report.kind) {
+    case ops::StepKind::removal:
+      report.sequence = SequenceSizes{ops::Direction::forward, before - after, before, after};
+      break;
+    case ops::StepKind::split:
+      report.sequence = SequenceSizes{ops::Direction::backward, after - before, after, before};
+      break;
+    case ops::StepKind::addition:
+    case ops::StepKind::lazy_cone:
+      report.sequence = SequenceSizes{ops::Direction::backward, before, after, after - before};
+      break;
+    case ops::StepKind::nothing:
+    case ops::StepKind::product:
+      break;
   }
   return report;
 }
@@ -210,9 +223,9 @@ Status Engine::check_room(const ops::Operation& operation) const {
   if (product == nullptr) {
     return Done{};
   }
-  const std::uint64_t left = equivalences_.now().small_of(plan_.family->bodies[0]);
-  const std::uint64_t right = equivalences_.now().small_of(plan_.family->bodies[1]);
-  const auto limit = static_cast<std::uint64_t>(planner_.limits().cells_per_step);
+  const std::uint64_t left = equivalences_.now().small_of(workspace_.planned().family->bodies[0]);
+  const std::uint64_t right = equivalences_.now().small_of(workspace_.planned().family->bodies[1]);
+  const auto limit = static_cast<std::uint64_t>(workspace_.planner().limits().cells_per_step);
   if (right != 0 && left > limit / right) {
     return Error{Errc::refused, "the small complexes of \"" + product->left + "\" and \"" + product->right +
                                     "\" have " + std::to_string(left) + " and " + std::to_string(right) +
@@ -226,19 +239,9 @@ Result<Barcode> Engine::barcode() const {
   if (std::holds_alternative<sparse::Integers>(ring_)) {
     return Error{Errc::refused, "barcodes need a field: compute over Q or Z/p, such as Z/2, instead of Z"};
   }
-  for (std::size_t k = 0; k < history_.size(); ++k) {
-    const ops::Moment before = before_step(k + 1);
-    const ops::Moment after = k + 1 < history_.size() ? before_step(k + 2) : ops::now(structure_);
-    const char* reason = nullptr;
-    if (after.copies > before.copies) {
-      reason = "splits cells, and so maps the object before it nowhere";
-    } else if (after.families > before.families) {
-      reason = structure_.family(before.families).kind == ops::FamilyKind::cone
-                   ? "is a cone over more cells than are written out, whose base's classes are no longer told apart"
-                   : "is a product, which consumes the bodies before it";
-    }
-    if (reason != nullptr) {
-      return Error{Errc::refused, "there is no barcode: step " + std::to_string(steps_[k]) + " " + reason};
+  for (std::size_t k = 0; k < numbers_.size(); ++k) {
+    if (const char* reason = why_no_map(workspace_.steps()[k].kind); reason != nullptr) {
+      return Error{Errc::refused, "there is no barcode: step " + std::to_string(numbers_[k]) + " " + reason};
     }
   }
   Barcode barcode;
@@ -246,8 +249,8 @@ Result<Barcode> Engine::barcode() const {
     if (life.born == life.died) {
       continue;  // born and dead within one step: no class of any space; two steps never have one time
     }
-    const Time death = life.died == Lifetime::never ? never : Time{steps_[life.died]};
-    barcode.bars.push_back({life.degree, steps_[life.born], death});
+    const Time death = life.died == Lifetime::never ? never : Time{numbers_[life.died]};
+    barcode.bars.push_back({life.degree, numbers_[life.born], death});
   }
   std::sort(barcode.bars.begin(), barcode.bars.end());
   return barcode;
@@ -269,19 +272,17 @@ Status Engine::check(const ops::Expect& expected) {
 }
 
 Result<StepReport> Engine::take_back(const ops::Undo& operation) {
-  if (operation.steps > history_.size()) {
-    return Error{Errc::refused, "cannot undo " + std::to_string(operation.steps) + " steps: only " +
-                                    std::to_string(history_.size()) + " can be undone"};
-  }
   StepReport report = begin_report(operation);
   report.steps_undone = operation.steps;
-  for (std::uint64_t k = 0; k < operation.steps; ++k) {
-    structure_.truncate(history_.back());
-    history_.pop_back();
-    steps_.pop_back();
+  if (operation.steps > 0 && operation.steps <= undoable()) {
+    report.events = structure().journal().counts_since(workspace_.steps()[undoable() - operation.steps].begin);
   }
+  if (Status status = workspace_.take_back(operation.steps); !status) {
+    return status.error();
+  }
+  numbers_.resize(numbers_.size() - operation.steps);
   equivalences_.undo(operation.steps);
-  report.after = ops::now(structure_);
+  report.after = ops::now(structure());
   return report;
 }
 
@@ -289,19 +290,27 @@ StepReport Engine::begin_report(const ops::Operation& operation) const {
   StepReport report;
   report.step = log_.size() + 1;
   report.op = ops::keyword(operation);
-  report.before = report.after = ops::now(structure_);
+  report.before = report.after = ops::now(structure());
   return report;
 }
 
-void Engine::push_history() {
-  history_.push_back(structure_.mark());
-  steps_.push_back(log_.size() + 1);
+/// A step that does nothing to the object.
+StepReport Engine::pass(const ops::Operation& operation) {
+  StepReport report = begin_report(operation);
+  remember();
+  workspace_.pass();
+  return report;
+}
+
+/// Before a step.
+void Engine::remember() {
+  numbers_.push_back(log_.size() + 1);
   equivalences_.push_mark();
 }
 
-void Engine::notify(const StepReport& report, const ops::StructureMark& before) const {
+void Engine::notify(const StepReport& report) const {
   if (spdlog::should_log(spdlog::level::debug)) {
-    spdlog::debug("step {} ({}): {}", report.step, report.op, description(report, before, structure_.mark()));
+    spdlog::debug("step {} ({}): {}", report.step, report.op, description(report));
   }
   for (const Observer& observer : observers_) {
     observer(log_.back(), report);
@@ -310,15 +319,15 @@ void Engine::notify(const StepReport& report, const ops::StructureMark& before) 
 
 void Engine::visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit) {
   HomologyTracker& tracker = equivalences_.now();
-  if (structure_.families() == 0) {
+  if (structure().families() == 0) {
     tracker.visit_generators(degree, most_terms, visit);
     return;
   }
-  const ops::StructureMark mark = structure_.mark();
+  const ops::Journal::Position mark = structure().journal().end();
   tracker.push_mark();
   tracker.visit_generators(degree, most_terms, [&](Generator generator) {
     const bool goes_on = visit(std::move(generator));
-    structure_.truncate(mark);
+    workspace_.forget_since(mark);
     tracker.undo_to_mark();
     tracker.push_mark();
     return goes_on;
@@ -340,11 +349,11 @@ Result<CellChain> Engine::chain(const std::vector<std::pair<Integer, std::string
   CellChain chain;
   bool is_first = true;
   for (const auto& [coefficient, name] : terms) {
-    const Result<ops::Value> value = planner_.resolve(name);
+    const Result<ops::Value> value = workspace_.planner().resolve(name);
     if (!value) {
       return value.error();
     }
-    const int dimension = structure_.types().info(value->type).dimension;
+    const int dimension = structure().types().info(value->type).dimension;
     if (std::exchange(is_first, false)) {
       chain.degree = dimension;
     } else if (chain.degree != dimension) {
@@ -353,25 +362,26 @@ Result<CellChain> Engine::chain(const std::vector<std::pair<Integer, std::string
                                         "\" has dimension " + std::to_string(dimension)};
     }
     if (!value->is_degenerate()) {  // which counts as 0
-      const bool agrees = structure_.maps().sign(value->order) * structure_.sign_of_name(value->cell) > 0;
+      const bool agrees = structure().maps().sign(value->order) * structure().sign_of_name(value->cell) > 0;
       chain.terms.push_back({agrees ? coefficient : -coefficient, value->cell});
     }
   }
   add_up(chain.terms);
   std::sort(chain.terms.begin(), chain.terms.end(), [this](const CellChain::Term& a, const CellChain::Term& b) {
-    return structure_.is_older(structure_.oldest(a.cell), structure_.oldest(b.cell));
+    return structure().is_older(structure().oldest(a.cell), structure().oldest(b.cell));
   });
   return chain;
 }
 
 ops::Moment Engine::before_step(std::uint64_t n) const {
-  sparse::expects(n >= 1 && n <= history_.size(), "a step is one of those that are not undone");
-  const ops::StructureMark& mark = history_[n - 1];
-  return {mark.cells, mark.links, mark.moves, mark.families, mark.copies};
+  sparse::expects(n >= 1 && n <= undoable(), "a step is one of those that are not undone");
+  return workspace_.before(n - 1);
 }
 
 std::optional<std::string> Engine::first_defect() {
-  return equivalences_.now().first_defect(history_.empty() ? ops::now(structure_) : before_step(history_.size()));
+  const std::vector<ops::Workspace::Step>& steps = workspace_.steps();
+  return steps.empty() ? equivalences_.now().first_defect(ops::StepKind::nothing, {})
+                       : equivalences_.now().first_defect(steps.back().kind, workspace_.before(steps.size() - 1));
 }
 
 }  // namespace sesame::engine

@@ -15,8 +15,8 @@
 #include "engine/homology_tracker.hpp"
 #include "engine/towers/barcode.hpp"
 #include "ops/cells/structure.hpp"
-#include "ops/plan/planner.hpp"
 #include "ops/plan/step_sequence.hpp"
+#include "ops/plan/workspace.hpp"
 #include "ops/vocabulary/operation.hpp"
 #include "sparse/result.hpp"
 #include "sparse/ring.hpp"
@@ -36,7 +36,9 @@ struct SequenceSizes {
 struct StepReport {
   std::uint64_t step = 0;                 ///< counted from 1, over all steps that were applied
   std::string_view op;                    ///< the keyword of its operation
+  ops::StepKind kind{};                   ///< what it was to the object
   ops::Moment before, after;              ///< cells created and removed until then
+  ops::EventCounts events;                ///< of the journal, that it made or, an undo, took back
   std::uint64_t steps_undone = 0;         ///< by an undo
   std::uint64_t already = 0;              ///< simplices of an insertion that were there; see Plan::already
   bool rebased = false;                   ///< the equivalence was begun afresh: see Engine::rebases
@@ -78,16 +80,16 @@ class Engine {
   /// Takes back the last n steps (an Undo operation without the operation's text).
   Result<StepReport> undo(std::uint64_t steps = 1) { return apply(ops::Undo{steps}); }
   /// The number of steps that can be undone: those applied, undos and the undone not counted.
-  [[nodiscard]] std::uint64_t undoable() const { return history_.size(); }
+  [[nodiscard]] std::uint64_t undoable() const { return workspace_.steps().size(); }
   /// Every operation that was applied, undos included, in order.
   [[nodiscard]] const std::vector<ops::Operation>& log() const { return log_; }
   void observe(Observer observer) { observers_.push_back(std::move(observer)); }
 
   // ---- state
   [[nodiscard]] const sparse::AnyRing& ring() const { return ring_; }
-  [[nodiscard]] const ops::Structure& structure() const { return structure_; }
+  [[nodiscard]] const ops::Structure& structure() const { return workspace_.structure(); }
   /// The number of cells of each dimension, up to the largest that has one.
-  [[nodiscard]] std::span<const std::uint64_t> cells() const { return structure_.counts(); }
+  [[nodiscard]] std::span<const std::uint64_t> cells() const { return workspace_.structure().counts(); }
   [[nodiscard]] std::int64_t euler_characteristic() const;
   /// Betti numbers, torsion, sizes of the small and the big complex; an entry per dimension that has cells.
   [[nodiscard]] Homology homology() { return equivalences_.now().homology(cells().size()); }
@@ -129,37 +131,34 @@ class Engine {
 
   // ---- the last step as an exact sequence, and the laws
   /// The moment before the step with this number among those not undone (1: the first). Requires: 1 <= n <= undoable().
+  /// Cost: what has happened since.
   [[nodiscard]] ops::Moment before_step(std::uint64_t n) const;
   /// The exact sequence of a step that is not undone; nothing when the step changed no cells or was a
   /// product. Cost: the size of the object.
   template <sparse::Ring R>
   [[nodiscard]] std::optional<ops::StepSequence<R>> sequence(std::uint64_t n, const R& ring) const {
     const ops::Moment before = before_step(n);
-    const ops::Moment after = n == undoable() ? ops::now(structure_) : before_step(n + 1);
-    return ops::step_sequence(structure_, before, after, ring);
+    return ops::step_sequence(structure(), workspace_.steps()[n - 1].kind, before, workspace_.after(n - 1), ring);
   }
   /// Checks every law of the present state. Slow. Returns the first that fails and where.
   [[nodiscard]] std::optional<std::string> first_defect();
 
  private:
   Result<StepReport> carry_out(const ops::Operation& operation);
-  Status plan_into(const ops::Operation& operation, ops::Plan& into);
   Result<StepReport> construct(const ops::Operation& operation);
   Status check_room(const ops::Operation& operation) const;
   Status check(const ops::Expect& expected);
   Result<StepReport> take_back(const ops::Undo& operation);
   StepReport begin_report(const ops::Operation& operation) const;
-  void notify(const StepReport& report, const ops::StructureMark& before) const;
-  void push_history();
+  StepReport pass(const ops::Operation& operation);
+  void notify(const StepReport& report) const;
+  void remember();
 
   sparse::AnyRing ring_;
-  ops::Structure structure_;
-  ops::Planner planner_;
-  ops::Plan plan_;
+  ops::Workspace workspace_;
   Equivalences equivalences_;
   std::vector<ops::Operation> log_;
-  std::vector<ops::StructureMark> history_;  ///< before each step that can be undone
-  std::vector<std::uint64_t> steps_;         ///< the numbers of those steps
+  std::vector<std::uint64_t> numbers_;  ///< in the log, from 1, of the steps that can be undone
   std::vector<Observer> observers_;
   bool is_broken_ = false;  ///< a step began and has not come to its end
 };

@@ -166,7 +166,7 @@ class HomologyTracker {
 
   /// Checks every law of the equivalence and of the last step's exact sequence, and the homology against a Smith form
   /// computed from scratch. Returns the first that fails and where. Slow: for tests and audits.
-  [[nodiscard]] virtual std::optional<std::string> first_defect(ops::Moment before_last_step) = 0;
+  [[nodiscard]] virtual std::optional<std::string> first_defect(ops::StepKind last_step, ops::Moment before_it) = 0;
 };
 
 }  // namespace sesame::engine

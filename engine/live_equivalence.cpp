@@ -87,10 +87,7 @@ LiveEquivalence<R>::LiveEquivalence(R ring, Window window)
       big_{ring, window_},
       rewriter_{ring, big_.boundary()},
       lazy_{ring, window_, big_, rewriter_},
-      cells_{window_.begin().created},
-      links_{window_.begin().links},
-      moves_{window_.begin().moves},
-      families_{window_.begin().families} {
+      position_{window_.start()} {
   big_.set_lazy_maps(lazy_);
   for (Index generator = 0; generator < big_.size(); ++generator) {
     rewriter_.append(big_.degree(generator));
@@ -144,38 +141,61 @@ bool LiveEquivalence<R>::extend(std::uint64_t budget) {
   return true;
 }
 
+/// Reads the journal from where it has come to.
 template <Ring R>
 void LiveEquivalence<R>::take_in_step() {
   const RuleId time = rewriter_.rules();
   Index first_copy = ops::none;
-  for (; cells_ < structure_.created(); ++cells_) {
-    if (window_.copy(cells_) != nullptr) {
-      const Index copy = big_.append_copy(cells_);
-      first_copy = std::min(first_copy, copy);
-      rewriter_.append(big_.degree(copy));
-    } else if (const auto generator = big_.append_cell(cells_)) {
-      rewriter_.append(big_.degree(*generator));
+  std::uint32_t first_move = ops::none, last_move = ops::none;
+  const auto take_in = [&](const ops::Journal::Run& run) {
+    switch (run.kind) {
+      case ops::EventKind::cell:
+      case ops::EventKind::degenerate:
+      case ops::EventKind::lazy:
+        for (CellId c = run.first; c < run.first + run.count; ++c) {
+          if (const auto generator = big_.append_cell(c)) {
+            rewriter_.append(big_.degree(*generator));
+          }
+        }
+        break;
+      case ops::EventKind::copy:
+        for (CellId c = run.first; c < run.first + run.count; ++c) {
+          const Index copy = big_.append_copy(c);
+          first_copy = std::min(first_copy, copy);
+          rewriter_.append(big_.degree(copy));
+        }
+        break;
+      case ops::EventKind::move:  // looking at a face may have made nodes between two of them
+        first_move = std::min(first_move, run.first);
+        last_move = run.first + run.count - 1;
+        break;
+      case ops::EventKind::family:
+        lazy_.add_family(run.first);
+        break;
+      case ops::EventKind::removal:
+        for (LinkId link = run.first; link < run.first + run.count; ++link) {
+          rewriter_.append(big_.degree(big_.append_removal(link)));
+        }
+        break;
+      default:  // nothing that homology knows of
+        break;
     }
-  }
-  if (const auto moves = structure_.moves(); moves_ < moves.size()) {
+  };
+  structure_.journal().for_each_since(position_, take_in);
+  if (first_move != ops::none) {
     expects(first_copy != ops::none, "incidences move to copies made in the same step");
-    const std::vector<Index> changed = big_.split(first_copy, moves.subspan(moves_));
-    moves_ = static_cast<std::uint32_t>(moves.size());
+    const std::vector<Index> changed =
+        big_.split(first_copy, structure_.moves().subspan(first_move, last_move - first_move + 1));
     if (!changed.empty()) {
       rewriter_.perturb(time, first_copy, changed);
     }
   }
-  for (; families_ < structure_.families(); ++families_) {
-    lazy_.add_family(families_);
-  }
-  for (; links_ < structure_.links(); ++links_) {
-    rewriter_.append(big_.degree(big_.append_removal(links_)));
-  }
+  position_ = structure_.journal().end();
 }
 
 template <Ring R>
 void LiveEquivalence<R>::push_mark() {
-  marks_.push_back({cells_, links_, moves_, families_, big_.mark(), lazy_.mark(), rewriter_.mark()});
+  marks_.push_back({position_, big_.mark(), lazy_.mark(), rewriter_.mark()});
 }
 
 template <Ring R>
@@ -189,10 +209,7 @@ void LiveEquivalence<R>::go_back_to(const Mark& mark) {
   rewriter_.undo(mark.rewriter);
   big_.truncate(mark.big);
   lazy_.truncate(mark.lazy, mark.big.generators);
-  cells_ = mark.cells;
-  links_ = mark.links;
-  moves_ = mark.moves;
-  families_ = mark.families;
+  position_ = mark.position;
 }
 
 template <Ring R>
@@ -686,7 +703,7 @@ std::optional<std::string> LiveEquivalence<R>::defect_of_maps(const ops::CellBas
 }
 
 template <Ring R>
-std::optional<std::string> LiveEquivalence<R>::first_defect(ops::Moment before_last_step) {
+std::optional<std::string> LiveEquivalence<R>::first_defect(ops::StepKind last_step, ops::Moment before_it) {
   constexpr std::uint64_t most = 1'000'000;
   const auto counts = structure_.counts();
   if (const auto cells = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
@@ -695,7 +712,7 @@ std::optional<std::string> LiveEquivalence<R>::first_defect(ops::Moment before_l
            "objects of up to " + std::to_string(most) + " when there are products or large cones";
   }
   const ops::Moment present = ops::now(structure_);
-  if (const auto step = ops::step_sequence(structure_, before_last_step, present, ring_)) {
+  if (const auto step = ops::step_sequence(structure_, last_step, before_it, present, ring_)) {
     if (const auto defect = reductions::first_defect(step->sequence)) {
       return "the step's exact sequence: " + defect->to_string();
     }

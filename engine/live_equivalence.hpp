@@ -40,7 +40,7 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] Work work() const override {
     return {big_.entries_appended(), rewriter_.terms_read(), rewriter_.rule_terms(), big_.links_followed()};
   }
-  [[nodiscard]] std::optional<std::string> first_defect(ops::Moment before_last_step) override;
+  [[nodiscard]] std::optional<std::string> first_defect(ops::StepKind last_step, ops::Moment before_it) override;
 
   /// The whole equivalence as matrices. C's basis is that of ops::cells_at; B's and S's are their generators of each
   /// degree, oldest first. Cost: the size of all maps written out. Requires: there are no lazy families.
@@ -65,10 +65,7 @@ class LiveEquivalence final : public HomologyTracker {
     [[nodiscard]] Terms<R> coordinates(const R& ring, const Terms<R>& cycle) const;
   };
   struct Mark {
-    CellId cells;
-    LinkId links;
-    std::uint32_t moves;
-    ops::FamilyId families;
+    ops::Journal::Position position;
     typename BigComplex<R>::Mark big;
     typename LazyMaps<R>::Mark lazy;
     typename Rewriter<R>::Mark rewriter;
@@ -104,10 +101,7 @@ class LiveEquivalence final : public HomologyTracker {
   BigComplex<R> big_;
   Rewriter<R> rewriter_;
   LazyMaps<R> lazy_;
-  CellId cells_;  ///< taken in so far
-  LinkId links_;
-  std::uint32_t moves_;
-  ops::FamilyId families_;
+  ops::Journal::Position position_;  ///< of the journal: what has been taken in
   std::vector<Mark> marks_;
   TorsionCache torsion_;
 };

@@ -7,7 +7,7 @@
 namespace sesame::engine {
 
 Window::Window(const Structure& structure, std::vector<CellId> cells)
-    : structure_{&structure}, begin_{structure.now()}, cells_{std::move(cells)} {
+    : structure_{&structure}, begin_{structure.now()}, start_{structure.journal().end()}, cells_{std::move(cells)} {
   places_.reserve(cells_.size());
   first_face_.reserve(cells_.size() + 1);
   first_face_.push_back(0);

@@ -33,6 +33,8 @@ class Window {
 
   [[nodiscard]] const Structure& structure() const { return *structure_; }
   [[nodiscard]] const ops::Moment& begin() const { return begin_; }
+  /// The position of the journal at the beginning.
+  [[nodiscard]] ops::Journal::Position start() const { return start_; }
   /// The cells that the object had at the beginning, as far as it was not empty.
   [[nodiscard]] const std::vector<CellId>& cells() const { return cells_; }
   /// The place of one of them in that list.
@@ -126,6 +128,7 @@ class Window {
  private:
   const Structure* structure_;
   ops::Moment begin_;
+  ops::Journal::Position start_ = 0;
   std::vector<CellId> cells_;
   std::unordered_map<CellId, std::uint32_t> places_;
   // Per cell of the beginning, by place: its faces, `none` for a degenerate one; and who has it as a face.

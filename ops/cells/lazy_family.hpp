@@ -40,7 +40,6 @@ struct LazyFamily {
   CellId apex = none;                 ///< of a cone
   CellId first = 0;                   ///< nodes with smaller ids were created before the family
   LinkId links = 0;                   ///< removals until then
-  std::uint32_t body_links = 0;       ///< unions of bodies until then
   BodyId body = none;                 ///< that it made
   std::vector<std::uint64_t> counts;  ///< as in NewFamily
 };

@@ -36,10 +36,24 @@ void Plan::clear() {
   already = 0;
 }
 
+StepKind Plan::kind() const {
+  if (family) {
+    return family->kind == FamilyKind::cone ? StepKind::lazy_cone : StepKind::product;
+  }
+  if (!merges.empty()) {
+    return StepKind::removal;
+  }
+  if (!sources.empty()) {
+    return StepKind::split;
+  }
+  return cells.size() == degenerate.size() ? StepKind::nothing : StepKind::addition;
+}
+
 Structure::Structure()
     : types_{std::make_unique<TypeTable>()},
       maps_{std::make_unique<VertexMaps>(*types_)},
-      nodes_{std::make_unique<Nodes>()} {}
+      nodes_{std::make_unique<Nodes>()},
+      journal_{std::make_unique<Journal>()} {}
 Structure::~Structure() = default;
 
 // ------------------------------------------------------------------------------------------------------------- cells
@@ -54,6 +68,7 @@ std::span<const CellId> Structure::faces_as_created(CellId c) const {
         has_orders_ = has_orders_ || face.order != same_order;
       }
       lazy.is_expanded = true;
+      note(EventKind::expansion, nodes_->expanded.size());
       nodes_->expanded.push_back(c);
     }
     return lazy.faces;
@@ -186,6 +201,7 @@ Incidence Structure::incidence_of(const Value& v) const {
   const CellId node = add_node(v.type, none, none, nodes_->body[v.cell]);
   squash(node, v);
   nodes_->degenerate_index.emplace(v, node);
+  note(EventKind::degenerate, node);
   return {node};
 }
 
@@ -372,6 +388,7 @@ Incidence Structure::lazy_face(FamilyId family, LazyPart part, const Value& left
     nodes_->lazy_cells.push_back({key});
     nodes_->lazy_index.emplace(key, made.cell);
     nodes_->lazy_made[family].push_back(made.cell);
+    note(EventKind::lazy, made.cell);
   }
   return made.is_degenerate() ? incidence_of(normal_form(made)) : Incidence{made.cell, made.order};
 }
@@ -741,19 +758,14 @@ std::vector<CellId> Structure::cells_of(BodyId body) const {
 
 // ------------------------------------------------------------------------------------------------------------ change
 
-StructureMark Structure::mark() const {
-  return {created(),
-          links(),
-          names_.size(),
-          static_cast<std::uint32_t>(bodies_.size()),
-          static_cast<std::uint32_t>(body_links_.size()),
-          static_cast<std::uint32_t>(moves_.size()),
-          copies(),
-          cones(),
-          families(),
-          static_cast<std::uint32_t>(nodes_->expanded.size()),
-          static_cast<std::uint32_t>(kind_changes_.size()),
-          abstract_.mark()};
+Moment Structure::moment_at(Journal::Position position) const {
+  const EventCounts since = journal_->counts_since(position);
+  const auto less = [&since](std::uint32_t now, auto... kinds) {
+    return static_cast<std::uint32_t>(now - (since[kinds] + ...));
+  };
+  return {less(created(), EventKind::cell, EventKind::copy, EventKind::degenerate, EventKind::lazy),
+          less(links(), EventKind::removal), less(static_cast<std::uint32_t>(moves_.size()), EventKind::move),
+          less(families(), EventKind::family), less(copies(), EventKind::copy)};
 }
 
 void Structure::apply(const Plan& plan) {
@@ -761,6 +773,7 @@ void Structure::apply(const Plan& plan) {
   expects(plan.cells.empty() || plan.first == first, "a plan is carried out in the state that it was made for");
   const auto new_body = plan.new_body || plan.family ? static_cast<BodyId>(bodies_.size()) : none;
   if (new_body != none) {
+    note(EventKind::body, new_body);
     bodies_.emplace_back();
     bodies_.back().name = none;
     bodies_.back().parent = bodies_.back().oldest = new_body;
@@ -768,6 +781,7 @@ void Structure::apply(const Plan& plan) {
   }
   const Instant made = instant_of(links(), families());
   for (const Plan::WrittenCone& cone : plan.cones) {
+    note(EventKind::cone, cones_.size());
     cones_.push_back({first + cone.apex, first + cone.end, made, links(), none, cone.by_edges});
   }
   add_cells(plan, new_body);
@@ -826,6 +840,7 @@ void Structure::note_orders(const Plan& plan, CellId first) {
 
 void Structure::change_abstract(const Plan& plan, CellId first) {
   const AbstractChange& change = *plan.abstract;
+  const std::uint32_t changes_before = abstract_.mark();
   for (const std::string& label : change.labels) {
     abstract_.add_label(label);
   }
@@ -843,6 +858,9 @@ void Structure::change_abstract(const Plan& plan, CellId first) {
       abstract_.replace(c, collapse->gone, collapse->kept);
     }
     abstract_.join_labels(collapse->from, collapse->to, collapse->kept);
+  }
+  for (std::uint32_t k = changes_before; k < abstract_.mark(); ++k) {
+    note(EventKind::simplicial, k);
   }
 }
 
@@ -871,7 +889,8 @@ void Structure::leave_abstract(const Plan& plan) {
 void Structure::lower_kind(BodyId body, BodyKind kind) {
   body = find_body(body);
   if (!(bodies_[body].kind == kind)) {
-    kind_changes_.push_back({body, bodies_[body].kind, static_cast<std::uint32_t>(body_links_.size())});
+    note(EventKind::body_kind, kind_changes_.size());
+    kind_changes_.push_back({body, bodies_[body].kind});
     bodies_[body].kind = kind;
   }
 }
@@ -962,11 +981,14 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
                           copies() - static_cast<std::uint32_t>(k)}});
       copies_of_[source].push_back(id);
     }
+    note(source == none ? EventKind::cell : EventKind::copy, id);
   }
   for (const auto& [name, cell] : plan.aliases) {
+    note(EventKind::name, names_.size());
     add_name(name, cell, none);
   }
   if (plan.new_body && bodies_[new_body].name == none) {
+    note(EventKind::name, names_.size());
     bodies_[new_body].name = names_.size();
     add_name(*plan.new_body, none, new_body);
   }
@@ -975,8 +997,9 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
 void Structure::add_family(const NewFamily& family, BodyId body) {
   const auto id = families();
   families_.push_back({family.kind, family.name, family.bodies, family.by_edges,
-                       family.kind == FamilyKind::cone ? created() - 1 : none, created(), links(),
-                       static_cast<std::uint32_t>(body_links_.size()), body, family.counts});
+                       family.kind == FamilyKind::cone ? created() - 1 : none, created(), links(), body,
+                       family.counts});
+  note(EventKind::family, id);
   nodes_->lazy_made.emplace_back();
   if (family.kind == FamilyKind::cone) {
     cones_.push_back({created() - 1, created(), instant_of(links(), id), links(), id, family.by_edges});
@@ -1010,6 +1033,9 @@ void Structure::undo_last_family() {
     }
   }
   nodes_->lazy_made.pop_back();
+  if (family.kind == FamilyKind::cone) {
+    cones_.pop_back();
+  }
   families_.pop_back();
 }
 
@@ -1018,6 +1044,7 @@ void Structure::link(const Merge& merge) {
   expects(is_current(removed) && removed != survivor && (survivor == none || is_current(survivor)),
           "a merge joins two current cells");
   Nodes& n = *nodes_;
+  note(EventKind::removal, links());
   n.link_of[removed] = links();
   count(removed, -1);
   const bool reverses = maps_->sign(order) < 0;
@@ -1028,11 +1055,11 @@ void Structure::link(const Merge& merge) {
     link_orders_.emplace(links(), order);
   }
   if (survivor == none) {
-    links_.push_back({removed, none, none, created()});
+    links_.push_back({removed, none, none});
     squash(removed, becomes);
     return;
   }
-  links_.push_back({removed, n.oldest[survivor], n.last_child[survivor], created()});
+  links_.push_back({removed, n.oldest[survivor], n.last_child[survivor]});
   n.last_child[survivor] = links() - 1;
   n.parent[removed] = survivor;
   n.size[survivor] += n.size[removed];
@@ -1059,6 +1086,9 @@ void Structure::undo_last_link() {
   }
   n.link_of[link.removed] = none;
   count(link.removed, 1);
+  if (first_links_.back() == links()) {
+    first_links_.pop_back();
+  }
 }
 
 void Structure::make_move(const Move& move) {
@@ -1077,6 +1107,7 @@ void Structure::make_move(const Move& move) {
   moves_.push_back({move.cell, move.slot, std::exchange(moved.faces[move.slot], move.to), move.to, links(),
                     order_before, move.order});
   moved_onto_[move.to].push_back(number);
+  note(EventKind::move, number);
 }
 
 void Structure::undo_last_move() {
@@ -1105,7 +1136,8 @@ void Structure::join_bodies(BodyId a, BodyId b) {
   if (bodies_[a].size < bodies_[b].size) {
     std::swap(a, b);
   }
-  body_links_.push_back({b, bodies_[a].oldest, created(), links(), bodies_[a].kind, bodies_[a].nesting});
+  note(EventKind::union_of_bodies, body_links_.size());
+  body_links_.push_back({b, bodies_[a].oldest, bodies_[a].kind, bodies_[a].nesting});
   bodies_[a].kind = {bodies_[a].kind.is_abstract && bodies_[b].kind.is_abstract,
                      bodies_[a].kind.keeps_orders && bodies_[b].kind.keeps_orders};
   bodies_[a].nesting = std::max(bodies_[a].nesting, bodies_[b].nesting);
@@ -1163,35 +1195,6 @@ void Structure::drop_last_node() {
       made.pop_back();
     }
   }
-  if (n.lazy[c] != none) {
-    const LazyKey& key = n.lazy_cells.back().key;
-    n.lazy_index.erase(key);
-    n.lazy_made[key.family].pop_back();
-    n.lazy_cells.pop_back();
-  } else if (n.parent[c] == none) {  // degenerate from the start
-    n.degenerate_index.erase(n.squashed.at(c));
-    unsquash(c);
-  } else {
-    count(c, -1);
-    while (n.faces.size() > n.first_face[c]) {
-      if (!face_orders_.empty()) {
-        face_orders_.erase(n.faces.size() - 1);
-      }
-      n.first_incidence[n.faces.back()] = n.next_incidence.back();
-      n.faces.pop_back();
-      n.next_incidence.pop_back();
-    }
-    if (const auto at = copy_index_.find(c); !copies_.empty() && at != copy_index_.end()) {
-      const auto of = copies_of_.find(copies_[at->second].source);
-      of->second.pop_back();
-      if (of->second.empty()) {
-        copies_of_.erase(of);
-      }
-      copy_index_.erase(at);
-      copies_.pop_back();
-      name_orders_.erase(c);
-    }
-  }
   for (auto* column : {&n.type, &n.first_incidence, &n.parent, &n.oldest, &n.size, &n.link_of, &n.last_child, &n.name,
                        &n.lazy, &n.body}) {
     column->pop_back();
@@ -1199,45 +1202,95 @@ void Structure::drop_last_node() {
   n.first_face.pop_back();
 }
 
-void Structure::truncate(const StructureMark& mark) {
-  abstract_.truncate(mark.abstract);
-  while (moves_.size() > mark.moves) {
-    undo_last_move();
-  }
-  // Faces of older lazy cells that were asked for since may be nodes that go.
-  while (nodes_->expanded.size() > mark.expansions) {
-    LazyCell& lazy = nodes_->lazy_cells[nodes_->lazy[nodes_->expanded.back()]];
-    lazy.faces.clear();
-    lazy.orders.clear();
-    lazy.is_expanded = false;
-    nodes_->expanded.pop_back();
-  }
-  // The last event first: a body link, a removal or a family that was made when there were as many nodes as there are.
-  while (true) {
-    if (kind_changes_.size() > mark.body_kinds && kind_changes_.back().body_links == body_links_.size()) {
-      undo_last_kind_change();
-    } else if (families() > mark.families && families_.back().first == created() && families_.back().links == links() &&
-               families_.back().body_links == body_links_.size()) {
-      undo_last_family();
-    } else if (body_links_.size() > mark.body_links && body_links_.back().created == created() &&
-               body_links_.back().links == links()) {
-      undo_last_body_link();
-    } else if (links() > mark.links && links_.back().created == created()) {
-      undo_last_link();
-    } else if (created() > mark.cells) {
-      drop_last_node();
-    } else {
-      break;
+void Structure::undo_last_cell() {
+  Nodes& n = *nodes_;
+  const CellId c = created() - 1;
+  count(c, -1);
+  while (n.faces.size() > n.first_face[c]) {
+    if (!face_orders_.empty()) {
+      face_orders_.erase(n.faces.size() - 1);
     }
+    n.first_incidence[n.faces.back()] = n.next_incidence.back();
+    n.faces.pop_back();
+    n.next_incidence.pop_back();
   }
-  while (!first_links_.empty() && first_links_.back() >= links()) {
-    first_links_.pop_back();
+  drop_last_name();
+  drop_last_node();
+}
+
+void Structure::undo_last_copy() {
+  const CellId c = created() - 1;
+  const auto of = copies_of_.find(copies_.back().source);
+  of->second.pop_back();
+  if (of->second.empty()) {
+    copies_of_.erase(of);
   }
-  while (names_.size() > mark.names) {
-    drop_last_name();
+  copy_index_.erase(c);
+  copies_.pop_back();
+  name_orders_.erase(c);
+  undo_last_cell();
+}
+
+void Structure::undo_last_degenerate() {
+  const CellId c = created() - 1;
+  nodes_->degenerate_index.erase(nodes_->squashed.at(c));
+  unsquash(c);
+  drop_last_node();
+}
+
+void Structure::undo_last_lazy() {
+  const LazyKey& key = nodes_->lazy_cells.back().key;
+  nodes_->lazy_index.erase(key);
+  nodes_->lazy_made[key.family].pop_back();
+  nodes_->lazy_cells.pop_back();
+  drop_last_node();
+}
+
+void Structure::undo_last_expansion() {
+  LazyCell& lazy = nodes_->lazy_cells[nodes_->lazy[nodes_->expanded.back()]];
+  lazy.faces.clear();
+  lazy.orders.clear();
+  lazy.is_expanded = false;
+  nodes_->expanded.pop_back();
+}
+
+void Structure::undo_last_event() {
+  switch (journal_->pop()) {
+    case EventKind::cell:
+      return undo_last_cell();
+    case EventKind::copy:
+      return undo_last_copy();
+    case EventKind::degenerate:
+      return undo_last_degenerate();
+    case EventKind::lazy:
+      return undo_last_lazy();
+    case EventKind::expansion:
+      return undo_last_expansion();
+    case EventKind::removal:
+      return undo_last_link();
+    case EventKind::move:
+      return undo_last_move();
+    case EventKind::family:
+      return undo_last_family();
+    case EventKind::cone:
+      return cones_.pop_back();
+    case EventKind::name:
+      return drop_last_name();
+    case EventKind::body:
+      return bodies_.pop_back();
+    case EventKind::union_of_bodies:
+      return undo_last_body_link();
+    case EventKind::body_kind:
+      return undo_last_kind_change();
+    case EventKind::simplicial:
+      return abstract_.truncate(abstract_.mark() - 1);
   }
-  cones_.erase(cones_.begin() + mark.cones, cones_.end());
-  bodies_.erase(bodies_.begin() + mark.bodies, bodies_.end());
+}
+
+void Structure::truncate(Journal::Position position) {
+  while (journal_->end() > position) {
+    undo_last_event();
+  }
 }
 
 }  // namespace sesame::ops

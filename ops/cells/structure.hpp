@@ -18,6 +18,7 @@
 
 #include "ops/cells/cell_type.hpp"
 #include "ops/cells/degeneracy.hpp"
+#include "ops/cells/journal.hpp"
 #include "ops/cells/lazy_family.hpp"
 #include "ops/name_table.hpp"
 #include "ops/simplicial/abstract_complex.hpp"
@@ -68,6 +69,16 @@ struct BodyKind {
   friend bool operator==(const BodyKind&, const BodyKind&) = default;
 };
 
+/// What a step is to the object.
+enum class StepKind : std::uint8_t {
+  nothing,    ///< no cell has changed
+  addition,   ///< cells were made
+  removal,    ///< cells became others, or degenerate: an identification, a degeneracy, a collapse
+  split,      ///< cells got copies, and incidences moved to them: a de-identification
+  product,    ///< bodies became a product
+  lazy_cone,  ///< bodies went under a cone that is not written out
+};
+
 /// What an operation would do, as a value: worked out by the planner without touching the structure, then applied
 /// whole. New cells have the ids that follow those in use. Reusable: `clear` keeps the memory.
 struct Plan {
@@ -103,6 +114,7 @@ struct Plan {
 
   void clear();
   [[nodiscard]] bool changes_nothing() const { return cells.empty() && merges.empty() && !family; }
+  [[nodiscard]] StepKind kind() const;
 };
 
 /// A moment of the history: how many cells had been created and removed, incidences moved, copies and lazy families
@@ -132,23 +144,6 @@ struct Cone {
   LinkId links;     ///< of that, removals
   FamilyId family;  ///< of a lazy cone, else none
   bool by_edges;    ///< as in NewFamily
-};
-
-/// How much of everything there was at some moment: all that undo needs.
-struct StructureMark {
-  CellId cells = 0;
-  LinkId links = 0;
-  std::uint32_t names = 0;
-  std::uint32_t bodies = 0;
-  std::uint32_t body_links = 0;
-  std::uint32_t moves = 0;
-  std::uint32_t copies = 0;
-  std::uint32_t cones = 0;
-  FamilyId families = 0;
-  std::uint32_t expansions = 0;
-  std::uint32_t body_kinds = 0;
-  std::uint32_t abstract = 0;
-  friend bool operator==(const StructureMark&, const StructureMark&) = default;
 };
 
 /// The cells of all bodies. Cost of every lookup below: O(1) or O(log cells).
@@ -398,11 +393,14 @@ class Structure {
   void make_all_lazy_cells() const;
 
   // ---- change
-  [[nodiscard]] StructureMark mark() const;
+  /// All that has happened and is not undone, what queries made included.
+  [[nodiscard]] const Journal& journal() const { return *journal_; }
+  /// The moment when the journal had come to a position. Cost: what has happened since.
+  [[nodiscard]] Moment moment_at(Journal::Position position) const;
   /// Carries a plan out. Requires: planned for the present state. Cost: the size of the plan.
   void apply(const Plan& plan);
-  /// Goes back to a mark of the past. Cost: the size of what goes.
-  void truncate(const StructureMark& mark);
+  /// Takes back the events from a position on. Cost: the size of what goes.
+  void truncate(Journal::Position position);
 
  private:
   /// One entry per node. Behind a pointer, as lazy nodes are added by queries.
@@ -430,7 +428,6 @@ class Structure {
   struct Link {
     CellId removed, oldest_before;
     LinkId previous_child;  ///< the link that ended at the same node before
-    CellId created;         ///< nodes, when it was made: undo goes back through the events in their order
   };
   struct Range {
     CellId first, last;
@@ -450,8 +447,6 @@ class Structure {
   };
   struct BodyLink {
     BodyId child, oldest_before;
-    CellId created;
-    LinkId links;
     BodyKind kind_before;
     std::uint32_t nesting_before;
   };
@@ -459,12 +454,18 @@ class Structure {
   struct KindChange {
     BodyId body;
     BodyKind before;
-    std::uint32_t body_links;
   };
 
   CellId add_node(TypeId type, std::uint32_t name, std::uint32_t lazy, BodyId body) const;
   void squash(CellId node, const Value& becomes) const;
   void unsquash(CellId node) const;
+  void note(EventKind kind, std::size_t number) const { journal_->append(kind, static_cast<std::uint32_t>(number)); }
+  void undo_last_event();
+  void undo_last_cell();
+  void undo_last_copy();
+  void undo_last_degenerate();
+  void undo_last_lazy();
+  void undo_last_expansion();
   void drop_last_node();
   void add_cells(const Plan& plan, BodyId new_body);
   void add_family(const NewFamily& family, BodyId body);
@@ -501,6 +502,7 @@ class Structure {
   std::unique_ptr<TypeTable> types_;  // behind a pointer: planning interns types, and that changes no state
   std::unique_ptr<VertexMaps> maps_;  // likewise
   std::unique_ptr<Nodes> nodes_;
+  std::unique_ptr<Journal> journal_;  // likewise: it has the lazy nodes that queries made
   std::vector<Link> links_;
   std::vector<bool> reverses_;                       ///< per link
   LinkId reversals_ = 0;                             ///< links that do

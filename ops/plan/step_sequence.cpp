@@ -257,29 +257,30 @@ ChainComplex<R> chain_complex(const Structure& structure, const CellBasis& basis
 }
 
 template <Ring R>
-std::optional<StepSequence<R>> step_sequence(const Structure& structure, Moment before, Moment after, const R& ring) {
-  if (after.links > before.links) {
-    for (CellId c = before.created; c < after.created; ++c) {  // only those that queries asked for
-      sparse::expects(structure.is_lazy(c) || structure.find_at(c, after.links) != c,
-                      "a step adds cells or removes cells, not both");
-    }
-    return removed_cells(structure, before, after, ring);
+std::optional<StepSequence<R>> step_sequence(const Structure& structure, StepKind kind, Moment before, Moment after,
+                                             const R& ring) {
+  switch (kind) {
+    case StepKind::removal:
+      for (CellId c = before.created; c < after.created; ++c) {  // only those that queries asked for
+        sparse::expects(structure.is_lazy(c) || structure.find_at(c, after.links) != c,
+                        "a step adds cells or removes cells, not both");
+      }
+      return removed_cells(structure, before, after, ring);
+    case StepKind::split:
+      return split_cells(structure, before, after, ring);
+    case StepKind::addition:
+    case StepKind::lazy_cone:
+      return added(structure, before, after, ring);
+    case StepKind::nothing:
+    case StepKind::product:
+      break;
   }
-  const bool is_product =
-      after.families > before.families && structure.family(before.families).kind != FamilyKind::cone;
-  if (after.copies > before.copies) {
-    return split_cells(structure, before, after, ring);
-  }
-  bool has_new_cells = after.families > before.families;
-  for (CellId c = before.created; c < after.created && !has_new_cells; ++c) {  // queries may have made nodes as well
-    has_new_cells = !structure.is_lazy(c) && structure.find_at(c, after.links) == c;
-  }
-  return is_product || !has_new_cells ? std::nullopt : std::optional{added(structure, before, after, ring)};
+  return std::nullopt;
 }
 
 #define SESAME_INSTANTIATE(R)                                                                   \
   template ChainComplex<R> chain_complex(const Structure&, const CellBasis&, Moment, const R&); \
-  template std::optional<StepSequence<R>> step_sequence(const Structure&, Moment, Moment, const R&);
+  template std::optional<StepSequence<R>> step_sequence(const Structure&, StepKind, Moment, Moment, const R&);
 SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
 #undef SESAME_INSTANTIATE
 

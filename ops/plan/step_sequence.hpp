@@ -69,11 +69,11 @@ struct StepSequence {
   CellBasis basis0, basis1, basis2;
 };
 
-/// The sequence of the step that led from one moment to the next; none for a step that changed no cells, and for a
-/// product, which is a tensor product and no sequence.
+/// The sequence of a step of some kind that led from one moment to the next; none for a step that changed no cells, and
+/// for a product, which is a tensor product and no sequence.
 /// Cost: the size of the object (the complexes are written out); the maps store only what the step touched.
 template <sparse::Ring R>
-[[nodiscard]] std::optional<StepSequence<R>> step_sequence(const Structure& structure, Moment before, Moment after,
-                                                           const R& ring);
+[[nodiscard]] std::optional<StepSequence<R>> step_sequence(const Structure& structure, StepKind kind, Moment before,
+                                                           Moment after, const R& ring);
 
 }  // namespace sesame::ops

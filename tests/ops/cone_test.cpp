@@ -148,11 +148,11 @@ TEST_CASE("a lazy cone is the same object as one whose cells are made, whatever 
 TEST_CASE("a cone over degenerate faces is degenerate in the same directions", "[ops]") {
   Workshop shop(GENERATE(Limits{}, lazy));
   shop.build({R"({"op":"simplex","name":"t","dim":2})", R"({"op":"degenerate","cell":"t.0-1","along":0})"});
-  const StructureMark before = shop.structure().mark();
+  const StructureMark before = mark_of(shop.structure());
   shop.build({R"({"op":"cone","apex":"v","over":"t"})"});
   CHECK(faces(shop, "v*t") == Texts{"v*t.1-2", "v*t.0-2", "v*t.0^0 of a simplex of dimension 2", "t"});
   CHECK(counts(shop) == Counts{3, 4, 3, 1});
-  shop.structure().truncate(before);
+  shop.go_back_to(before);
   shop.build({R"({"op":"simploid","name":"q","type":[1,1]})", R"({"op":"cone","apex":"v"})"});
   CHECK(faces(shop, "v*t") ==
         Texts{"v*t.1-2", "v*t.0-2", "v*t.0^0 of a cube of dimension 2", "v^0,1 of a simplex of dimension 2", "t"});
@@ -213,27 +213,27 @@ TEST_CASE("a lazy cone's apex needs a prefix of its own", "[ops]") {
     CHECK(shop.plan(MakeCone{apex, std::vector<std::string>{"t"}, {}}));
   }
   CHECK_THAT(refused(shop, MakeCone{"t", {}, {}}).what, Contains("in use"));
-  const StructureMark before = shop.structure().mark();
+  const StructureMark before = mark_of(shop.structure());
   REQUIRE(shop.apply(MakeCone{"u", {}, {}}));
-  shop.structure().truncate(before);
+  shop.go_back_to(before);
   REQUIRE(shop.apply(MakeSimplex{"u*t", 0, {}}));
   CHECK_THAT(refused(shop, MakeCone{"u", {}, {}}).what, Contains("begin with \"u*\""));
-  shop.structure().truncate(before);
+  shop.go_back_to(before);
   CHECK(shop.apply(MakeCone{"u", {}, {}}));
 }
 
 TEST_CASE("a large body is coned without a look at its cells, from the limit on", "[ops]") {
   Workshop shop(Limits{.cells_of_explicit_cone = 7});
   shop.build({R"({"op":"simplex","name":"s","dim":2})", R"({"op":"simplex","name":"t","dim":2})"});
-  const StructureMark before = shop.structure().mark();
+  const StructureMark before = mark_of(shop.structure());
   shop.build({R"({"op":"cone","apex":"v","over":"s"})"});
   CHECK(shop.structure().families() == 0);
-  shop.structure().truncate(before);
+  shop.go_back_to(before);
   shop.build({R"({"op":"cone","apex":"v"})"});
   CHECK(shop.structure().families() == 1);
   CHECK(shop.structure().created() == 15);
   CHECK(shop.last_plan().cells.size() == 1);
-  shop.structure().truncate(before);
+  shop.go_back_to(before);
   CHECK(shop.structure().families() == 0);
   shop.build({R"({"op":"cone","apex":"v","over":["s","t"]})"});
   CHECK(shop.structure().families() == 0);

@@ -201,7 +201,7 @@ TEST_CASE("S. Peltier, habilitation (2023), figure 2.44: what is glued to a dege
 TEST_CASE("a triangle squashes along either of its directions, with all that this says of its sides", "[ops]") {
   Workshop shop;
   build_checked(shop, {R"({"op":"simplex","name":"t","dim":2})"});
-  const StructureMark whole = shop.structure().mark();
+  const StructureMark whole = mark_of(shop.structure());
   SECTION("along 0: s_0 of d_0, so d_2 is s_0 of its end and d_1 is d_0") {
     build_checked(shop, {R"({"op":"degenerate","cell":"t","along":0})"});
     CHECK(counts(shop) == Counts{2, 1});
@@ -216,7 +216,7 @@ TEST_CASE("a triangle squashes along either of its directions, with all that thi
     CHECK(meaning(shop.structure(), "t.1-2") == "t.1^0 of a simplex of dimension 1");
     CHECK(shop.cell("t.0-2") == shop.cell("t.0-1"));
   }
-  shop.structure().truncate(whole);
+  shop.go_back_to(whole);
   CHECK(counts(shop) == Counts{3, 3, 1});
 }
 

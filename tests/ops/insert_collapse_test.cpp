@@ -102,7 +102,7 @@ TEST_CASE("a list makes the complex that its simplices make one after the other"
     carry_out(one, Insert{{list.simplices.back()}, true});
   }
   const std::string before = dump(other.structure());
-  const StructureMark mark = other.structure().mark();
+  const StructureMark mark = mark_of(other.structure());
   const Moment then = now(other.structure());
   carry_out(other, list);
   Texts names_of_one = names_of(one), names_of_other = names_of(other);
@@ -110,11 +110,11 @@ TEST_CASE("a list makes the complex that its simplices make one after the other"
   std::sort(names_of_other.begin(), names_of_other.end());
   CHECK(names_of_one == names_of_other);
   CHECK(face_law_defect(other.structure()) == "");
-  const auto step = step_sequence(other.structure(), then, now(other.structure()), sparse::Integers{});
+  const auto step = tests::sequence_between(other.structure(), then, now(other.structure()), sparse::Integers{});
   REQUIRE(step.has_value());
   const auto defect = reductions::first_defect(step->sequence);
   CHECK((defect ? defect->to_string() : "") == "");
-  other.structure().truncate(mark);
+  other.go_back_to(mark);
   CHECK(first_difference(dump(other.structure()), before) == "");
 }
 
@@ -190,7 +190,7 @@ TEST_CASE("random insertions and collapses make the complexes that sets of label
   RandomAbstractSteps steps(seed, 9, 3);
   std::vector<std::pair<StructureMark, std::string>> past;
   for (int k = 0; k < 60; ++k) {
-    past.emplace_back(shop.structure().mark(), dump(shop.structure()));
+    past.emplace_back(mark_of(shop.structure()), dump(shop.structure()));
     const Moment before = now(shop.structure());
     const Operation op = steps.next();
     CAPTURE(k, to_text(op));
@@ -204,13 +204,13 @@ TEST_CASE("random insertions and collapses make the complexes that sets of label
       }
       REQUIRE(shop.cell(name + "}") != none);
     }
-    const auto step = step_sequence(shop.structure(), before, now(shop.structure()), sparse::Integers{});
+    const auto step = tests::sequence_between(shop.structure(), before, now(shop.structure()), sparse::Integers{});
     REQUIRE(step.has_value());
     const auto defect = reductions::first_defect(step->sequence);
     REQUIRE((defect ? defect->to_string() : "") == "");
   }
   for (; !past.empty(); past.pop_back()) {
-    shop.structure().truncate(past.back().first);
+    shop.go_back_to(past.back().first);
     REQUIRE(first_difference(dump(shop.structure()), past.back().second) == "");
   }
   CHECK(shop.structure().abstract().empty());
@@ -557,14 +557,14 @@ TEST_CASE("other operations take an abstract body whose orders agree, and end it
     carry_out(shop, collapse("x", "c"));
     CHECK(kind_of(shop, "{a}") == orders_agree);
     const std::string before = dump(shop.structure());
-    const StructureMark mark = shop.structure().mark();
+    const StructureMark mark = mark_of(shop.structure());
     shop.build({line});
     CHECK(face_law_defect(shop.structure()) == "");
     CHECK_THAT(refused(shop, insert({"a", "q"})).what, Contains("changed by another operation"));
     CHECK_THAT(refused(shop, collapse("a", "b")).what, Contains("changed by another operation"));
     CHECK_THAT(refused(shop, collapse("x", "b")).what, Contains("write \"c\""));
     carry_out(shop, insert({"new", "newer"}));
-    shop.structure().truncate(mark);
+    shop.go_back_to(mark);
     CHECK(first_difference(dump(shop.structure()), before) == "");
     CHECK(kind_of(shop, "{a}") == orders_agree);
     carry_out(shop, collapse("a", "b"));
@@ -594,7 +594,7 @@ TEST_CASE("other operations work where vertex orders do not agree, and the face 
     CHECK(kind_of(shop, "{b}") == orders_differ);
     CHECK(face_law_defect(shop.structure()) == "");
     const std::string before = dump(shop.structure());
-    const StructureMark mark = shop.structure().mark();
+    const StructureMark mark = mark_of(shop.structure());
     for (const std::string line :
          {R"({"op":"identify","pairs":[["{other}","{b}"]]})", R"({"op":"degenerate","cell":"{a,b}","along":0})",
           R"({"op":"deidentify","split":[{"cell":"{b}","as":"b2","moves":[]}]})",
@@ -604,7 +604,7 @@ TEST_CASE("other operations work where vertex orders do not agree, and the face 
       CAPTURE(line);
       shop.build({line});
       CHECK(face_law_defect(shop.structure()) == "");
-      shop.structure().truncate(mark);
+      shop.go_back_to(mark);
       CHECK(first_difference(dump(shop.structure()), before) == "");
     }
     CHECK_THAT(refused(shop, R"({"op":"product","name":"P","left":"{other}","right":"{a}","kind":"simplicial"})").what,
@@ -615,18 +615,18 @@ TEST_CASE("other operations work where vertex orders do not agree, and the face 
 TEST_CASE("joining a body keeps track of whose orders agree, through undo", "[ops]") {
   Workshop shop;
   insert_all(shop, {{"p", "q"}, {"a", "b", "c"}});
-  const StructureMark apart = shop.structure().mark();
+  const StructureMark apart = mark_of(shop.structure());
   carry_out(shop, collapse("c", "a"));
   CHECK(kind_of(shop, "{a}") == orders_differ);
   CHECK(kind_of(shop, "{p}") == orders_agree);
-  const StructureMark unordered = shop.structure().mark();
+  const StructureMark unordered = mark_of(shop.structure());
   carry_out(shop, insert({"a", "p"}));
   CHECK(kind_of(shop, "{p}") == orders_differ);
-  shop.structure().truncate(unordered);
+  shop.go_back_to(unordered);
   CHECK(kind_of(shop, "{p}") == orders_agree);
   carry_out(shop, collapse("p", "b"));
   CHECK(kind_of(shop, "{q}") == orders_differ);
-  shop.structure().truncate(apart);
+  shop.go_back_to(apart);
   CHECK(kind_of(shop, "{a}") == orders_agree);
   CHECK(kind_of(shop, "{q}") == orders_agree);
   CHECK(shop.structure().current_bodies().size() == 2);

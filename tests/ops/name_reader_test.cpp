@@ -171,7 +171,7 @@ std::vector<std::string> corpus(const Structure& structure, std::vector<std::str
 /// Tries an operation, which may be refused.
 void attempt(Workshop& shop, const Operation& op) {
   if (shop.plan(op)) {
-    shop.structure().apply(shop.last_plan());
+    shop.carry_out();
   }
 }
 
@@ -368,11 +368,11 @@ TEST_CASE("hostile texts can be given as names, and found again", "[ops][cost]")
   Workshop shop(lazy);
   for (const std::string part : {"*", ".(", "(", "|", "{", "a*", "P.(x|"}) {
     const std::string name = times(20000, part);
-    const StructureMark before = shop.structure().mark();
+    const StructureMark before = mark_of(shop.structure());
     REQUIRE(shop.apply(MakeSimplex{name, 0, {}}));
     CHECK(shop.structure().lookup(name));
     CHECK(refused(shop, MakeSimplex{name, 0, {}}).code == Errc::bad_input);
-    shop.structure().truncate(before);
+    shop.go_back_to(before);
     CHECK_FALSE(shop.structure().lookup(name));
     CHECK(shop.structure().odd_names().empty());
   }
@@ -395,10 +395,10 @@ TEST_CASE("names and products are nested to a limit, and what is above it says s
   CHECK_THAT(error.what, Contains("194 products and cones") && Contains("limit"));
   // Bodies that become one are as deep as the deeper of them, until that is taken back.
   REQUIRE(deep.apply(MakeSimplex{"e", 1, {}}));
-  const StructureMark apart = deep.structure().mark();
+  const StructureMark apart = mark_of(deep.structure());
   REQUIRE(deep.apply(Identify{{{"e.0", nested(194)}}}));
   CHECK(error_of(deep, MakeProduct{"Q", "e", "e", false}).code == Errc::refused);
-  deep.structure().truncate(apart);
+  deep.go_back_to(apart);
   CHECK(deep.plan(MakeProduct{"Q", "e", "e", false}));
 }
 
@@ -448,7 +448,7 @@ TEST_CASE("names that a coned cell gets later serve as well, and those of a copy
   shop.build({R"({"op":"simplex","name":"t","dim":1})", R"({"op":"cone","apex":"v","over":"t"})",
               R"({"op":"simplex","name":"n","dim":0})", R"({"op":"simplex","name":"m","dim":0})"});
   CHECK_FALSE(shop.structure().lookup("v*n"));
-  const StructureMark apart = shop.structure().mark();
+  const StructureMark apart = mark_of(shop.structure());
   shop.build({R"({"op":"identify","pairs":[["m","n"]]})", R"({"op":"identify","pairs":[["n","t.1"]]})"});
   CHECK(shop.cell("v*n") == shop.cell("v*t.1"));
   CHECK(shop.cell("v*m") == shop.cell("v*t.1"));
@@ -462,7 +462,7 @@ TEST_CASE("names that a coned cell gets later serve as well, and those of a copy
   shop.build({R"({"op":"deidentify","split":[{"cell":"n","as":"copy","moves":[["t",0],["v*t.1",1]]}]})"});
   CHECK(shop.cell("v*n") == shop.cell("v*t.1"));
   CHECK_FALSE(shop.structure().lookup("v*copy"));
-  shop.structure().truncate(apart);
+  shop.go_back_to(apart);
   CHECK_FALSE(shop.structure().lookup("v*n"));
 }
 
@@ -645,7 +645,7 @@ TEST_CASE("names of cones denote from step to step what tables of all names say"
   ConeNames names;
   std::vector<std::pair<StructureMark, ConeNames>> past;
   for (int k = 0; k < 30; ++k) {
-    past.emplace_back(shop.structure().mark(), names);
+    past.emplace_back(mark_of(shop.structure()), names);
     const Operation op =
         k % 7 == 3 ? Operation{MakeCone{"top" + std::to_string(k), {}, {}}} : steps.next(shop.structure());
     CAPTURE(k, to_text(op));
@@ -658,7 +658,7 @@ TEST_CASE("names of cones denote from step to step what tables of all names say"
     REQUIRE(names.defect(shop.structure()) == "");
     if (random.one_in(6)) {
       const auto back = past.begin() + random.in(0, static_cast<int>(past.size()) - 1);
-      shop.structure().truncate(back->first);
+      shop.go_back_to(back->first);
       names = back->second;
       past.erase(back, past.end());
       REQUIRE(names.defect(shop.structure()) == "");
@@ -716,7 +716,7 @@ TEST_CASE("cells of a complex have ids that only look like vertices", "[ops]") {
 TEST_CASE("where faces are counted or matched, that goes by the order that a name lists", "[ops]") {
   Workshop shop;
   shop.build({R"({"op":"insert","simplex":[0,2,7]})", R"({"op":"simplex","name":"t","dim":2})"});
-  const StructureMark before = shop.structure().mark();
+  const StructureMark before = mark_of(shop.structure());
   const auto same = [&](const std::string& one, const std::string& other) {
     CAPTURE(one, other);
     CHECK(shop.cell(one) == shop.cell(other));
@@ -725,23 +725,23 @@ TEST_CASE("where faces are counted or matched, that goes by the order that a nam
   same("{2}", "t.0");
   same("{0}", "t.1");
   CHECK(shop.cell("{7}") != shop.cell("t.2"));
-  shop.structure().truncate(before);
+  shop.go_back_to(before);
   shop.build({R"({"op":"identify","pairs":[["{2,7,0}","t.1-0-2"]]})"});
   same("{2}", "t.1");
   same("{7}", "t.0");
   same("{0}", "t.2");
   same("{0,2}", "t.1-2");
   CHECK(shop.structure().sign_of_name("{2,7,0}") == 1);
-  shop.structure().truncate(before);
+  shop.go_back_to(before);
   shop.build({R"({"op":"degenerate","cell":"t.2-0-1","along":0})"});  // from 2 to 0
   same("t.0", "t.2");
   CHECK(shop.cell("t.0-2") == none);
   CHECK(shop.cell("t.0-1") != none);
-  shop.structure().truncate(before);
+  shop.go_back_to(before);
   shop.build({R"({"op":"deidentify","split":[{"cell":"t.2","as":"x","moves":[["t.0-2",0],["t.2-1",1]]}]})"});
   CHECK(faces(shop, "t.0-2") == Texts{"x", "t.0"});
   CHECK(faces(shop, "t.1-2") == Texts{"x", "t.1"});
-  shop.structure().truncate(before);
+  shop.go_back_to(before);
   shop.build({R"({"op":"cone","apex":"v","over":["{2,0}","t.1-0"]})"});
   CHECK(shop.structure().name(shop.cell("v*{2,0}")) == "v*{0,2}");
   CHECK(shop.structure().sign_of_name("v*{2,0}") == -1);

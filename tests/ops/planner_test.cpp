@@ -59,9 +59,9 @@ TEST_CASE("a name in use by a face of the new cell is refused, and named", "[ops
 
 TEST_CASE("a name of an undone step is free again", "[ops]") {
   Workshop shop;
-  const StructureMark start = shop.structure().mark();
+  const StructureMark start = mark_of(shop.structure());
   shop.build({R"({"op":"simplex","name":"t","dim":2})"});
-  shop.structure().truncate(start);
+  shop.go_back_to(start);
   CHECK(shop.apply(operation(R"({"op":"complex","name":"t","cells":[{"id":"0-1"}]})")));
 }
 
@@ -234,7 +234,7 @@ TEST_CASE("a cone over a simploid has the type of the simploid times an edge, ov
           "[ops]") {
   Workshop shop;
   furnished(shop);
-  const StructureMark before = shop.structure().mark();
+  const StructureMark before = mark_of(shop.structure());
   for (const std::string line : {R"({"op":"cone","apex":"v"})", R"({"op":"cone","apex":"v","over":"q"})",
                                  R"({"op":"cone","apex":"v","over":["t","q"]})"}) {
     CAPTURE(line);
@@ -244,7 +244,7 @@ TEST_CASE("a cone over a simploid has the type of the simploid times an edge, ov
     if (shop.structure().lookup("v*t")) {  // every cell of the cone is of one kind
       CHECK(shop.structure().type(shop.cell("v*t")).type == CellType{2, 1});
     }
-    shop.structure().truncate(before);
+    shop.go_back_to(before);
   }
   CHECK(shop.apply(operation(R"({"op":"cone","apex":"v","over":["q.0-1x0"]})")));
   CHECK(shop.structure().type(shop.cell("v*q.0-1x0")).type == CellType{2});
@@ -281,12 +281,12 @@ TEST_CASE("a cone over a cell takes its closure, with the faces of the construct
 TEST_CASE("a cone over several bodies makes them one, named like the oldest", "[ops]") {
   Workshop shop;
   furnished(shop);
-  const StructureMark before = shop.structure().mark();
+  const StructureMark before = mark_of(shop.structure());
   shop.build({R"({"op":"cone","apex":"v","over":["line.1","q.0x0"]})"});
   CHECK(shop.structure().current_bodies().size() == 2);
   CHECK(shop.structure().body_name(*shop.structure().lookup_body("line")) == "q");
   CHECK(shop.structure().cells_of(*shop.structure().lookup_body("line")).size() == 9 + 3 + 3);
-  shop.structure().truncate(before);
+  shop.go_back_to(before);
   shop.build({R"({"op":"simplex","name":"dot","dim":0})", R"({"op":"cone","apex":"v","over":"line"})"});
   CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("v*line"))) == "line");
   CHECK(shop.structure().current_bodies().size() == 4);
@@ -515,9 +515,9 @@ TEST_CASE("what a plan says is exactly what happens", "[ops][stream]") {
     REQUIRE(shop.plan(op));
     REQUIRE(dump(shop.structure()) == untouched);
     const Plan plan = shop.last_plan();
-    const StructureMark before = shop.structure().mark();
+    const StructureMark before = mark_of(shop.structure());
     std::vector<bool> was_current;
-    for (CellId c = 0; c < before.cells; ++c) {
+    for (CellId c = 0; c < before.moment.created; ++c) {
       was_current.push_back(shop.structure().is_current(c));
     }
     int dimension = 0;
@@ -528,8 +528,8 @@ TEST_CASE("what a plan says is exactly what happens", "[ops][stream]") {
     }
     REQUIRE(shop.apply(op));
     const Structure& after = shop.structure();
-    REQUIRE(after.created() == before.cells + plan.cells.size());
-    REQUIRE(after.links() == before.links + plan.merges.size());
+    REQUIRE(after.created() == before.moment.created + plan.cells.size());
+    REQUIRE(after.links() == before.moment.links + plan.merges.size());
     REQUIRE(plan.changes_nothing() == (dump(after) == untouched));
     std::set<CellId> removed;
     for (const Merge& merge : plan.merges) {
@@ -537,7 +537,7 @@ TEST_CASE("what a plan says is exactly what happens", "[ops][stream]") {
       REQUIRE(after.parent(merge.removed) == merge.survivor);
       REQUIRE(after.is_current(merge.survivor));
     }
-    for (CellId c = 0; c < before.cells; ++c) {
+    for (CellId c = 0; c < before.moment.created; ++c) {
       REQUIRE(after.is_current(c) == (was_current[c] && !removed.contains(c)));
     }
     // Merged cells have the same faces by now.

@@ -198,12 +198,12 @@ TEST_CASE("a product has the cells and faces that its definition says, in the or
 TEST_CASE("a square is 4, 4, 1 cells as a product of simploids, and 4, 5, 2 triangulated", "[ops]") {
   Workshop shop;
   shop.build({R"({"op":"simplex","name":"e","dim":1})", R"({"op":"simplex","name":"f","dim":1})"});
-  const StructureMark before = shop.structure().mark();
+  const StructureMark before = mark_of(shop.structure());
   shop.build({R"({"op":"product","name":"P","left":"e","right":"f"})"});
   CHECK(counts(shop) == Counts{4, 4, 1});
   CHECK(faces(shop, "P.(e|f)") == Texts{"P.(e.1|f)", "P.(e.0|f)", "P.(e|f.1)", "P.(e|f.0)"});
   CHECK(shop.structure().type(shop.cell("P.(e|f)")).type == CellType{1, 1});
-  shop.structure().truncate(before);
+  shop.go_back_to(before);
   shop.build({R"({"op":"product","name":"P","left":"e","right":"f","kind":"simplicial"})"});
   CHECK(counts(shop) == Counts{4, 5, 2});
   CHECK(faces(shop, "P.(e^0|f^1)") == Texts{"P.(e|f.1^0)", "P.(e|f)", "P.(e.0^0|f)"});
@@ -308,12 +308,12 @@ TEST_CASE("a product is refused with what is wrong", "[ops]") {
 TEST_CASE("what a body is now decides whether it can be triangulated, not what it once was", "[ops]") {
   Workshop shop;
   shop.build({R"({"op":"simploid","name":"q","type":[1,1]})", R"({"op":"simplex","name":"e","dim":1})"});
-  const StructureMark square = shop.structure().mark();
+  const StructureMark square = mark_of(shop.structure());
   shop.build({R"({"op":"degenerate","cell":"q","along":[1,0]})"});
   CHECK(shop.structure().simploids_of(*shop.structure().lookup_body("q")) == 0);
   REQUIRE(shop.apply(MakeProduct{"P", "e", "q", true}));
   CHECK(counts(shop) == Counts{4, 5, 2});
-  shop.structure().truncate(square);
+  shop.go_back_to(square);
   CHECK(refused(shop, MakeProduct{"P", "e", "q", true}).code == Errc::refused);
 }
 
@@ -347,17 +347,17 @@ TEST_CASE("a body times itself, a point, or nothing", "[ops]") {
   Workshop shop;
   shop.build({R"({"op":"simplex","name":"e","dim":1})", R"({"op":"simplex","name":"v","dim":0})",
               R"({"op":"complex","name":"K","cells":[]})"});
-  const StructureMark start = shop.structure().mark();
+  const StructureMark start = mark_of(shop.structure());
   shop.build({R"({"op":"product","name":"P","left":"e","right":"e"})"});
   CHECK(counts(shop) == Counts{5, 4, 1});
   CHECK(faces(shop, "P.(e|e)") == Texts{"P.(e.1|e)", "P.(e.0|e)", "P.(e|e.1)", "P.(e|e.0)"});
-  shop.structure().truncate(start);
+  shop.go_back_to(start);
   CHECK(counts(shop) == Counts{3, 1});
   shop.build({R"({"op":"product","name":"P","left":"v","right":"e"})"});
   CHECK(counts(shop) == Counts{2, 1});
   CHECK(faces(shop, "P.(v|e)") == Texts{"P.(v|e.1)", "P.(v|e.0)"});
   CHECK(shop.structure().simploids_of(*shop.structure().lookup_body("P")) == 0);
-  shop.structure().truncate(start);
+  shop.go_back_to(start);
   shop.build({R"({"op":"product","name":"P","left":"e","right":"K","kind":"simplicial"})"});
   CHECK(counts(shop) == Counts{1});
   CHECK(shop.structure().current_bodies().size() == 2);
@@ -382,7 +382,7 @@ TEST_CASE("within a product everything goes on: gluing, squashing, splitting", "
   Workshop shop;
   shop.build({R"({"op":"simplex","name":"e","dim":1})", R"({"op":"identify","pairs":[["e.0","e.1"]]})",
               R"({"op":"simplex","name":"f","dim":1})", R"({"op":"product","name":"P","left":"e","right":"f"})"});
-  const StructureMark cylinder = shop.structure().mark();
+  const StructureMark cylinder = mark_of(shop.structure());
   CHECK(counts(shop) == Counts{2, 3, 1});
   REQUIRE(shop.apply(Identify{{{"P.(e|f.0)", "P.(e|f.1)"}}}));
   CHECK(counts(shop) == Counts{1, 2, 1});
@@ -397,7 +397,7 @@ TEST_CASE("within a product everything goes on: gluing, squashing, splitting", "
   REQUIRE(shop.apply(Degenerate{"P.(e|f)", 1, 0}));
   CHECK(meaning(shop.structure(), "P.(e|f)") == "P.(e.0|f)^0 of a cube of dimension 2");
   CHECK(counts(shop) == Counts{2, 1});
-  shop.structure().truncate(cylinder);
+  shop.go_back_to(cylinder);
   CHECK(counts(shop) == Counts{2, 3, 1});
   CHECK(faces(shop, "P.(e|f)") == Texts{"P.(e.0|f)", "P.(e.0|f)", "P.(e|f.1)", "P.(e|f.0)"});
 }

@@ -82,7 +82,7 @@ TEMPLATE_TEST_CASE("every step of a random stream is an exact sequence", "[ops][
     if (moments[k] == moments[k - 1]) {
       continue;
     }
-    const auto found = step_sequence(shop.structure(), moments[k - 1], moments[k], ring);
+    const auto found = tests::sequence_between(shop.structure(), moments[k - 1], moments[k], ring);
     REQUIRE(found);
     const auto& step = *found;
     REQUIRE(defect_of(step.sequence) == "");
@@ -110,6 +110,7 @@ TEMPLATE_TEST_CASE("every step of a random stream of all operations is an exact 
   RandomSteps steps(seed, everything(30));
   struct Step {
     Operation operation;
+    StepKind kind;
     Moment before, after;  // what is asked for between two steps belongs to neither
   };
   std::vector<Step> done;
@@ -117,7 +118,8 @@ TEMPLATE_TEST_CASE("every step of a random stream of all operations is an exact 
     const Operation op = steps.next(shop.structure());
     const Moment before = now(shop.structure());
     REQUIRE(shop.apply(op));
-    done.push_back({op, before, now(shop.structure())});
+    REQUIRE(shop.last_plan().kind() == tests::kind_between(shop.structure(), before, now(shop.structure())));
+    done.push_back({op, shop.last_plan().kind(), before, now(shop.structure())});
   }
   for (std::size_t k = 0; k < done.size(); ++k) {
     const Operation& op = done[k].operation;
@@ -127,7 +129,7 @@ TEMPLATE_TEST_CASE("every step of a random stream of all operations is an exact 
     const auto after = chain_complex(s, cells_at(s, done[k].after), done[k].after, ring);
     REQUIRE(defect_of(after) == "");
     const bool is_product = std::holds_alternative<MakeProduct>(op);
-    const auto found = step_sequence(s, done[k].before, done[k].after, ring);
+    const auto found = step_sequence(s, done[k].kind, done[k].before, done[k].after, ring);
     if (!found) {
       REQUIRE((is_product || before == after));
       continue;
@@ -162,7 +164,7 @@ TEST_CASE("the maps of a step store only what the step touched", "[ops][stream]"
     if (before == after) {
       continue;
     }
-    const auto step = step_sequence(shop.structure(), before, after, Integers{});
+    const auto step = tests::sequence_between(shop.structure(), before, after, Integers{});
     const auto& [direction, sequence, basis0, basis1, basis2] = *step;
     const std::size_t touched =
         direction == Direction::forward ? after.links - before.links : after.created - before.created;
@@ -196,7 +198,7 @@ TEMPLATE_TEST_CASE("S. Peltier, habilitation (2023), figure 3.10: the identifica
   const Moment before = now(shop.structure());
   shop.build({R"({"op":"identify","pairs":[["C.e1","C.e4"]]})"});
   const auto ring = test_ring<TestType>();
-  const auto step = *step_sequence(shop.structure(), before, now(shop.structure()), ring);
+  const auto step = *tests::sequence_between(shop.structure(), before, now(shop.structure()), ring);
   const auto printed = figure_3_10(ring);
   const Orders c0 = cells_named(shop, {{"v3", "v4"}, {"e4"}});
   const Orders c1 =
@@ -222,16 +224,16 @@ TEST_CASE("C0 of an identification carries the boundary of differences, C2 of ne
   const Moment coned = now(shop.structure());
   shop.build({R"({"op":"identify","pairs":[["a","b"]]})"});
   const Integers ring;
-  const auto added = *step_sequence(shop.structure(), start, two, ring);
+  const auto added = *tests::sequence_between(shop.structure(), start, two, ring);
   CHECK(added.sequence.c2.sizes() == Sizes{2, 1});
   CHECK(added.sequence.c2.boundary(1).column(0).size() == 2);
   CHECK(added.sequence.chi().is_zero());
   // Of the edge from a.0 to v only v is new: modulo the old cells its boundary is v.
-  const auto cone = *step_sequence(shop.structure(), two, coned, ring);
+  const auto cone = *tests::sequence_between(shop.structure(), two, coned, ring);
   CHECK(cone.sequence.c2.sizes() == Sizes{1, 1});
   CHECK(cone.sequence.c2.boundary(1).column(0) == Terms<Integers>{{0, 1}});
   CHECK_FALSE(cone.sequence.chi().is_zero());
-  const auto glued = *step_sequence(shop.structure(), coned, now(shop.structure()), ring);
+  const auto glued = *tests::sequence_between(shop.structure(), coned, now(shop.structure()), ring);
   CHECK(glued.sequence.c0.sizes() == Sizes{2, 1});
   // d0 = r d1 i: for b - a it is the difference of the ends, with the signs of the edge.
   CHECK(glued.sequence.c0.boundary(1).column(0).size() == 2);
@@ -247,14 +249,14 @@ TEST_CASE("the maps of a split, and of squashing, store only what the step touch
   const Moment split = now(shop.structure());
   shop.build({R"({"op":"degenerate","cell":"t.0-2","along":0})"});
   const Moment squashed = now(shop.structure());
-  const auto copied = *step_sequence(shop.structure(), start, split, ring);
+  const auto copied = *tests::sequence_between(shop.structure(), start, split, ring);
   CHECK(copied.direction == Direction::backward);
   CHECK(copied.sequence.c0.sizes() == Sizes{0, 1});
   CHECK(stored_columns(copied.sequence.i) == 1);
   CHECK(stored_columns(copied.sequence.j) == 1);
   CHECK(stored_columns(copied.sequence.r) == 1);
   CHECK(stored_columns(copied.sequence.s) == 0);
-  const auto forward = *step_sequence(shop.structure(), split, squashed, ring);
+  const auto forward = *tests::sequence_between(shop.structure(), split, squashed, ring);
   CHECK(forward.direction == Direction::forward);
   CHECK(forward.sequence.c0.sizes() == Sizes{1, 1});
   CHECK(stored_columns(forward.sequence.i) == 2);
@@ -280,7 +282,7 @@ TEMPLATE_TEST_CASE(
   shop.build({R"({"op":"degenerate","cell":"C.t","along":0})"});
   const Moment triangle = now(shop.structure());
 
-  const auto first = *step_sequence(shop.structure(), start, edge, ring);
+  const auto first = *tests::sequence_between(shop.structure(), start, edge, ring);
   CHECK(first.direction == Direction::forward);
   const Orders c0 = cells_named(shop, {{"v1"}, {"e01"}});
   const Orders c1 = cells_named(shop, {{"v0", "v1", "v2", "v3"}, {"e01", "e02", "e12", "e03", "e13"}, {"t", "u"}});
@@ -316,7 +318,7 @@ TEMPLATE_TEST_CASE(
   }
 
   // To squash a triangle onto its side is to glue its other two: one of them goes, and the triangle.
-  const auto second = *step_sequence(shop.structure(), edge, triangle, ring);
+  const auto second = *tests::sequence_between(shop.structure(), edge, triangle, ring);
   CHECK(second.sequence.c0.sizes() == Sizes{0, 1, 1});
   CHECK(second.sequence.c1.sizes() == first.sequence.c2.sizes());
   CHECK(second.sequence.c2.sizes() == Sizes{3, 3, 1});
@@ -333,10 +335,10 @@ TEST_CASE("a product is no sequence, and neither is a step that changes nothing"
   shop.build({R"({"op":"simplex","name":"e","dim":1})", R"({"op":"simplex","name":"f","dim":1})"});
   const Moment before = now(shop.structure());
   shop.build({R"({"op":"identify","pairs":[["e","e"]]})"});
-  CHECK_FALSE(step_sequence(shop.structure(), before, now(shop.structure()), Integers{}));
+  CHECK_FALSE(tests::sequence_between(shop.structure(), before, now(shop.structure()), Integers{}));
   shop.build({R"({"op":"product","name":"P","left":"e","right":"f"})"});
   const Moment product = now(shop.structure());
-  CHECK_FALSE(step_sequence(shop.structure(), before, product, Integers{}));
+  CHECK_FALSE(tests::sequence_between(shop.structure(), before, product, Integers{}));
   const auto basis = cells_at(shop.structure(), product);
   CHECK(basis.sizes() == Sizes{4, 4, 1});
   CHECK(defect_of(chain_complex(shop.structure(), basis, product, Integers{})) == "");
@@ -354,14 +356,14 @@ TEST_CASE("questions asked after a step do not change its sequence", "[ops]") {
   SECTION("a split") {
     shop.build({R"({"op":"deidentify","split":[{"cell":"f.0","as":"x","moves":[]}]})"});
     shop.structure().make_all_lazy_cells();
-    const auto step = step_sequence(shop.structure(), before, now(shop.structure()), Integers{});
+    const auto step = tests::sequence_between(shop.structure(), before, now(shop.structure()), Integers{});
     REQUIRE(step);
     CHECK(step->sequence.c0.sizes() == Sizes{1});
     CHECK(defect_of(step->sequence) == "");
   }
   SECTION("a step that changes nothing") {
     shop.structure().make_all_lazy_cells();
-    CHECK_FALSE(step_sequence(shop.structure(), before, now(shop.structure()), Integers{}));
+    CHECK_FALSE(tests::sequence_between(shop.structure(), before, now(shop.structure()), Integers{}));
   }
 }
 
@@ -369,6 +371,6 @@ TEST_CASE("a step that both adds and removes is a contract breach", "[ops]") {
   Workshop shop;
   shop.build({R"({"op":"simplex","name":"a","dim":0})", R"({"op":"simplex","name":"b","dim":0})",
               R"({"op":"identify","pairs":[["a","b"]]})"});
-  CHECK_THROWS_AS(step_sequence(shop.structure(), Moment{}, now(shop.structure()), Integers{}),
+  CHECK_THROWS_AS(tests::sequence_between(shop.structure(), Moment{}, now(shop.structure()), Integers{}),
                   sparse::ContractViolation);
 }

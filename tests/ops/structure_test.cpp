@@ -166,7 +166,7 @@ TEST_CASE("a structure is what its slow twin is, after every step and every trun
   for (int k = 0; k < 50; ++k) {
     const Operation op = steps.next(shop.structure());
     CAPTURE(k, to_text(op));
-    marks.push_back(shop.structure().mark());
+    marks.push_back(mark_of(shop.structure()));
     states.push_back(slow);
     dumps.push_back(dump(shop.structure()));
     const Status status = shop.apply(op);
@@ -178,9 +178,9 @@ TEST_CASE("a structure is what its slow twin is, after every step and every trun
     REQUIRE(difference(shop.structure(), slow) == "");
     if (steps.random().one_in(6)) {
       const auto back = static_cast<std::size_t>(steps.random().in(0, static_cast<int>(marks.size()) - 1));
-      shop.structure().truncate(marks[back]);
+      shop.go_back_to(marks[back]);
       slow = states[back];
-      REQUIRE(shop.structure().mark() == marks[back]);
+      REQUIRE(mark_of(shop.structure()) == marks[back]);
       REQUIRE(dump(shop.structure()) == dumps[back]);
       REQUIRE(difference(shop.structure(), slow) == "");
       for (const std::string& name : names_ever) {
@@ -192,12 +192,12 @@ TEST_CASE("a structure is what its slow twin is, after every step and every trun
     }
   }
   while (!marks.empty()) {
-    shop.structure().truncate(marks.back());
+    shop.go_back_to(marks.back());
     REQUIRE(dump(shop.structure()) == dumps.back());
     marks.pop_back();
     dumps.pop_back();
   }
-  CHECK(shop.structure().mark() == StructureMark{});
+  CHECK(mark_of(shop.structure()) == StructureMark{});
   CHECK(shop.structure().counts().empty());
   CHECK(shop.structure().current_bodies().empty());
 }
@@ -224,7 +224,7 @@ TEST_CASE("merged bodies keep the older name, and the younger one stays an alias
   Workshop shop;
   shop.build({R"({"op":"simplex","name":"a","dim":1})", R"({"op":"simplex","name":"b","dim":1})",
               R"({"op":"simplex","name":"c","dim":1})"});
-  const StructureMark before = shop.structure().mark();
+  const StructureMark before = mark_of(shop.structure());
   shop.build({R"({"op":"identify","pairs":[["c.0","b.0"]]})"});
   const auto names = [&] {
     std::vector<std::string> all;
@@ -240,7 +240,7 @@ TEST_CASE("merged bodies keep the older name, and the younger one stays an alias
   CHECK(names() == std::vector<std::string>{"a"});
   CHECK(shop.structure().body_name(*shop.structure().lookup_body("b")) == "a");
   CHECK(shop.structure().lookup_body("nobody") == std::nullopt);
-  shop.structure().truncate(before);
+  shop.go_back_to(before);
   CHECK(names() == std::vector<std::string>{"a", "b", "c"});
 }
 
@@ -377,28 +377,28 @@ TEST_CASE("undo of any steps of all kinds restores everything, one by one and ma
     const Operation op = steps.next(shop.structure());
     CAPTURE(k, to_text(op));
     dumps.push_back(dump(shop.structure()));
-    marks.push_back(shop.structure().mark());
+    marks.push_back(mark_of(shop.structure()));
     REQUIRE(shop.apply(op));
     if (steps.random().one_in(2)) {
       (void)dump(shop.structure());  // asks for everything
     }
     if (steps.random().one_in(5)) {
       const auto back = static_cast<std::size_t>(steps.random().in(0, static_cast<int>(marks.size()) - 1));
-      shop.structure().truncate(marks[back]);
-      REQUIRE(shop.structure().mark() == marks[back]);
+      shop.go_back_to(marks[back]);
+      REQUIRE(mark_of(shop.structure()) == marks[back]);
       REQUIRE(first_difference(dump(shop.structure()), dumps[back]) == "");
       marks.resize(back);
       dumps.resize(back);
     }
   }
   while (!marks.empty()) {
-    shop.structure().truncate(marks.back());
-    REQUIRE(shop.structure().mark() == marks.back());
+    shop.go_back_to(marks.back());
+    REQUIRE(mark_of(shop.structure()) == marks.back());
     REQUIRE(first_difference(dump(shop.structure()), dumps.back()) == "");
     marks.pop_back();
     dumps.pop_back();
   }
-  CHECK(shop.structure().mark() == StructureMark{});
+  CHECK(mark_of(shop.structure()) == StructureMark{});
   CHECK(shop.structure().counts().empty());
   CHECK(shop.structure().current_bodies().empty());
 }
@@ -415,8 +415,8 @@ TEST_CASE("lazy cells that were asked for make no difference, and undo takes the
   std::vector<StructureMark> quiet_marks;
   Random random(seed);
   for (const Operation& op : operations) {
-    asked_marks.push_back(asked.structure().mark());
-    quiet_marks.push_back(quiet.structure().mark());
+    asked_marks.push_back(mark_of(asked.structure()));
+    quiet_marks.push_back(mark_of(quiet.structure()));
     CAPTURE(to_text(op));
     REQUIRE(asked.apply(op));
     REQUIRE(quiet.apply(op));
@@ -431,10 +431,10 @@ TEST_CASE("lazy cells that were asked for make no difference, and undo takes the
   REQUIRE(difference() == "");
   while (!asked_marks.empty()) {
     const auto back = static_cast<std::size_t>(random.in(0, static_cast<int>(asked_marks.size()) - 1));
-    asked.structure().truncate(asked_marks[back]);
-    quiet.structure().truncate(quiet_marks[back]);
-    REQUIRE(asked.structure().mark() == asked_marks[back]);
-    REQUIRE(quiet.structure().mark() == quiet_marks[back]);
+    asked.go_back_to(asked_marks[back]);
+    quiet.go_back_to(quiet_marks[back]);
+    REQUIRE(mark_of(asked.structure()) == asked_marks[back]);
+    REQUIRE(mark_of(quiet.structure()) == quiet_marks[back]);
     REQUIRE(difference() == "");
     asked_marks.resize(back);
     quiet_marks.resize(back);
@@ -467,13 +467,13 @@ TEST_CASE("undone and done again, steps of all kinds give the same object", "[op
   CAPTURE(seed);
   const std::vector<Operation> operations = random_operations(seed, 25, lazy_cones, everything(30));
   Workshop shop(lazy_cones);
-  const StructureMark start = shop.structure().mark();
+  const StructureMark start = mark_of(shop.structure());
   std::vector<std::string> dumps;
   for (const Operation& op : operations) {
     REQUIRE(shop.apply(op));
     dumps.push_back(dump(shop.structure()));
   }
-  shop.structure().truncate(start);
+  shop.go_back_to(start);
   for (std::size_t k = 0; k < operations.size(); ++k) {
     REQUIRE(shop.apply(operations[k]));
     REQUIRE(first_difference(dump(shop.structure()), dumps[k]) == "");
@@ -488,11 +488,11 @@ TEST_CASE("the cofaces of a cell are the cells that have it as a face, or someth
   RandomSteps steps(seed, everything(seed % 3 == 0 ? 40 : 25));
   std::vector<StructureMark> marks;
   for (int k = 0; k < 40; ++k) {
-    marks.push_back(shop.structure().mark());
+    marks.push_back(mark_of(shop.structure()));
     REQUIRE(shop.apply(steps.next(shop.structure())));
     REQUIRE(wrong_cofaces(shop.structure()) == "");
   }
-  shop.structure().truncate(marks[20]);
+  shop.go_back_to(marks[20]);
   CHECK(wrong_cofaces(shop.structure()) == "");
 }
 

@@ -216,11 +216,11 @@ TEST_CASE("verification passes for what is right, and ends the replay where a la
       if (reported.step.op == "identify") {
         structure.truncate(before_);
       }
-      before_ = structure.mark();
+      before_ = structure.journal().end();
     }
 
    private:
-    ops::StructureMark before_;
+    ops::Journal::Position before_ = 0;
   };
   const std::string text = joined({header_line, triangle, "# now", glue, triangle});
   replay::ReplayOptions options;

@@ -9,6 +9,8 @@
 
 #include "ops/cells/structure.hpp"
 #include "ops/plan/planner.hpp"
+#include "ops/plan/step_sequence.hpp"
+#include "ops/plan/workspace.hpp"
 #include "ops/vocabulary/operation.hpp"
 #include "sparse/result.hpp"
 #include "tests/support/catch.hpp"
@@ -24,32 +26,34 @@ inline ops::Operation operation(const std::string& line) {
   return *parsed;
 }
 
-/// A structure and its planner, without any homology.
+/// How much of everything there is in a structure, and the position of its journal.
+struct StructureMark {
+  ops::Journal::Position position = 0;
+  ops::Moment moment;
+  std::uint32_t names = 0, cones = 0, simplicial_changes = 0;
+  friend bool operator==(const StructureMark&, const StructureMark&) = default;
+};
+inline StructureMark mark_of(const ops::Structure& structure) {
+  return {structure.journal().end(), structure.now(), structure.names().size(), structure.cones(),
+          structure.abstract().mark()};
+}
+
+/// A workspace in which what has to work works.
 class Workshop {
  public:
-  explicit Workshop(ops::Limits limits = {}) : planner_{structure_, limits} {}
+  explicit Workshop(ops::Limits limits = {}) : workspace_{limits} {}
 
-  const ops::Structure& structure() const { return structure_; }
-  ops::Structure& structure() { return structure_; }
-  ops::Planner& planner() { return planner_; }
-  const ops::Planner& planner() const { return planner_; }
-  const ops::Plan& last_plan() const { return plan_; }
+  const ops::Structure& structure() const { return workspace_.structure(); }
+  const ops::Planner& planner() const { return workspace_.planner(); }
+  const ops::Plan& last_plan() const { return workspace_.planned(); }
+  const std::vector<ops::Workspace::Step>& steps() const { return workspace_.steps(); }
 
-  Status plan(const ops::Operation& op) {
-    return std::visit(
-        [this]<class Op>(const Op& construction) -> Status {
-          if constexpr (requires { planner_.plan(construction, plan_); }) {
-            return planner_.plan(construction, plan_);
-          } else {
-            return Error{Errc::bad_input, "not a construction"};
-          }
-        },
-        op);
-  }
+  Status plan(const ops::Operation& op) { return workspace_.plan(op); }
+  void carry_out() { workspace_.carry_out(); }
   Status apply(const ops::Operation& op) {
     Status status = plan(op);
     if (status) {
-      structure_.apply(plan_);
+      carry_out();
     }
     return status;
   }
@@ -61,19 +65,52 @@ class Workshop {
       }
     }
   }
+  /// Takes back all steps and all that queries made since a mark.
+  void go_back_to(const StructureMark& mark) {
+    const auto& steps = workspace_.steps();
+    const auto first = std::find_if(steps.begin(), steps.end(),
+                                    [&](const ops::Workspace::Step& step) { return step.begin >= mark.position; });
+    const Status done = workspace_.take_back(static_cast<std::uint64_t>(steps.end() - first));
+    REQUIRE(done);
+    workspace_.forget_since(mark.position);
+  }
   ops::CellId cell(const std::string& name) const {
-    const auto found = structure_.lookup(name);
+    const auto found = structure().lookup(name);
     if (!found) {
       FAIL("no cell " << name);
     }
-    return structure_.find(*found);
+    return structure().find(*found);
   }
 
  private:
-  ops::Structure structure_;
-  ops::Planner planner_;
-  ops::Plan plan_;
+  ops::Workspace workspace_;
 };
+
+/// What a step was that led from one moment to another, told from what there was: nothing here reads the journal.
+inline ops::StepKind kind_between(const ops::Structure& structure, const ops::Moment& before,
+                                  const ops::Moment& after) {
+  if (after.families > before.families) {
+    const bool is_cone = structure.family(before.families).kind == ops::FamilyKind::cone;
+    return is_cone ? ops::StepKind::lazy_cone : ops::StepKind::product;
+  }
+  if (after.links > before.links) {
+    return ops::StepKind::removal;
+  }
+  if (after.copies > before.copies) {
+    return ops::StepKind::split;
+  }
+  for (ops::CellId c = before.created; c < after.created; ++c) {  // queries may have made nodes as well
+    if (!structure.is_lazy(c) && structure.find_at(c, after.links) == c) {
+      return ops::StepKind::addition;
+    }
+  }
+  return ops::StepKind::nothing;
+}
+template <sparse::Ring R>
+auto sequence_between(const ops::Structure& structure, const ops::Moment& before, const ops::Moment& after,
+                      const R& ring) {
+  return ops::step_sequence(structure, kind_between(structure, before, after), before, after, ring);
+}
 
 /// A node degenerate from the start: no step removed it, and it has no name.
 inline bool is_born_degenerate(const ops::Structure& structure, ops::CellId c) {
@@ -244,13 +281,14 @@ inline Error error_of(Workshop& shop, const ops::Operation& op) {
 inline Error refused(Workshop& shop, const ops::Operation& op) {
   const std::string before = dump(shop.structure());
   const auto mark = [&] {
-    ops::StructureMark now = shop.structure().mark();
-    if (now.families > 0) {  // looking for a name may make lazy cells
-      now.cells = now.expansions = 0;
+    StructureMark now = mark_of(shop.structure());
+    if (now.moment.families > 0) {  // looking for a name may make lazy cells
+      now.position = 0;
+      now.moment.created = 0;
     }
     return now;
   };
-  const ops::StructureMark mark_before = mark();
+  const StructureMark mark_before = mark();
   Error error = error_of(shop, op);
   CHECK(mark() == mark_before);
   CHECK(first_difference(dump(shop.structure()), before) == "");

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "engine/homology_tracker.hpp"
+#include "ops/plan/workspace.hpp"
 #include "ops/vocabulary/operation.hpp"
 #include "tools/bench/method.hpp"
-#include "tools/bench/plain_object.hpp"
 #include "tools/bench/scenarios.hpp"
 
 namespace sesame::tools {
@@ -56,7 +56,7 @@ class AnswerCheck {
 
   AnswerAfter known_;
   std::optional<Answer> last_;
-  PlainObject object_;
+  ops::Workspace object_{written_out};
   std::unique_ptr<Method> other_;  ///< null when it is not needed
   std::size_t steps_, done_ = 0;
   double effort_ = 0;  ///< that may be spent now

@@ -55,23 +55,26 @@ Status EagerMethod<R>::construct(const ops::Operation& operation) {
   if (Status possible = check(); !possible) {
     return possible;
   }
-  const ops::Plan& plan = object_.planned();
-  if (!plan.merges.empty()) {
-    remove_cells();
-  } else if (!plan.sources.empty()) {
-    split_cells();
-  } else {
-    add_cells();
+  switch (object_.planned().kind()) {
+    case ops::StepKind::removal:
+      remove_cells();
+      break;
+    case ops::StepKind::split:
+      split_cells();
+      break;
+    default:
+      add_cells();
   }
   return Done{};
 }
 
 template <sparse::Ring R>
 Status EagerMethod<R>::check() const {
-  if (object_.planned().family) {
+  const ops::StepKind kind = object_.planned().kind();
+  if (kind == ops::StepKind::product || kind == ops::StepKind::lazy_cone) {
     return Error{Errc::refused, "the eager method makes no products: they are no exact sequences"};
   }
-  if (keep_ == Keep::small_only && !object_.planned().sources.empty()) {
+  if (keep_ == Keep::small_only && kind == ops::StepKind::split) {
     return Error{Errc::refused, "splitting cells needs the maps gS and hS, which are not kept"};
   }
   return Done{};
@@ -79,7 +82,7 @@ Status EagerMethod<R>::check() const {
 
 template <sparse::Ring R>
 Status EagerMethod<R>::take_back(std::uint64_t steps) {
-  const std::uint64_t before = object_.steps();
+  const std::uint64_t before = object_.steps().size();
   if (Status status = object_.take_back(steps); !status) {
     return status;
   }

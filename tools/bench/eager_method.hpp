@@ -10,7 +10,6 @@
 #include "reductions/equivalence.hpp"
 #include "tools/bench/eager_equivalence.hpp"
 #include "tools/bench/method.hpp"
-#include "tools/bench/plain_object.hpp"
 
 namespace sesame::tools {
 
@@ -49,7 +48,7 @@ class EagerMethod final : public Method {
 
   R ring_;
   Keep keep_;
-  PlainObject object_;
+  ops::Workspace object_{written_out};
   EagerEquivalence<R> equivalence_;
   std::vector<ops::Operation> done_;       ///< the steps that are not undone
   std::uint64_t touched_before_undo_ = 0;  ///< entries, by matrices that are no more

@@ -5,15 +5,20 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/engine.hpp"
+#include "ops/plan/workspace.hpp"
 #include "ops/vocabulary/operation.hpp"
 
 namespace sesame::tools {
+
+/// The limits of methods that know no lazy cones.
+inline constexpr ops::Limits written_out{.cells_of_explicit_cone = std::numeric_limits<std::int64_t>::max()};
 
 class Method {
  public:

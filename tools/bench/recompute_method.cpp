@@ -3,7 +3,6 @@
 #include <variant>
 
 #include "reductions/homology.hpp"
-#include "tools/bench/plain_object.hpp"
 #include "tools/bench/present_complex.hpp"
 
 namespace sesame::tools {
@@ -64,7 +63,7 @@ class RecomputeMethod final : public Method {
   }
 
   R ring_;
-  PlainObject object_;
+  ops::Workspace object_{written_out};
   PresentComplex complex_{object_.structure()};
   std::uint64_t matrix_entries_ = 0;
 };

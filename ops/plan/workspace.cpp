@@ -1,0 +1,62 @@
+#include "ops/plan/workspace.hpp"
+
+#include <fmt/format.h>
+
+#include <concepts>
+#include <variant>
+
+#include "sparse/contract.hpp"
+
+namespace sesame::ops {
+namespace {
+
+template <class Op>
+concept Construction = requires(Planner& planner, const Op& operation, Plan& plan) {
+  planner.plan(operation, plan);
+};
+
+}  // namespace
+
+bool Workspace::is_construction(const Operation& operation) {
+  return std::visit([]<class Op>(const Op&) { return Construction<Op>; }, operation);
+}
+
+Status Workspace::plan(const Operation& operation) {
+  return std::visit(
+      [&]<class Op>(const Op& op) -> Status {
+        if constexpr (Construction<Op>) {
+          return planner_.plan(op, plan_);
+        } else if constexpr (std::same_as<Op, Note>) {
+          plan_.clear();
+          return Done{};
+        } else {
+          return Error{Errc::refused,
+                       fmt::format("only construction steps can be planned, not \"{}\"", keyword(operation))};
+        }
+      },
+      operation);
+}
+
+void Workspace::carry_out() {
+  steps_.push_back({structure_.journal().end(), plan_.kind()});
+  structure_.apply(plan_);
+}
+
+Status Workspace::take_back(std::uint64_t steps) {
+  if (steps > steps_.size()) {
+    return Error{Errc::refused, fmt::format("cannot undo {} steps: only {} can be undone", steps, steps_.size())};
+  }
+  if (steps > 0) {
+    const auto first = steps_.end() - static_cast<std::ptrdiff_t>(steps);
+    structure_.truncate(first->begin);
+    steps_.erase(first, steps_.end());
+  }
+  return Done{};
+}
+
+void Workspace::forget_since(Journal::Position position) {
+  sparse::expects(steps_.empty() || steps_.back().begin <= position, "only what queries made can be forgotten");
+  structure_.truncate(position);
+}
+
+}  // namespace sesame::ops

@@ -1,0 +1,63 @@
+/// \file
+/// An object under construction: the structure, the planner and the steps that can be taken back. Without homology.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ops/cells/structure.hpp"
+#include "ops/plan/planner.hpp"
+#include "ops/vocabulary/operation.hpp"
+#include "sparse/result.hpp"
+
+namespace sesame::ops {
+
+/// Plans steps, carries them out and takes them back. What a step is, is said once, here: everybody else reads it.
+class Workspace {
+ public:
+  /// A step that is not taken back.
+  struct Step {
+    Journal::Position begin;  ///< its events come from here on
+    StepKind kind;
+  };
+
+  explicit Workspace(const Limits& limits = {}) : planner_{structure_, limits} {}
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+
+  [[nodiscard]] const Structure& structure() const { return structure_; }
+  [[nodiscard]] const Planner& planner() const { return planner_; }
+
+  /// Whether an operation makes or changes cells, as opposed to questions, notes and undo.
+  [[nodiscard]] static bool is_construction(const Operation& operation);
+  /// Works out what an operation would do, into `planned()`; a note would do nothing. Errors: those of the planner;
+  /// refused for questions and for undo.
+  Status plan(const Operation& operation);
+  /// What the last `plan` found.
+  [[nodiscard]] const Plan& planned() const { return plan_; }
+  /// Does what is planned, as a step. Requires: nothing has happened since it was planned. Cost: the size of the plan.
+  void carry_out();
+  /// A step that does nothing to the object.
+  void pass() { steps_.push_back({structure_.journal().end(), StepKind::nothing}); }
+
+  [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
+  /// The moment before the step with this number, from 0. Cost: what has happened since.
+  [[nodiscard]] Moment before(std::size_t step) const { return structure_.moment_at(steps_[step].begin); }
+  /// The moment after it. Cost: likewise.
+  [[nodiscard]] Moment after(std::size_t step) const {
+    return step + 1 == steps_.size() ? structure_.now() : before(step + 1);
+  }
+
+  /// Takes back the last steps. Errors: refused when there are fewer. Cost: what they did.
+  Status take_back(std::uint64_t steps);
+  /// Forgets what queries have made since the journal was at a position. Requires: no step since then.
+  void forget_since(Journal::Position position);
+
+ private:
+  Structure structure_;
+  Planner planner_;
+  Plan plan_;
+  std::vector<Step> steps_;
+};
+
+}  // namespace sesame::ops
