@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "reductions/defect.hpp"
 #include "reductions/homology.hpp"
@@ -181,7 +182,11 @@ void LiveEquivalence<R>::take_in_step() {
         break;
     }
   };
-  structure_.journal().for_each_since(position_, take_in);
+  const ops::Journal& journal = structure_.journal();
+  while (position_ < journal.end()) {  // looking at cells may make others
+    const ops::Journal::Position begin = std::exchange(position_, journal.end());
+    journal.for_each_since(begin, take_in);
+  }
   if (first_move != ops::none) {
     expects(first_copy != ops::none, "incidences move to copies made in the same step");
     const std::vector<Index> changed =
@@ -190,7 +195,6 @@ void LiveEquivalence<R>::take_in_step() {
       rewriter_.perturb(time, first_copy, changed);
     }
   }
-  position_ = structure_.journal().end();
 }
 
 template <Ring R>

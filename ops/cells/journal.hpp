@@ -2,6 +2,7 @@
 /// What has happened to a cell structure: elementary events, one after the other.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -76,17 +77,24 @@ class Journal {
     return kind;
   }
 
-  /// Calls visit(run) for the events from a position on, in their order. Cost: the runs since then.
+  /// Calls visit(run) for the events from a position on, in their order, but not for those that visit itself makes
+  /// happen. Cost: the runs since then.
   template <class Visit>
   void for_each_since(Position position, Visit&& visit) const {
+    const Position last = end_;
     std::size_t at = runs_.size();
-    Position begin = end_;  // of the runs from `at` on
+    Position begin = last;  // of the runs from `at` on
     while (begin > position) {
       --at;
       begin -= runs_[at].count();
     }
-    for (std::uint32_t passed = static_cast<std::uint32_t>(position - begin); at < runs_.size(); ++at, passed = 0) {
-      visit(Run{runs_[at].kind(), runs_[at].first + passed, runs_[at].count() - passed});
+    for (; position < last; ++at) {
+      const Packed run = runs_[at];
+      const auto passed = static_cast<std::uint32_t>(position - begin);
+      const auto count = static_cast<std::uint32_t>(std::min<Position>(run.count() - passed, last - position));
+      visit(Run{run.kind(), run.first + passed, count});
+      position += count;
+      begin = position;
     }
   }
   /// The events from a position on. Cost: the runs since then.
