@@ -146,6 +146,20 @@ std::vector<std::pair<std::string, Texts>> simplicial(const Factor& left, const 
 
 }  // namespace
 
+TEST_CASE("what was asked for counts against no limit", "[ops]") {
+  Workshop shop(Limits{.cells = 75});
+  shop.build({R"({"op":"simplex","name":"a","dim":1})", R"({"op":"simplex","name":"b","dim":1})",
+              R"({"op":"product","name":"P","left":"a","right":"b"})"});
+  const Operation simplex = operation(R"({"op":"simplex","name":"s","dim":5})");
+  REQUIRE(shop.plan(simplex));
+  shop.structure().make_all_lazy_cells();
+  CHECK(shop.structure().created() > shop.structure().made_by_steps());
+  CHECK(shop.structure().made_by_steps() == 6);
+  REQUIRE(shop.apply(simplex));
+  CHECK(refused(shop, R"({"op":"simplex","name":"t","dim":2})").what ==
+        "this step would bring the workspace to 76 cells; the limit is 75");
+}
+
 TEST_CASE("a product has the cells and faces that its definition says, in the order of its factors", "[ops]") {
   const std::size_t one = GENERATE(range(std::size_t{0}, std::size_t{11}));
   const std::size_t other = GENERATE(range(std::size_t{0}, std::size_t{11}));

@@ -1,0 +1,109 @@
+/// \file
+/// What an operation would do to a cell structure, as a value.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ops/cells/lazy_family.hpp"
+#include "ops/cells/value.hpp"
+#include "ops/ids.hpp"
+
+namespace sesame::ops {
+
+/// A node as a face: vertex k of the face is vertex order(k) of the node.
+struct Incidence {
+  CellId node;
+  OrderId order = same_order;
+};
+
+/// `removed` becomes the cell `survivor`, vertex k of it vertex order(k): two current cells of one type whose
+/// boundaries agree by then, up to the sign of the order. Or, with survivor = none, it becomes degenerate: the value
+/// `becomes`, whose boundary is 0 by then.
+struct Merge {
+  CellId removed;
+  CellId survivor;
+  Value becomes;
+  OrderId order = same_order;
+};
+
+/// Face number `slot` of a current cell becomes the cell `to`, in an order.
+struct Move {
+  CellId cell;
+  std::uint32_t slot;
+  CellId to;
+  OrderId order;
+};
+
+/// What an insertion or a collapse changes in the abstract simplicial complexes.
+struct AbstractChange {
+  struct Collapse {
+    LabelId from, to;
+    VertexId gone, kept;
+  };
+  std::vector<std::string> labels;  ///< of new vertices, whose numbers follow those in use
+  /// The vertices of the new cells in their orders, one cell after the other.
+  std::vector<VertexId> vertices;
+  std::optional<Collapse> collapse;
+  std::vector<CellId> renamed;  ///< cells that have the vertex `gone` and will have `kept` in its place
+};
+
+/// What is known of all cells of a body.
+struct BodyKind {
+  bool is_abstract = false;  ///< it is an abstract simplicial complex, made by insertions and collapses only
+  bool keeps_orders = true;  ///< faces have their vertices in the order of the cells whose faces they are
+  friend bool operator==(const BodyKind&, const BodyKind&) = default;
+};
+
+/// What a step is to the object.
+enum class StepKind : std::uint8_t {
+  nothing,    ///< no cell has changed
+  addition,   ///< cells were made
+  removal,    ///< cells became others, or degenerate: an identification, a degeneracy, a collapse
+  split,      ///< cells got copies, and incidences moved to them: a de-identification
+  product,    ///< bodies became a product
+  lazy_cone,  ///< bodies went under a cone that is not written out
+};
+
+/// What an operation would do, as a value: worked out by the planner without touching the structure, then applied
+/// whole. New cells have the ids that follow those in use. Reusable: `clear` keeps the memory.
+struct Plan {
+  struct NewCell {
+    TypeId type;
+    std::uint32_t first_face;  ///< in `faces`
+    std::uint64_t name_end;    ///< its name ends here in `names` (and begins where the one before ends)
+  };
+  std::vector<NewCell> cells;
+  std::vector<CellId> faces;
+  std::vector<std::pair<std::uint32_t, OrderId>> face_orders;  ///< of those faces, by position, that have another order
+  CellId first = none;                                         ///< the id of the first new cell
+  std::string names;
+  std::vector<std::pair<std::string, CellId>> aliases;  ///< further names of new cells
+  std::vector<Merge> merges;  ///< by dimension, so that boundaries agree when their turn comes
+  std::vector<std::pair<std::uint32_t, Value>> degenerate;  ///< new cells, by position, that are degenerate: no names
+  std::vector<CellId> sources;                              ///< empty, or per new cell: the cell that it is a copy of
+  /// Copies, by position, whose names stand for their vertices in another order: that of the name of the cell split.
+  std::vector<std::pair<std::uint32_t, OrderId>> name_orders;
+  std::vector<Move> moves;  ///< incidences that go to a copy
+  /// Cones among the new cells, by position: the apex, then the cells of the cone, whose last faces are what is coned.
+  struct WrittenCone {
+    std::uint32_t apex, end;
+    bool by_edges;
+  };
+  std::vector<WrittenCone> cones;
+  std::optional<NewFamily> family;         ///< bodies become a product or a cone
+  std::optional<AbstractChange> abstract;  ///< of an insertion or a collapse
+  std::optional<std::string> new_body;     ///< the new cells make a body of this name
+  std::optional<BodyId> into_body;         ///< the new cells join this body
+  std::vector<BodyId> joined_bodies;       ///< become one with `into_body` (the older name stays)
+  std::uint64_t already = 0;  ///< simplices of an insertion that are there, or stand in its list more than once
+
+  void clear();
+  [[nodiscard]] bool changes_nothing() const { return cells.empty() && merges.empty() && !family; }
+  [[nodiscard]] StepKind kind() const;
+};
+
+}  // namespace sesame::ops
