@@ -190,7 +190,7 @@ void LiveEquivalence<R>::take_in_step() {
   if (first_move != ops::none) {
     expects(first_copy != ops::none, "incidences move to copies made in the same step");
     const std::vector<Index> changed =
-        big_.split(first_copy, structure_.moves().subspan(first_move, last_move - first_move + 1));
+        big_.split(first_copy, structure_.splits().moves().subspan(first_move, last_move - first_move + 1));
     if (!changed.empty()) {
       rewriter_.perturb(time, first_copy, changed);
     }

@@ -21,7 +21,7 @@ ops::BodyId BigComplex<R>::body_of(Index generator) const {
     return structure_.body_of(structure_.removed(origin & ~removal));
   }
   if ((origin & pair) != 0) {
-    return structure_.find_body(structure_.family(origin & ~pair).body);
+    return structure_.bodies().find(structure_.family(origin & ~pair).body);
   }
   return structure_.body_of(origin);
 }
@@ -87,12 +87,12 @@ Index BigComplex<R>::append_pair(ops::FamilyId family, int degree, std::span<con
 template <Ring R>
 Index BigComplex<R>::append_copy(CellId copy) {
   sparse::expects(copy == cells(), "cells are appended in the order of their creation");
-  const CellId first = structure_.copy(copy)->moment.created;  // of the copies of this step
+  const CellId first = structure_.splits().copy(copy)->moment.created;  // of the copies of this step
   column_.clear();
   lazy_column_.clear();
-  const CellId source = structure_.copy(copy)->source;
+  const CellId source = structure_.splits().copy(copy)->source;
   const auto add = [&](CellId face, int sign) {
-    if (face >= first && face < structure_.created() && structure_.copy(face) != nullptr) {
+    if (face >= first && face < structure_.created() && structure_.splits().copy(face) != nullptr) {
       column_.push_back({generator_of(face), ring_.from(sign)});
     }
   };

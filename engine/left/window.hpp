@@ -75,7 +75,7 @@ class Window {
     for (std::uint32_t k = 0; k < arity; ++k) {
       CellId node = is_first ? faces_[first + k] : structure_->faces_as_created(c)[k];
       int sign = is_first ? signs_[first + k] : structure_->face_sign(c, k);
-      structure_->for_each_move_of(c, k, begin_.moves, moment.moves, [&](const MadeMove& made) {
+      structure_->splits().for_each_move_of(c, k, begin_.moves, moment.moves, [&](const MadeMove& made) {
         if (node != ops::none) {
           visit(node, sign, made.links);
         }
@@ -89,14 +89,14 @@ class Window {
   }
 
   /// Whether there have been copies or moves.
-  [[nodiscard]] bool has_splits() const { return copies() > 0 || structure_->moves().size() > begin_.moves; }
-  [[nodiscard]] std::uint32_t copies() const { return structure_->copies() - begin_.copies; }
+  [[nodiscard]] bool has_splits() const { return copies() > 0 || structure_->splits().moves().size() > begin_.moves; }
+  [[nodiscard]] std::uint32_t copies() const { return structure_->splits().copies() - begin_.copies; }
   /// What c is a copy of, or null.
-  [[nodiscard]] const Copy* copy(CellId c) const { return is_first(c) ? nullptr : structure_->copy(c); }
+  [[nodiscard]] const Copy* copy(CellId c) const { return is_first(c) ? nullptr : structure_->splits().copy(c); }
   /// Calls visit(copy) for the copies that were made of a node itself.
   template <class Visit>
   void for_each_copy_of(CellId source, Visit&& visit) const {
-    for (const CellId copy : structure_->copies_of(source)) {
+    for (const CellId copy : structure_->splits().copies_of(source)) {
       if (!is_first(copy)) {
         visit(copy);
       }

@@ -16,7 +16,8 @@ Instant Lineage::end_of(CellId node) const {
     const LinkId link = structure_.link_of(node);
     return link == none ? 0 : instant_after(link);  // 0: degenerate from the start
   }
-  const FamilyId family = structure_.is_consumed(node) ? structure_.consumed_by(structure_.body_of(node)) : none;
+  const FamilyId family =
+      structure_.is_consumed(node) ? structure_.bodies().consumed_by(structure_.body_of(node)) : none;
   return family != none && structure_.family(family).kind == FamilyKind::cone
              ? instant_of(structure_.family(family).links, family + 1)
              : never;
@@ -27,7 +28,7 @@ void Lineage::advance(Value& at) const {
   const TypeId type = structure_.type_id(node);
   const CellId parent = structure_.parent(node);
   if (parent == node) {
-    const FamilyId family = structure_.consumed_by(structure_.body_of(node));
+    const FamilyId family = structure_.bodies().consumed_by(structure_.body_of(node));
     at.cell = structure_.lazy_cell(family, LazyPart::base, {node, type, 0});
   } else if (parent == none) {
     at = structure_.maps().compose(at, structure_.squashed(node));

@@ -51,13 +51,6 @@ struct AbstractChange {
   std::vector<CellId> renamed;  ///< cells that have the vertex `gone` and will have `kept` in its place
 };
 
-/// What is known of all cells of a body.
-struct BodyKind {
-  bool is_abstract = false;  ///< it is an abstract simplicial complex, made by insertions and collapses only
-  bool keeps_orders = true;  ///< faces have their vertices in the order of the cells whose faces they are
-  friend bool operator==(const BodyKind&, const BodyKind&) = default;
-};
-
 /// What a step is to the object.
 enum class StepKind : std::uint8_t {
   nothing,    ///< no cell has changed

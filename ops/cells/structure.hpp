@@ -16,34 +16,18 @@
 #include <unordered_map>
 #include <vector>
 
+#include "ops/cells/bodies.hpp"
 #include "ops/cells/cell_type.hpp"
 #include "ops/cells/degeneracy.hpp"
 #include "ops/cells/journal.hpp"
 #include "ops/cells/lazy_family.hpp"
+#include "ops/cells/moment.hpp"
 #include "ops/cells/plan.hpp"
+#include "ops/cells/split_history.hpp"
 #include "ops/name_table.hpp"
 #include "ops/simplicial/abstract_complex.hpp"
 
 namespace sesame::ops {
-
-/// A moment of the history: how many cells had been created and removed, incidences moved, copies and lazy families
-/// made.
-struct Moment {
-  CellId created = 0;
-  LinkId links = 0;
-  std::uint32_t moves = 0;
-  FamilyId families = 0;
-  std::uint32_t copies = 0;
-  friend bool operator==(const Moment&, const Moment&) = default;
-};
-
-/// Removals and families in one order: how many of each there had been.
-using Instant = std::uint64_t;
-[[nodiscard]] constexpr Instant instant_of(LinkId links, FamilyId families) {
-  return Instant{links} << 32U | Instant{families};
-}
-/// Just after a removal, before any family that followed it.
-[[nodiscard]] constexpr Instant instant_after(LinkId link) { return instant_of(link + 1, 0); }
 
 /// A cone as it was made: over which cells follows from the moment and, when it is written out, from its cells.
 struct Cone {
@@ -134,7 +118,7 @@ class Structure {
   /// The number of current cells of each dimension, up to the largest that has one.
   [[nodiscard]] std::span<const std::uint64_t> counts() const;
   [[nodiscard]] Moment now() const {
-    return {created(), links(), static_cast<std::uint32_t>(moves_.size()), families(), copies()};
+    return {created(), links(), static_cast<std::uint32_t>(splits_.moves().size()), families(), splits_.copies()};
   }
   /// Whether c was a current cell of the object at a moment.
   [[nodiscard]] bool was_current(CellId c, const Moment& moment) const;
@@ -168,32 +152,13 @@ class Structure {
   }
 
   // ---- de-identification
-  /// A copy: made of `source` at a moment.
-  struct Copy {
-    CellId copy, source;
-    Moment moment;
-  };
-  [[nodiscard]] std::uint32_t copies() const { return static_cast<std::uint32_t>(copies_.size()); }
-  /// What c is a copy of, or null.
-  [[nodiscard]] const Copy* copy(CellId c) const;
-  /// The copies that were made of a node itself.
-  [[nodiscard]] std::span<const CellId> copies_of(CellId source) const;
-  /// A move as it happened: face `slot` of `cell` was `before` and became `after` when there were `links` removals.
-  struct MadeMove {
-    CellId cell;
-    std::uint32_t slot;
-    CellId before, after;
-    LinkId links;
-    OrderId order_before, order_after;
-  };
-  [[nodiscard]] std::span<const MadeMove> moves() const { return moves_; }
+  using Copy = SplitHistory::Copy;
+  using MadeMove = SplitHistory::MadeMove;
+  [[nodiscard]] const SplitHistory& splits() const { return splits_; }
   /// The sign of the face in the boundary of the cell after a move.
   [[nodiscard]] int sign_after(const MadeMove& made) const {
     return type(made.cell).faces[made.slot].sign * maps_->sign(made.order_after);
   }
-  /// Calls visit(move) for the moves of face k of a cell whose numbers are in [first, last), in order.
-  template <class Visit>
-  void for_each_move_of(CellId c, std::uint32_t k, std::uint32_t first, std::uint32_t last, Visit&& visit) const;
   /// The current cells that have a face which is a given current cell or degenerate over it, oldest first.
   /// Cost: the incidences that its members were created with; for a lazy cell also those of the factors' cells, for the
   /// apex of a lazy cone all cells that the cone is taken over.
@@ -244,34 +209,20 @@ class Structure {
   [[nodiscard]] std::uint64_t names_looked_up() const { return names_.looked_up() + abstract_.labels_looked_up(); }
 
   // ---- bodies
+  [[nodiscard]] const Bodies& bodies() const { return bodies_; }
   /// The current body of a name, or empty. A body that became part of a cone is that cone's body.
   [[nodiscard]] std::optional<BodyId> lookup_body(std::string_view name) const;
-  [[nodiscard]] BodyId find_body(BodyId b) const;
-  [[nodiscard]] BodyId body_of(CellId c) const { return find_body(nodes_->body[c]); }
-  /// The family whose factor a current body has become, or none: its cells are no longer cells of the object.
-  [[nodiscard]] FamilyId consumed_by(BodyId b) const { return bodies_[find_body(b)].consumed_by; }
-  [[nodiscard]] bool is_consumed(CellId c) const { return !families_.empty() && consumed_by(nodes_->body[c]) != none; }
-  [[nodiscard]] std::string_view body_name(BodyId b) const {
-    return names_[bodies_[bodies_[find_body(b)].oldest].name].text;
+  [[nodiscard]] BodyId body_of(CellId c) const { return bodies_.find(nodes_->body[c]); }
+  /// Whether a cell is one of a body that has become a factor: it is no cell of the object any more.
+  [[nodiscard]] bool is_consumed(CellId c) const {
+    return !families_.empty() && bodies_.consumed_by(nodes_->body[c]) != none;
   }
-  /// Current bodies, oldest name first.
-  [[nodiscard]] std::vector<BodyId> current_bodies() const;
-  /// The number of current cells of a body, by dimension.
-  [[nodiscard]] std::span<const std::uint64_t> counts_of(BodyId body) const { return bodies_[find_body(body)].counts; }
+  [[nodiscard]] std::string_view body_name(BodyId b) const { return names_[bodies_.name(b)].text; }
   /// The current cells of a body, oldest first. Cost: the cells ever created in it; makes all its lazy cells.
   [[nodiscard]] std::vector<CellId> cells_of(BodyId body) const;
-  /// The number of current cells of a body that are no simplices: of a type longer than one.
-  [[nodiscard]] std::uint64_t simploids_of(BodyId body) const { return bodies_[find_body(body)].simploids; }
-
-  /// How many lazy families are made of one another to make the cells of a body.
-  [[nodiscard]] std::uint32_t nesting_of(BodyId body) const { return bodies_[find_body(body)].nesting; }
-
-  /// True when all cells of a body are simplices: vertices or of a type of length 1.
-  [[nodiscard]] bool has_only_simplices(BodyId body) const { return simploids_of(body) == 0; }
 
   // ---- abstract simplicial complexes
   [[nodiscard]] const AbstractComplex& abstract() const { return abstract_; }
-  [[nodiscard]] BodyKind kind_of(BodyId body) const { return bodies_[find_body(body)].kind; }
 
   // ---- cones, lazy or written out, and what their cells are called after
   [[nodiscard]] std::uint32_t cones() const { return static_cast<std::uint32_t>(cones_.size()); }
@@ -342,33 +293,6 @@ class Structure {
     CellId removed, oldest_before;
     LinkId previous_child;  ///< the link that ended at the same node before
   };
-  struct Range {
-    CellId first, last;
-  };
-  struct Body {
-    std::uint32_t name;  ///< its number among the names
-    BodyId parent, oldest;
-    std::vector<Range> made;       ///< creations that joined this very body
-    std::vector<BodyId> children;  ///< bodies linked below it
-    std::uint32_t size = 1;
-    std::vector<std::uint64_t> counts;  ///< current cells by dimension, those of the bodies below it included
-    FamilyId family = none;             ///< that it was made as
-    FamilyId consumed_by = none;
-    std::uint64_t simploids = 0;  ///< of those counted, the ones of a type longer than one
-    BodyKind kind;
-    std::uint32_t nesting = 0;
-  };
-  struct BodyLink {
-    BodyId child, oldest_before;
-    BodyKind kind_before;
-    std::uint32_t nesting_before;
-  };
-  /// A body became less of an abstract complex than it was.
-  struct KindChange {
-    BodyId body;
-    BodyKind before;
-  };
-
   CellId add_node(TypeId type, std::uint32_t name, std::uint32_t lazy, BodyId body) const;
   void squash(CellId node, const Value& becomes) const;
   void unsquash(CellId node) const;
@@ -384,20 +308,16 @@ class Structure {
   void add_family(const NewFamily& family, BodyId body);
   void link(const Merge& merge);
   void undo_last_link();
-  void undo_last_body_link();
   void undo_last_family();
-  void undo_last_move();
   void make_move(const Move& move);
   void join_bodies(BodyId a, BodyId b);
   void change_abstract(const Plan& plan, CellId first);
   void leave_abstract(const Plan& plan);
   void note_orders(const Plan& plan, CellId first);
   void lower_kind(BodyId body, BodyKind kind);
-  void undo_last_kind_change();
   [[nodiscard]] OrderId known_order_as_created(CellId c, std::uint32_t k) const;
   [[nodiscard]] OrderId known_order_of_face(CellId c, std::uint32_t k) const;
   void count(CellId c, int change);
-  static void add_counts(std::span<const std::uint64_t> from, std::vector<std::uint64_t>& to, bool subtract);
   void add_name(std::string_view text, CellId cell, BodyId body);
   void drop_last_name();
   [[nodiscard]] CellId last_root(CellId c) const;
@@ -423,17 +343,7 @@ class Structure {
   std::vector<LinkId> first_links_;                  ///< of the steps that made some
   std::vector<std::uint64_t> counts_;
 
-  std::vector<Copy> copies_;
-  std::unordered_map<CellId, std::uint32_t> copy_index_;
-  std::unordered_map<CellId, std::vector<CellId>> copies_of_;
-  std::vector<MadeMove> moves_;
-  struct MovedFaces {
-    std::vector<CellId> faces;           ///< as they are now
-    std::vector<OrderId> orders;         ///< of these
-    std::vector<std::uint32_t> history;  ///< numbers in moves_
-  };
-  std::unordered_map<CellId, MovedFaces> moved_;                       ///< cells that have moved incidences
-  std::unordered_map<CellId, std::vector<std::uint32_t>> moved_onto_;  ///< per node: the moves that ended at it
+  SplitHistory splits_;
 
   NameTable names_;
   /// Per hash, how many names have a prefix with it that could be that of a lazy family.
@@ -441,9 +351,7 @@ class Structure {
   std::vector<std::uint32_t> odd_names_;
   std::deque<Cone> cones_;
 
-  std::deque<Body> bodies_;
-  std::vector<BodyLink> body_links_;
-  std::vector<KindChange> kind_changes_;
+  Bodies bodies_;
   AbstractComplex abstract_;
   /// Orders of faces as created, where not the same: by place in the list of all faces.
   std::unordered_map<std::uint64_t, OrderId> face_orders_;
@@ -460,21 +368,6 @@ void Structure::for_each_member(CellId current, Visit&& visit) const {
     pending.pop_back();
     visit(node);
     for_each_child_link(node, 0, [&](LinkId link) { pending.push_back(links_[link].removed); });
-  }
-}
-
-template <class Visit>
-void Structure::for_each_move_of(CellId c, std::uint32_t k, std::uint32_t first, std::uint32_t last,
-                                 Visit&& visit) const {
-  const auto moved = moved_.empty() ? moved_.end() : moved_.find(c);
-  if (moved == moved_.end()) {
-    return;
-  }
-  const std::vector<std::uint32_t>& history = moved->second.history;
-  for (auto at = std::lower_bound(history.begin(), history.end(), first); at != history.end() && *at < last; ++at) {
-    if (moves_[*at].slot == k) {
-      visit(moves_[*at]);
-    }
   }
 }
 

@@ -36,7 +36,7 @@ Result<std::optional<std::vector<BodyId>>> coned_bodies(const ConeBase& over, co
     }
     bodies = std::vector<BodyId>{*body};
   } else if (std::holds_alternative<std::monostate>(over)) {
-    bodies = structure.current_bodies();
+    bodies = structure.bodies().current();
   }
   return bodies;
 }
@@ -44,7 +44,7 @@ Result<std::optional<std::vector<BodyId>>> coned_bodies(const ConeBase& over, co
 std::uint64_t cells_in(const std::vector<BodyId>& bodies, const Structure& structure) {
   std::uint64_t cells = 0;
   for (const BodyId body : bodies) {
-    const auto counts = structure.counts_of(body);
+    const auto counts = structure.bodies().counts(body);
     cells = std::accumulate(counts.begin(), counts.end(), cells);
   }
   return cells;
@@ -246,15 +246,15 @@ Status plan_lazy_cone(const std::string& apex, const std::vector<BodyId>& bodies
   NewFamily cone{FamilyKind::cone, apex, bodies, false, {}, 0};
   std::uint64_t over_edges = 0;  // and larger cells: v*c has a type longer than one when it is a product with an edge
   for (const BodyId body : bodies) {
-    const auto counts = structure.counts_of(body);
-    cone.by_edges = cone.by_edges || !structure.has_only_simplices(body);
+    const auto counts = structure.bodies().counts(body);
+    cone.by_edges = cone.by_edges || !structure.bodies().has_only_simplices(body);
     cone.counts.resize(std::max(cone.counts.size(), counts.size() + 1), 0);
     for (std::size_t p = 0; p < counts.size(); ++p) {
       cone.counts[p] += counts[p];
       cone.counts[p + 1] += counts[p];
       over_edges += p > 0 ? counts[p] : 0;
     }
-    cone.simploids += structure.simploids_of(body);
+    cone.simploids += structure.bodies().simploids(body);
   }
   cone.simploids += cone.by_edges ? over_edges : 0;
   if (Status s = check_family(cone, structure); !s) {

@@ -52,7 +52,7 @@ Status check_family(const NewFamily& family, const Structure& structure) {
   }
   constexpr int most_nested = NameReader::most_nested - largest_dimension;  // cones that are written out come to that
   for (const BodyId body : family.bodies) {
-    if (structure.nesting_of(body) >= most_nested) {
+    if (structure.bodies().nesting(body) >= most_nested) {
       return Error{Errc::refused, fmt::format("\"{}\" would be made of {} products and cones that are made of one "
                                               "another, the limit",
                                               family.name, most_nested)};

@@ -32,12 +32,12 @@ std::uint64_t binomial(std::size_t n, std::size_t k) {
 
 /// For a product that is triangulated: simplices, with their vertices in the order of their faces.
 Status check_triangulable(BodyId body, const std::string& name, const Structure& structure) {
-  if (!structure.has_only_simplices(body)) {
+  if (!structure.bodies().has_only_simplices(body)) {
     return Error{Errc::refused, fmt::format("the body \"{}\" has cells that are no simplices: a simplicial product "
                                             "needs simplices, a simploidal one takes all",
                                             name)};
   }
-  if (!structure.kind_of(body).keeps_orders) {
+  if (!structure.bodies().kind(body).keeps_orders) {
     return Error{Errc::refused,
                  fmt::format("cells of the body \"{}\" have their vertices in another order than their faces, which "
                              "comes of collapses and of gluing by vertex maps: a simplicial product goes by the order "
@@ -77,10 +77,10 @@ void count_cells(Counts lefts, Counts rights, bool simplicial, std::vector<std::
 
 /// The cells of a simploidal product that are simplices: pairs of a simplex and a vertex. A pair of vertices is one.
 std::uint64_t simplices_of_product(BodyId left, BodyId right, const Structure& structure) {
-  const Counts lefts = structure.counts_of(left);
-  const Counts rights = structure.counts_of(right);
-  const std::uint64_t left_simplices = total(lefts) - structure.simploids_of(left);
-  const std::uint64_t right_simplices = total(rights) - structure.simploids_of(right);
+  const Counts lefts = structure.bodies().counts(left);
+  const Counts rights = structure.bodies().counts(right);
+  const std::uint64_t left_simplices = total(lefts) - structure.bodies().simploids(left);
+  const std::uint64_t right_simplices = total(rights) - structure.bodies().simploids(right);
   return left_simplices * vertices(rights) + vertices(lefts) * right_simplices - vertices(lefts) * vertices(rights);
 }
 
@@ -104,8 +104,8 @@ Status plan_product(const MakeProduct& operation, const Structure& structure, Pl
   }
   const FamilyKind kind = operation.simplicial ? FamilyKind::simplicial_product : FamilyKind::product;
   NewFamily product{kind, operation.name, {*left, *right}, false, {}, 0};
-  const Counts lefts = structure.counts_of(*left);
-  const Counts rights = structure.counts_of(*right);
+  const Counts lefts = structure.bodies().counts(*left);
+  const Counts rights = structure.bodies().counts(*right);
   product.counts.assign(std::max<std::size_t>(lefts.size() + rights.size(), 1) - 1, 0);
   if (Status s = check_family(product, structure); !s) {  // the dimension, before anything is multiplied
     return s;

@@ -48,7 +48,7 @@ Result<Value> resolve_cell(const std::string& name, const Structure& structure) 
   }
   Lineage(structure).advance_to_now(*named);
   if (structure.is_consumed(named->cell)) {
-    const LazyFamily& product = structure.family(structure.consumed_by(structure.body_of(named->cell)));
+    const LazyFamily& product = structure.family(structure.bodies().consumed_by(structure.body_of(named->cell)));
     return Error{
         Errc::unknown_name,
         fmt::format("the cell \"{}\" went into the product \"{}\", whose cells have names such as \"{}.(a|b)\"", name,
@@ -64,7 +64,7 @@ Result<BodyId> resolve_body(const std::string& name, const Structure& structure)
                  fmt::format("there is no body \"{}\"{}", name,
                              structure.lookup(name) ? ": this is a cell; name the body that it belongs to" : "")};
   }
-  if (const FamilyId family = structure.consumed_by(*body); family != none) {
+  if (const FamilyId family = structure.bodies().consumed_by(*body); family != none) {
     return Error{Errc::unknown_name, fmt::format("the body \"{}\" went into the product \"{}\": it can be used no more",
                                                  name, structure.family(family).name)};
   }
@@ -79,7 +79,7 @@ Result<BodyId> abstract_body(LabelId label, const Structure& structure) {
                                             complex.text(label), complex.text(complex.label_of(vertex)))};
   }
   const BodyId body = structure.body_of(complex.find({&vertex, 1}));
-  if (!structure.kind_of(body).is_abstract) {
+  if (!structure.bodies().kind(body).is_abstract) {
     return Error{Errc::refused,
                  fmt::format("the body \"{}\" of the vertex \"{}\" was changed by another operation: insert and "
                              "collapse work on bodies that only they have made; undo that, or use new labels",

@@ -47,7 +47,7 @@ Terms<R> unit(const R& ring, const CellBasis& basis, CellId c) {
 
 /// The node that a cell of the object is after a step: itself, but for the cells that a lazy cone was taken over.
 CellId after_step(const Structure& structure, CellId c, Moment after) {
-  const FamilyId family = structure.families() == 0 ? none : structure.consumed_by(structure.body_of(c));
+  const FamilyId family = structure.families() == 0 ? none : structure.bodies().consumed_by(structure.body_of(c));
   return family < after.families ? structure.lazy_cell(family, LazyPart::base, {c, structure.type_id(c), 0}) : c;
 }
 
@@ -148,12 +148,12 @@ StepSequence<R> split_cells(const Structure& structure, Moment before, Moment af
   CellBasis all = old_cells;
   CellBasis copies;
   for (CellId c = before.created; c < after.created; ++c) {
-    if (structure.copy(c) != nullptr) {
+    if (structure.splits().copy(c) != nullptr) {
       all.add(structure.dimension(c), c);
       copies.add(structure.dimension(c), c);
     }
   }
-  const auto source = [&](CellId c) { return structure.copy(c)->source; };
+  const auto source = [&](CellId c) { return structure.splits().copy(c)->source; };
   const auto i_of = [&](CellId c) {
     return Terms<R>{{all.index(c), ring.one()}, {all.index(source(c)), ring.negate(ring.one())}};
   };
@@ -216,7 +216,7 @@ std::optional<std::string> broken_vertex_law(const Structure& structure, CellId 
 std::optional<std::string> first_broken_face_law(const Structure& structure, const CellBasis& basis) {
   for (const auto& cells : basis.cells()) {
     for (const CellId c : cells) {
-      const bool is_abstract = structure.kind_of(structure.body_of(c)).is_abstract;
+      const bool is_abstract = structure.bodies().kind(structure.body_of(c)).is_abstract;
       if (auto broken = is_abstract ? broken_vertex_law(structure, c) : std::nullopt) {
         return broken;
       }

@@ -168,7 +168,7 @@ TEST_CASE("orders of vertices that do not agree keep torsion and orientations ri
   for (const auto& [from, to] : collapses) {
     carry_out(engine, collapse(from, to));
   }
-  CHECK_FALSE(engine.structure().kind_of(0).keeps_orders);
+  CHECK_FALSE(engine.structure().bodies().kind(0).keeps_orders);
   CHECK(live_groups(engine) == std::vector<AbelianGroup>{{1, {}}, {0, {2}}});
   CHECK(engine.first_defect().value_or("") == "");
   const auto generators = engine.generators(1);
@@ -323,11 +323,10 @@ TEST_CASE("what is refused for vertex orders leaves the engine as it was", "[eng
   insert_all(engine, {{"a", "b", "c"}, {"c", "d"}});
   carry_out(engine, collapse("c", "a"));
   const std::string before = dump(engine);
-  for (const std::string line :
-       {R"({"op":"identify","pairs":[["{a,b}","{a,b}",[1,0]]]})",
-        R"({"op":"product","name":"P","left":"{a}","right":"{a}","kind":"simplicial"})",
-        R"({"op":"insert","simplex":["c"]})",
-        R"({"op":"collapse","from":"c","to":"b"})", R"({"op":"class","chain":[[1,"{a,x}"]]})"}) {
+  for (const std::string line : {R"({"op":"identify","pairs":[["{a,b}","{a,b}",[1,0]]]})",
+                                 R"({"op":"product","name":"P","left":"{a}","right":"{a}","kind":"simplicial"})",
+                                 R"({"op":"insert","simplex":["c"]})", R"({"op":"collapse","from":"c","to":"b"})",
+                                 R"({"op":"class","chain":[[1,"{a,x}"]]})"}) {
     CHECK_FALSE(engine.apply(operation(line)));
   }
   CHECK(engine.log().size() == 3);

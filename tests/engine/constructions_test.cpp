@@ -586,7 +586,7 @@ TEST_CASE("a cone over everything is acyclic, whatever was built before", "[engi
   const auto check_cone = [&] {
     carry_out(engine, ops::MakeCone{"apex" + std::to_string(apexes++), {}, {}});
     CHECK(live_groups(engine) == Groups{group(1)});
-    CHECK(engine.structure().current_bodies().size() == 1);
+    CHECK(engine.structure().bodies().current().size() == 1);
     CHECK(engine.first_defect().value_or("") == "");
     carry_out(engine, ops::Undo{1});
   };

@@ -98,10 +98,10 @@ TEST_CASE("several bodies add up, and merge when they are glued", "[engine]") {
   Engine engine;
   build(engine, {R"({"op":"simplex","name":"a","dim":2})", R"({"op":"simplex","name":"b","dim":2})"});
   CHECK(live_groups(engine) == std::vector<AbelianGroup>{group(2)});
-  CHECK(engine.structure().current_bodies().size() == 2);
+  CHECK(engine.structure().bodies().current().size() == 2);
   carry_out(engine, R"({"op":"identify","pairs":[["a.0","b.0"],["a.1","b.1"],["a.2","b.2"]]})");
   CHECK(live_groups(engine) == std::vector<AbelianGroup>{group(1), group(2)});
-  CHECK(engine.structure().current_bodies().size() == 1);
+  CHECK(engine.structure().bodies().current().size() == 1);
   carry_out(engine, R"({"op":"identify","pairs":[["a","b"]]})");
   CHECK(live_groups(engine) == std::vector<AbelianGroup>{group(1)});
 }

@@ -251,6 +251,6 @@ TEST_CASE("a cone over everything is contractible, whatever it is over", "[engin
   }
   carry_out(engine, R"({"op":"cone","apex":"v"})");
   CHECK(live_groups(engine) == Groups{group(1)});
-  CHECK(engine.structure().current_bodies().size() == 1);
+  CHECK(engine.structure().bodies().current().size() == 1);
   CHECK(engine.first_defect().value_or("") == "");
 }

@@ -23,9 +23,9 @@ std::vector<CellId> by_age(const Structure& structure, std::vector<CellId> cells
 /// All that names can say of a structure; ids, which tell made cells from lazy ones, are left out.
 std::string by_names(const Structure& structure) {
   std::string text;
-  for (const BodyId body : structure.current_bodies()) {
-    text += "body " + std::string{structure.body_name(body)} + " with " + std::to_string(structure.simploids_of(body)) +
-            " simploids\n";
+  for (const BodyId body : structure.bodies().current()) {
+    text += "body " + std::string{structure.body_name(body)} + " with " +
+            std::to_string(structure.bodies().simploids(body)) + " simploids\n";
     for (const CellId c : by_age(structure, structure.cells_of(body))) {
       text += std::string{structure.name(c)} + " " + describe(structure.type(c).type) + ":";
       for (const std::string& face : face_texts(structure, c)) {
@@ -189,7 +189,7 @@ TEST_CASE("names of bodies under a lazy cone denote the cone's body, and their c
   CHECK(s.lookup_body("a") == s.lookup_body("b"));
   CHECK(s.body_name(*s.lookup_body("b")) == "a");
   CHECK_FALSE(s.lookup_body("v"));
-  CHECK(s.current_bodies().size() == 2);
+  CHECK(s.bodies().current().size() == 2);
   CHECK_FALSE(s.is_consumed(*s.lookup("a.1")));
   CHECK(s.body_of(shop.cell("v*b.0")) == *s.lookup_body("a"));
   CHECK(shop.cell("v*a.0") == shop.cell("v*b.0"));

@@ -140,7 +140,7 @@ TEST_CASE("a copy has the faces of its source, and takes the incidences listed",
   CHECK(faces(shop, "x") == Texts{"s.2", "s.1"});
   CHECK(faces(shop, "t") == Texts{"t.1-2", "t.0-2", "x"});
   CHECK(faces(shop, "s") == Texts{"s.1-2", "s.0-2", "s.0-1"});
-  CHECK(shop.structure().copy(shop.cell("x"))->source == shop.cell("s.1-2"));
+  CHECK(shop.structure().splits().copy(shop.cell("x"))->source == shop.cell("s.1-2"));
   CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("x"))) == "s");
 }
 
@@ -209,7 +209,7 @@ TEST_CASE("a cell that is split without moves leaves a copy beside it", "[ops]")
        R"({"op":"deidentify","split":[{"cell":"t","as":"lid","moves":[]},{"cell":"t.0","as":"dot","moves":[]}]})"});
   CHECK(counts(shop) == Counts{4, 3, 2});
   CHECK(faces(shop, "lid") == faces(shop, "t"));
-  CHECK(shop.structure().current_bodies().size() == 1);
+  CHECK(shop.structure().bodies().current().size() == 1);
 }
 
 TEST_CASE("a torus is cut along its two circles into a square", "[ops]") {

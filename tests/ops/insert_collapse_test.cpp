@@ -44,7 +44,7 @@ constexpr BodyKind orders_agree{true, true};
 constexpr BodyKind orders_differ{true, false};
 
 BodyKind kind_of(const Workshop& shop, const std::string& cell) {
-  return shop.structure().kind_of(shop.structure().body_of(shop.cell(cell)));
+  return shop.structure().bodies().kind(shop.structure().body_of(shop.cell(cell)));
 }
 
 /// A star of n triangles around a vertex: {centre, k, k + 1}.
@@ -66,7 +66,7 @@ TEST_CASE("an insertion adds the simplex and its missing faces, oriented by the 
   CHECK(counts(shop) == Counts{4, 6, 2});
   CHECK(faces(shop, "{10,b,c}") == Texts{"{b,c}", "{10,c}", "{10,b}"});
   CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("{c}"))) == "{9}");
-  CHECK(shop.structure().current_bodies().size() == 1);
+  CHECK(shop.structure().bodies().current().size() == 1);
 }
 
 TEST_CASE("a list of simplices is inserted with all faces in one step, by dimension and then by labels", "[ops]") {
@@ -76,7 +76,7 @@ TEST_CASE("a list of simplices is inserted with all faces in one step, by dimens
                                 "{b,d}", "{c,d}", "{9,10,b}", "{b,c,d}"});
   CHECK(faces(shop, "{b,c,d}") == Texts{"{c,d}", "{b,d}", "{b,c}"});
   CHECK(face_law_defect(shop.structure()) == "");
-  CHECK(shop.structure().current_bodies().size() == 1);
+  CHECK(shop.structure().bodies().current().size() == 1);
   CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("{q}"))) == "{9}");
 }
 
@@ -130,11 +130,11 @@ TEST_CASE("simplices that are there already are counted where that is allowed, a
   // What is there already joins no bodies; what is new does, and one that is listed twice is counted once.
   shop.build({R"({"op":"insert","simplices":[["x"],["p","q"],["q","p"]]})"});
   CHECK(shop.last_plan().already == 2);
-  CHECK(shop.structure().current_bodies().size() == 3);
+  CHECK(shop.structure().bodies().current().size() == 3);
   CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("{q}"))) == "{p}");
   shop.build({R"({"op":"insert","simplices":[["a","b"],["p","x"],["y","a"]]})"});
   CHECK(shop.last_plan().already == 1);
-  CHECK(shop.structure().current_bodies().size() == 1);
+  CHECK(shop.structure().bodies().current().size() == 1);
   CHECK_THAT(refused(shop, R"({"op":"insert","simplices":[["n"],["x"]],"exist_ok":false})").what,
              Contains("{x} is there already"));
 }
@@ -407,13 +407,13 @@ TEST_CASE("faces with another order of their vertices are taken with a sign", "[
 TEST_CASE("collapses join bodies, and the older name stays", "[ops]") {
   Workshop shop;
   insert_all(shop, {{"a", "b"}, {"c", "d", "e"}, {"f"}});
-  CHECK(shop.structure().current_bodies().size() == 3);
+  CHECK(shop.structure().bodies().current().size() == 3);
   carry_out(shop, collapse("d", "a"));
-  CHECK(shop.structure().current_bodies().size() == 2);
+  CHECK(shop.structure().bodies().current().size() == 2);
   CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("{e}"))) == "{a}");
   CHECK(shop.structure().lookup_body("{c}") == shop.structure().lookup_body("{a}"));
   carry_out(shop, insert({"f", "e"}));
-  CHECK(shop.structure().current_bodies().size() == 1);
+  CHECK(shop.structure().bodies().current().size() == 1);
   CHECK(counts(shop) == Counts{5, 5, 1});
 }
 
@@ -629,7 +629,7 @@ TEST_CASE("joining a body keeps track of whose orders agree, through undo", "[op
   shop.go_back_to(apart);
   CHECK(kind_of(shop, "{a}") == orders_agree);
   CHECK(kind_of(shop, "{q}") == orders_agree);
-  CHECK(shop.structure().current_bodies().size() == 2);
+  CHECK(shop.structure().bodies().current().size() == 2);
 }
 
 TEST_CASE("a product knows the cells of an abstract factor by all their names", "[ops]") {

@@ -49,7 +49,7 @@ class PlainReader {
 
  private:
   [[nodiscard]] std::optional<Value> base_above(const Value& v) const {
-    const FamilyId family = structure_.consumed_by(structure_.body_of(v.cell));
+    const FamilyId family = structure_.bodies().consumed_by(structure_.body_of(v.cell));
     if (family == none || structure_.family(family).kind != FamilyKind::cone) {
       return std::nullopt;
     }
@@ -257,7 +257,7 @@ TEST_CASE("names of any text, with brackets that do not match and bars, denote w
   };
   for (int k = 0; k < 14; ++k) {
     attempt(shop, MakeSimplex{text(), random.in(0, 1), {}});
-    const auto bodies = shop.structure().current_bodies();
+    const auto bodies = shop.structure().bodies().current();
     if (k < 4 || bodies.empty()) {
       continue;
     }

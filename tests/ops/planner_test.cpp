@@ -254,7 +254,7 @@ TEST_CASE("a cone over nothing is a vertex in a body of its own", "[ops]") {
   Workshop shop;
   shop.build({R"({"op":"cone","apex":"v"})", R"({"op":"cone","apex":"w","over":[]})"});
   CHECK(shop.structure().created() == 2);
-  CHECK(shop.structure().current_bodies().size() == 2);
+  CHECK(shop.structure().bodies().current().size() == 2);
   CHECK(shop.structure().body_name(*shop.structure().lookup_body("w")) == "w");
 }
 
@@ -283,13 +283,13 @@ TEST_CASE("a cone over several bodies makes them one, named like the oldest", "[
   furnished(shop);
   const StructureMark before = mark_of(shop.structure());
   shop.build({R"({"op":"cone","apex":"v","over":["line.1","q.0x0"]})"});
-  CHECK(shop.structure().current_bodies().size() == 2);
+  CHECK(shop.structure().bodies().current().size() == 2);
   CHECK(shop.structure().body_name(*shop.structure().lookup_body("line")) == "q");
   CHECK(shop.structure().cells_of(*shop.structure().lookup_body("line")).size() == 9 + 3 + 3);
   shop.go_back_to(before);
   shop.build({R"({"op":"simplex","name":"dot","dim":0})", R"({"op":"cone","apex":"v","over":"line"})"});
   CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("v*line"))) == "line");
-  CHECK(shop.structure().current_bodies().size() == 4);
+  CHECK(shop.structure().bodies().current().size() == 4);
 }
 
 TEST_CASE("a cone follows identifications: over a loop, both ends are one vertex", "[ops]") {
@@ -339,11 +339,11 @@ TEST_CASE("a suspension over everything is taken over all bodies, over nothing i
   Workshop shop;
   shop.build({R"({"op":"suspend","apexes":["n","s"]})"});
   CHECK(counts(shop) == Counts{2});
-  CHECK(shop.structure().current_bodies().size() == 1);
+  CHECK(shop.structure().bodies().current().size() == 1);
   CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("s"))) == "n");
   shop.build({R"({"op":"suspend","apexes":["e","w"]})"});
   CHECK(counts(shop) == Counts{4, 4});
-  CHECK(shop.structure().current_bodies().size() == 1);
+  CHECK(shop.structure().bodies().current().size() == 1);
 }
 
 TEST_CASE("a suspension is refused when its names would be given twice, or its base cannot be listed", "[ops]") {

@@ -203,7 +203,7 @@ TEST_CASE("a product has the cells and faces that its definition says, in the or
     names.push_back(name);
   }
   CHECK(cells_of(shop) == names);
-  CHECK(s.simploids_of(*s.lookup_body("P")) ==
+  CHECK(s.bodies().simploids(*s.lookup_body("P")) ==
         static_cast<std::uint64_t>(std::count_if(names.begin(), names.end(), [&](const std::string& name) {
           return !is_simplex(s.type(shop.cell(name)).type);
         })));
@@ -292,8 +292,8 @@ TEST_CASE("the factors' cells and names are used up, and say where they went", "
         R"~({"op":"deidentify","split":[{"cell":"h","as":"P.(f|e)","moves":[]}]})~"}) {
     CHECK_THAT(refused(shop, line).what, Contains("in use"));
   }
-  CHECK(shop.structure().current_bodies().size() == 2);
-  CHECK(shop.structure().body_name(shop.structure().current_bodies()[1]) == "P");
+  CHECK(shop.structure().bodies().current().size() == 2);
+  CHECK(shop.structure().body_name(shop.structure().bodies().current()[1]) == "P");
 }
 
 TEST_CASE("a product is refused with what is wrong", "[ops]") {
@@ -324,7 +324,7 @@ TEST_CASE("what a body is now decides whether it can be triangulated, not what i
   shop.build({R"({"op":"simploid","name":"q","type":[1,1]})", R"({"op":"simplex","name":"e","dim":1})"});
   const StructureMark square = mark_of(shop.structure());
   shop.build({R"({"op":"degenerate","cell":"q","along":[1,0]})"});
-  CHECK(shop.structure().simploids_of(*shop.structure().lookup_body("q")) == 0);
+  CHECK(shop.structure().bodies().simploids(*shop.structure().lookup_body("q")) == 0);
   REQUIRE(shop.apply(MakeProduct{"P", "e", "q", true}));
   CHECK(counts(shop) == Counts{4, 5, 2});
   shop.go_back_to(square);
@@ -370,11 +370,11 @@ TEST_CASE("a body times itself, a point, or nothing", "[ops]") {
   shop.build({R"({"op":"product","name":"P","left":"v","right":"e"})"});
   CHECK(counts(shop) == Counts{2, 1});
   CHECK(faces(shop, "P.(v|e)") == Texts{"P.(v|e.1)", "P.(v|e.0)"});
-  CHECK(shop.structure().simploids_of(*shop.structure().lookup_body("P")) == 0);
+  CHECK(shop.structure().bodies().simploids(*shop.structure().lookup_body("P")) == 0);
   shop.go_back_to(start);
   shop.build({R"({"op":"product","name":"P","left":"e","right":"K","kind":"simplicial"})"});
   CHECK(counts(shop) == Counts{1});
-  CHECK(shop.structure().current_bodies().size() == 2);
+  CHECK(shop.structure().bodies().current().size() == 2);
 }
 
 TEST_CASE("cells of a product are younger than what was there, and older than what comes after", "[ops]") {

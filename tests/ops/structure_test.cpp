@@ -199,7 +199,7 @@ TEST_CASE("a structure is what its slow twin is, after every step and every trun
   }
   CHECK(mark_of(shop.structure()) == StructureMark{});
   CHECK(shop.structure().counts().empty());
-  CHECK(shop.structure().current_bodies().empty());
+  CHECK(shop.structure().bodies().current().empty());
 }
 
 TEST_CASE("a merged cell answers to every name of its members, and is called by the oldest", "[ops]") {
@@ -228,7 +228,7 @@ TEST_CASE("merged bodies keep the older name, and the younger one stays an alias
   shop.build({R"({"op":"identify","pairs":[["c.0","b.0"]]})"});
   const auto names = [&] {
     std::vector<std::string> all;
-    for (const BodyId b : shop.structure().current_bodies()) {
+    for (const BodyId b : shop.structure().bodies().current()) {
       all.emplace_back(shop.structure().body_name(b));
     }
     return all;
@@ -400,7 +400,7 @@ TEST_CASE("undo of any steps of all kinds restores everything, one by one and ma
   }
   CHECK(mark_of(shop.structure()) == StructureMark{});
   CHECK(shop.structure().counts().empty());
-  CHECK(shop.structure().current_bodies().empty());
+  CHECK(shop.structure().bodies().current().empty());
 }
 
 TEST_CASE("lazy cells that were asked for make no difference, and undo takes them back too", "[ops][stream]") {
@@ -449,15 +449,15 @@ TEST_CASE("a body knows how many of its cells are no simplices", "[ops][stream]"
   for (int k = 0; k < 30; ++k) {
     REQUIRE(shop.apply(steps.next(shop.structure())));
     const Structure& s = shop.structure();
-    for (const BodyId body : s.current_bodies()) {
-      std::vector<std::uint64_t> counts(s.counts_of(body).size(), 0);
+    for (const BodyId body : s.bodies().current()) {
+      std::vector<std::uint64_t> counts(s.bodies().counts(body).size(), 0);
       std::uint64_t simploids = 0;
       for (const CellId c : s.cells_of(body)) {
         ++counts[static_cast<std::size_t>(s.dimension(c))];
         simploids += is_simplex(s.type(c).type) ? 0 : 1;
       }
-      REQUIRE(s.simploids_of(body) == simploids);
-      REQUIRE(std::equal(counts.begin(), counts.end(), s.counts_of(body).begin(), s.counts_of(body).end()));
+      REQUIRE(s.bodies().simploids(body) == simploids);
+      REQUIRE(std::equal(counts.begin(), counts.end(), s.bodies().counts(body).begin(), s.bodies().counts(body).end()));
     }
   }
 }

@@ -263,7 +263,7 @@ inline ops::BodyId body_named(const Engine& engine, const std::string& name) {
 /// The current cells of all bodies, by body and age.
 inline std::vector<ops::CellId> all_cells(const Engine& engine) {
   std::vector<ops::CellId> cells;
-  for (const ops::BodyId body : engine.structure().current_bodies()) {
+  for (const ops::BodyId body : engine.structure().bodies().current()) {
     const auto own = engine.structure().cells_of(body);
     cells.insert(cells.end(), own.begin(), own.end());
   }
@@ -283,7 +283,7 @@ inline std::vector<std::string> top_cells(const Engine& engine, const std::strin
 
 /// The numbers of cells of a body by dimension.
 inline std::vector<std::uint64_t> counts_of(const Engine& engine, const std::string& body) {
-  const auto counts = engine.structure().counts_of(body_named(engine, body));
+  const auto counts = engine.structure().bodies().counts(body_named(engine, body));
   std::vector<std::uint64_t> list{counts.begin(), counts.end()};
   while (!list.empty() && list.back() == 0) {
     list.pop_back();

@@ -313,7 +313,7 @@ class RandomSteps {
   }
 
   std::optional<ops::Operation> product(const ops::Structure& structure, std::size_t cells) {
-    const auto bodies = structure.current_bodies();
+    const auto bodies = structure.bodies().current();
     if (bodies.empty()) {
       return std::nullopt;
     }
@@ -324,7 +324,7 @@ class RandomSteps {
     const auto right = any();
     const bool is_simplicial = random_.one_in(2);
     const std::size_t pairs = structure.cells_of(left).size() * structure.cells_of(right).size();
-    const auto dimensions = structure.counts_of(left).size() + structure.counts_of(right).size();
+    const auto dimensions = structure.bodies().counts(left).size() + structure.bodies().counts(right).size();
     if (pairs * (is_simplicial ? 3 : 1) + cells > 2 * shape_.most_cells || dimensions > 6) {
       return std::nullopt;
     }
@@ -351,9 +351,9 @@ class RandomSteps {
       }
       return cone_or_suspension(std::move(op));
     }
-    const auto bodies = structure.current_bodies();
+    const auto bodies = structure.bodies().current();
     const auto body = bodies[static_cast<std::size_t>(random_.in(0, static_cast<int>(bodies.size()) - 1))];
-    if (structure.counts_of(body).size() > 4 ||
+    if (structure.bodies().counts(body).size() > 4 ||
         structure.cells_of(body).size() + cells.size() > 2 * shape_.most_cells) {
       return std::nullopt;
     }

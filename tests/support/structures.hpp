@@ -200,12 +200,12 @@ inline std::string dump(const ops::Structure& structure, ops::CellId c) {
           std::string{structure.name(c)} + " oldest " + label(structure, structure.oldest(c)) + " in " +
           std::string{structure.body_name(structure.body_of(c))};
   if (structure.is_consumed(c)) {
-    text += " consumed by " + std::to_string(structure.consumed_by(structure.body_of(c)));
+    text += " consumed by " + std::to_string(structure.bodies().consumed_by(structure.body_of(c)));
   }
-  if (const ops::Structure::Copy* copy = structure.copy(c)) {
+  if (const ops::Structure::Copy* copy = structure.splits().copy(c)) {
     text += " copy of " + label(structure, copy->source);
   }
-  for (const ops::CellId copy : structure.copies_of(c)) {
+  for (const ops::CellId copy : structure.splits().copies_of(c)) {
     text += " copied as " + label(structure, copy);
   }
   if (structure.is_current(c) && !structure.is_consumed(c)) {
@@ -230,15 +230,15 @@ inline std::string dump(const ops::Structure& structure) {
   for (const ops::CellId c : nodes) {
     text += dump(structure, c);
   }
-  for (const ops::BodyId body : structure.current_bodies()) {
-    text += "body " + std::string{structure.body_name(body)} + " with " + std::to_string(structure.simploids_of(body)) +
-            " simploids";
+  for (const ops::BodyId body : structure.bodies().current()) {
+    text += "body " + std::string{structure.body_name(body)} + " with " +
+            std::to_string(structure.bodies().simploids(body)) + " simploids";
     for (const ops::CellId c : structure.cells_of(body)) {
       text += " " + label(structure, c);
     }
     text += "\n";
   }
-  for (const ops::Structure::MadeMove& move : structure.moves()) {
+  for (const ops::Structure::MadeMove& move : structure.splits().moves()) {
     text += "move " + label(structure, move.cell) + " " + std::to_string(move.slot) + " from " +
             label(structure, move.before) + " to " + label(structure, move.after) + " after " +
             std::to_string(move.links) + "\n";

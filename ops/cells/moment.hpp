@@ -1,0 +1,30 @@
+/// \file
+/// Moments of the history of a cell structure.
+#pragma once
+
+#include <cstdint>
+
+#include "ops/ids.hpp"
+
+namespace sesame::ops {
+
+/// A moment of the history: how many cells had been created and removed, incidences moved, copies and lazy families
+/// made.
+struct Moment {
+  CellId created = 0;
+  LinkId links = 0;
+  std::uint32_t moves = 0;
+  FamilyId families = 0;
+  std::uint32_t copies = 0;
+  friend bool operator==(const Moment&, const Moment&) = default;
+};
+
+/// Removals and families in one order: how many of each there had been.
+using Instant = std::uint64_t;
+[[nodiscard]] constexpr Instant instant_of(LinkId links, FamilyId families) {
+  return Instant{links} << 32U | Instant{families};
+}
+/// Just after a removal, before any family that followed it.
+[[nodiscard]] constexpr Instant instant_after(LinkId link) { return instant_of(link + 1, 0); }
+
+}  // namespace sesame::ops

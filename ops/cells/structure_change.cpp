@@ -1,0 +1,291 @@
+// How plans are carried out, event by event.
+#include "ops/cells/structure.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "sparse/contract.hpp"
+
+namespace sesame::ops {
+
+using sparse::expects;
+
+void Structure::apply(const Plan& plan) {
+  const CellId first = created();
+  expects(plan.cells.empty() || plan.first == first, "a plan is carried out in the state that it was made for");
+  BodyId new_body = none;
+  if (plan.new_body || plan.family) {
+    note(EventKind::body, bodies_.size());
+    new_body = bodies_.add({plan.abstract.has_value(), true});
+  }
+  const Instant made = instant_of(links(), families());
+  for (const Plan::WrittenCone& cone : plan.cones) {
+    note(EventKind::cone, cones_.size());
+    cones_.push_back({first + cone.apex, first + cone.end, made, links(), none, cone.by_edges});
+  }
+  add_cells(plan, new_body);
+  if (plan.family) {
+    add_family(*plan.family, new_body);
+  }
+  if (created() > first && plan.sources.empty()) {
+    bodies_.add_cells(new_body != none ? new_body : plan.into_body.value(), {first, created()});
+  }
+  for (const BodyId joined : plan.joined_bodies) {
+    join_bodies(plan.into_body.value(), joined);
+  }
+  for (const Move& move : plan.moves) {
+    make_move(move);
+  }
+  if (!plan.merges.empty()) {
+    first_links_.push_back(links());
+  }
+  for (const Merge& merge : plan.merges) {
+    link(merge);
+    if (merge.survivor != none) {
+      join_bodies(body_of(merge.survivor), body_of(merge.removed));
+    } else {
+      join_bodies(body_of(merge.becomes.cell), body_of(merge.removed));
+    }
+  }
+  if (plan.abstract) {
+    change_abstract(plan, first);
+  } else if (!abstract_.empty()) {
+    leave_abstract(plan);
+  }
+  if (has_orders_) {
+    note_orders(plan, first);
+  }
+}
+
+/// Bodies where a cell and its faces do not have their vertices in the same order any more.
+void Structure::note_orders(const Plan& plan, CellId first) {
+  const auto lower = [this](BodyId body) { lower_kind(body, {bodies_.kind(body).is_abstract, false}); };
+  if (!plan.face_orders.empty()) {
+    lower(body_of(first));
+  }
+  for (const Merge& merge : plan.merges) {
+    if (merge.order != same_order || (merge.survivor == none && merge.becomes.order != same_order)) {
+      lower(body_of(merge.removed));
+    }
+  }
+  if (plan.family) {
+    for (const BodyId body : plan.family->bodies) {
+      if (!bodies_.kind(body).keeps_orders) {
+        lower(bodies_.size() - 1);
+      }
+    }
+  }
+}
+
+void Structure::change_abstract(const Plan& plan, CellId first) {
+  const AbstractChange& change = *plan.abstract;
+  const std::uint32_t changes_before = abstract_.mark();
+  for (const std::string& label : change.labels) {
+    abstract_.add_label(label);
+  }
+  std::span<const VertexId> vertices = change.vertices;
+  for (CellId c = first; c < created(); ++c) {
+    const auto size = static_cast<std::size_t>(dimension(c)) + 1;
+    abstract_.add(c, vertices.first(size));
+    vertices = vertices.subspan(size);
+  }
+  if (const auto& collapse = change.collapse) {
+    for (const Merge& merge : plan.merges) {
+      abstract_.remove(merge.removed);
+    }
+    for (const CellId c : change.renamed) {
+      abstract_.replace(c, collapse->gone, collapse->kept);
+    }
+    abstract_.join_labels(collapse->from, collapse->to, collapse->kept);
+  }
+  for (std::uint32_t k = changes_before; k < abstract_.mark(); ++k) {
+    note(EventKind::simplicial, k);
+  }
+}
+
+/// The bodies that another operation changes are no abstract complexes any more.
+void Structure::leave_abstract(const Plan& plan) {
+  const auto leave = [this](BodyId body) { lower_kind(body, {false, bodies_.kind(body).keeps_orders}); };
+  for (const Merge& merge : plan.merges) {
+    leave(body_of(merge.removed));
+  }
+  for (const CellId source : plan.sources) {
+    leave(body_of(source));
+  }
+  for (const Move& move : plan.moves) {
+    leave(body_of(move.cell));
+  }
+  if (plan.into_body) {
+    leave(*plan.into_body);
+  }
+  if (plan.family) {
+    for (const BodyId body : plan.family->bodies) {
+      leave(body);
+    }
+  }
+}
+
+void Structure::lower_kind(BodyId body, BodyKind kind) {
+  if (bodies_.lower_kind(body, kind)) {
+    note(EventKind::body_kind, bodies_.kind_changes() - 1);
+  }
+}
+
+CellId Structure::add_node(TypeId type, std::uint32_t name, std::uint32_t lazy, BodyId body) const {
+  Nodes& n = *nodes_;
+  const CellId id = created();
+  n.type.push_back(type);
+  n.first_face.push_back(n.faces.size());
+  n.first_incidence.push_back(none);
+  n.parent.push_back(id);
+  n.oldest.push_back(id);
+  n.size.push_back(1);
+  n.link_of.push_back(none);
+  n.last_child.push_back(none);
+  n.name.push_back(name);
+  n.lazy.push_back(lazy);
+  n.body.push_back(body);
+  return id;
+}
+
+void Structure::squash(CellId node, const Value& becomes) const {
+  nodes_->parent[node] = none;
+  nodes_->squashed.emplace(node, becomes);
+  nodes_->squashed_onto[becomes.cell].push_back(node);
+}
+
+void Structure::add_cells(const Plan& plan, BodyId new_body) {
+  std::size_t name_begin = 0;
+  auto next_degenerate = plan.degenerate.begin();
+  auto next_order = plan.face_orders.begin();
+  auto next_name = plan.name_orders.begin();
+  for (std::size_t k = 0; k < plan.cells.size(); ++k) {
+    const Plan::NewCell& cell = plan.cells[k];
+    if (next_degenerate != plan.degenerate.end() && next_degenerate->first == k) {
+      (void)incidence_of(next_degenerate->second);
+      ++next_degenerate;
+      continue;
+    }
+    const TypeInfo& type = types_->info(cell.type);
+    const CellId source = plan.sources.empty() ? none : plan.sources[k];
+    const BodyId body = source != none ? body_of(source) : new_body != none ? new_body : plan.into_body.value();
+    const CellId id = add_node(cell.type, names_.size(), none, body);
+    for (std::size_t f = 0; f < type.faces.size(); ++f) {
+      const CellId face = plan.faces[cell.first_face + f];
+      const auto entry = static_cast<std::uint32_t>(nodes_->faces.size());
+      if (next_order != plan.face_orders.end() && next_order->first == cell.first_face + f) {
+        face_orders_.emplace(entry, next_order->second);
+        has_orders_ = true;
+        ++next_order;
+      }
+      nodes_->faces.push_back(face);
+      nodes_->next_incidence.push_back(std::exchange(nodes_->first_incidence[face], entry));
+    }
+    const std::string_view name = std::string_view{plan.names}.substr(name_begin, cell.name_end - name_begin);
+    if (plan.new_body && name == *plan.new_body) {  // the name of the whole, or of the first vertex, is the body's too
+      bodies_.set_name(new_body, names_.size());
+      add_name(name, id, new_body);
+    } else {
+      add_name(name, id, none);
+    }
+    name_begin = cell.name_end;
+    count(id, 1);
+    if (source != none) {
+      if (next_name != plan.name_orders.end() && next_name->first == k) {
+        name_orders_.emplace(id, next_name->second);
+        has_orders_ = true;
+        ++next_name;
+      }
+      bodies_.add_cells(body, {id, id + 1});
+      const Moment before = now();
+      const auto earlier = static_cast<std::uint32_t>(k);  // copies of this step
+      splits_.add_copy(
+          {id, source, {id - earlier, before.links, before.moves, before.families, before.copies - earlier}});
+    }
+    note(source == none ? EventKind::cell : EventKind::copy, id);
+  }
+  for (const auto& [name, cell] : plan.aliases) {
+    note(EventKind::name, names_.size());
+    add_name(name, cell, none);
+  }
+  if (plan.new_body && !bodies_.is_named(new_body)) {
+    note(EventKind::name, names_.size());
+    bodies_.set_name(new_body, names_.size());
+    add_name(*plan.new_body, none, new_body);
+  }
+}
+
+void Structure::add_family(const NewFamily& family, BodyId body) {
+  const auto id = families();
+  families_.push_back({family.kind, family.name, family.bodies, family.by_edges,
+                       family.kind == FamilyKind::cone ? created() - 1 : none, created(), links(), body,
+                       family.counts});
+  note(EventKind::family, id);
+  nodes_->lazy_made.emplace_back();
+  if (family.kind == FamilyKind::cone) {
+    cones_.push_back({created() - 1, created(), instant_of(links(), id), links(), id, family.by_edges});
+  }
+  bodies_.become_family(body, id, family.bodies, family.counts, family.simploids, family.kind == FamilyKind::cone,
+                        [this](std::span<const std::uint64_t> counts) { add_counts(counts, counts_, true); });
+  add_counts(family.counts, counts_, false);
+}
+
+void Structure::link(const Merge& merge) {
+  const auto& [removed, survivor, becomes, order] = merge;
+  expects(is_current(removed) && removed != survivor && (survivor == none || is_current(survivor)),
+          "a merge joins two current cells");
+  Nodes& n = *nodes_;
+  note(EventKind::removal, links());
+  n.link_of[removed] = links();
+  count(removed, -1);
+  const bool reverses = maps_->sign(order) < 0;
+  reverses_.push_back(reverses);
+  reversals_ += reverses ? 1 : 0;
+  has_orders_ = has_orders_ || order != same_order || becomes.order != same_order;
+  if (order != same_order) {
+    link_orders_.emplace(links(), order);
+  }
+  if (survivor == none) {
+    links_.push_back({removed, none, none});
+    squash(removed, becomes);
+    return;
+  }
+  links_.push_back({removed, n.oldest[survivor], n.last_child[survivor]});
+  n.last_child[survivor] = links() - 1;
+  n.parent[removed] = survivor;
+  n.size[survivor] += n.size[removed];
+  if (is_older(n.oldest[removed], n.oldest[survivor])) {
+    n.oldest[survivor] = n.oldest[removed];
+  }
+}
+
+void Structure::make_move(const Move& move) {
+  splits_.add_move(move, links(), [&] {
+    SplitHistory::MovedFaces moved;
+    const auto faces = faces_as_created(move.cell);
+    moved.faces.assign(faces.begin(), faces.end());
+    for (std::uint32_t k = 0; k < faces.size(); ++k) {
+      moved.orders.push_back(order_as_created(move.cell, k));
+    }
+    return moved;
+  });
+  has_orders_ = has_orders_ || move.order != same_order;
+  note(EventKind::move, splits_.moves().size() - 1);
+}
+
+void Structure::join_bodies(BodyId a, BodyId b) {
+  if (bodies_.join(a, b)) {
+    note(EventKind::union_of_bodies, bodies_.unions() - 1);
+  }
+}
+
+void Structure::count(CellId c, int change) {
+  const auto p = static_cast<std::size_t>(dimension(c));
+  if (p >= counts_.size()) {
+    counts_.resize(p + 1, 0);
+  }
+  counts_[p] += static_cast<std::uint64_t>(std::int64_t{change});
+  bodies_.count(body_of(c), p, is_simplex(type(c).type), change);
+}
+
+}  // namespace sesame::ops
