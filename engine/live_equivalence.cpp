@@ -1,66 +1,18 @@
 #include "engine/live_equivalence.hpp"
 
 #include <algorithm>
-#include <numeric>
-#include <set>
 #include <utility>
 
-#include "reductions/defect.hpp"
-#include "reductions/homology.hpp"
+#include "engine/audit.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::engine {
 
-using reductions::ChainComplex;
-using reductions::GradedMap;
 using sparse::expects;
 using sparse::Matrix;
 using sparse::Term;
 
 namespace {
-
-/// Where each symbol or generator stands within its degree.
-struct Numbering {
-  std::vector<std::vector<Index>> members;    ///< by degree
-  std::unordered_map<Index, Index> position;  ///< within the degree
-
-  void add(int degree, Index id) {
-    const auto p = static_cast<std::size_t>(degree);
-    if (p >= members.size()) {
-      members.resize(p + 1);
-    }
-    position.emplace(id, static_cast<Index>(members[p].size()));
-    members[p].push_back(id);
-  }
-  [[nodiscard]] std::vector<Index> sizes() const {
-    std::vector<Index> sizes;
-    for (const auto& degree : members) {
-      sizes.push_back(static_cast<Index>(degree.size()));
-    }
-    return sizes;
-  }
-};
-
-/// The graded map whose column at each member of `source` is column(member), a chain in members of `target`.
-template <Ring R, class Column>
-GradedMap<R> graded_map(const R& ring, int degree, const Numbering& source, const Numbering& target, Column column) {
-  const std::vector<Index> from = source.sizes();
-  const std::vector<Index> to = target.sizes();
-  std::vector<Matrix<R>> parts;
-  for (std::size_t p = 0; p < from.size(); ++p) {
-    Matrix<R> part(ring, reductions::size_at(to, static_cast<int>(p) + degree), 0);
-    for (const Index member : source.members[p]) {
-      Terms<R> terms = column(member);
-      for (Term<R>& term : terms) {
-        term.index = target.position.at(term.index);
-      }
-      sparse::normalize(ring, terms);
-      part.append_column(terms);
-    }
-    parts.push_back(std::move(part));
-  }
-  return GradedMap<R>(ring, degree, from, to, std::move(parts));
-}
 
 /// The cells of the object by dimension and age, lazy ones written out.
 std::vector<CellId> cells_of_object(const Structure& structure) {
@@ -87,6 +39,7 @@ LiveEquivalence<R>::LiveEquivalence(R ring, Window window)
       structure_{window_.structure()},
       big_{ring, window_},
       rewriter_{ring, big_.boundary()},
+      groups_{ring, rewriter_},
       lazy_{ring, window_, big_, rewriter_},
       position_{window_.start()} {
   big_.set_lazy_maps(lazy_);
@@ -247,61 +200,15 @@ std::vector<Lifetime> LiveEquivalence<R>::lifetimes() const {
 
 // ------------------------------------------------------------------------------------------------------------ groups
 
-/// The core's columns as a matrix on the rows that occur, in the order in which they do.
-template <Ring R>
-Matrix<R> LiveEquivalence<R>::core_matrix(const std::vector<Symbol>& columns) const {
-  Numbering rows;
-  Matrix<R> matrix(ring_, 0, 0);
-  for (const Symbol x : columns) {
-    Terms<R> terms;
-    for (const Term<R>& term : *rewriter_.core().find(x)) {
-      if (!rows.position.contains(term.index)) {
-        rows.add(0, term.index);
-        matrix.append_rows(1);
-      }
-      terms.push_back({rows.position.at(term.index), term.coefficient});
-    }
-    sparse::normalize(ring_, terms);
-    matrix.append_column(terms);
-  }
-  return matrix;
-}
-
-template <Ring R>
-const typename LiveEquivalence<R>::TorsionCache& LiveEquivalence<R>::torsion() {
-  const TorsionCore<R>& core = rewriter_.core();
-  if (torsion_.filled && torsion_.version == core.version()) {
-    return torsion_;
-  }
-  torsion_ = {core.version(), true, {}, {}};
-  std::map<int, std::vector<Symbol>> by_degree;
-  for (const auto& [x, column] : core.columns()) {
-    by_degree[rewriter_.degree(x)].push_back(x);
-  }
-  for (const auto& [degree, columns] : by_degree) {
-    const auto p = static_cast<std::size_t>(degree);
-    const auto factors = sparse::invariant_factors(core_matrix(columns));
-    torsion_.ranks.resize(p + 1, 0);
-    torsion_.ranks[p] = static_cast<std::uint32_t>(factors.size());
-    torsion_.torsion.resize(p);
-    for (const auto& factor : factors) {
-      if (!ring_.is_unit(factor)) {
-        torsion_.torsion[p - 1].push_back(ring_.to_integer(factor));
-      }
-    }
-  }
-  return torsion_;
-}
-
 template <Ring R>
 Homology LiveEquivalence<R>::homology(std::size_t dimensions) {
-  const TorsionCache& core = torsion();
+  const typename Groups<R>::Torsion& core = groups_.torsion();
   const std::vector<std::uint32_t>& small = rewriter_.small_counts();
   const auto at = [](const auto& counts, std::size_t p) -> std::int64_t { return p < counts.size() ? counts[p] : 0; };
   Homology homology;
   for (std::size_t p = 0; p < dimensions; ++p) {
     homology.betti.push_back(at(small, p) - at(core.ranks, p) - at(core.ranks, p + 1));
-    homology.torsion.push_back(p < core.torsion.size() ? core.torsion[p] : std::vector<Integer>{});
+    homology.torsion.push_back(p < core.coefficients.size() ? core.coefficients[p] : std::vector<Integer>{});
     homology.small.push_back(static_cast<std::uint32_t>(at(small, p)));
   }
   homology.big = big_.counts();
@@ -310,87 +217,8 @@ Homology LiveEquivalence<R>::homology(std::size_t dimensions) {
 }
 
 template <Ring R>
-typename LiveEquivalence<R>::Group LiveEquivalence<R>::group(int degree) const {
-  const TorsionCore<R>& core = rewriter_.core();
-  const auto columns_of = [&](int p) {
-    std::vector<Symbol> columns;
-    for (const auto& [x, column] : core.columns()) {
-      if (rewriter_.degree(x) == p) {
-        columns.push_back(x);
-      }
-    }
-    return columns;
-  };
-  const auto smith_of_nothing = [&] { return sparse::smith_form(Matrix<R>(ring_, 0, 0)); };
-  Group group{{}, {}, columns_of(degree), smith_of_nothing(), columns_of(degree + 1), smith_of_nothing()};
-  group.kernel = sparse::smith_form(core_matrix(group.lower));
-  std::set<Symbol> met;
-  for (const Symbol x : group.columns) {
-    for (const Term<R>& term : *core.find(x)) {
-      met.insert(term.index);
-    }
-  }
-  for (const Symbol x : rewriter_.small(degree)) {
-    if (core.find(x) == nullptr) {
-      (met.contains(x) ? group.bound : group.free).push_back(x);
-    }
-  }
-  const std::size_t cycles = group.bound.size() + group.lower.size() - group.kernel.factors.size();
-  Matrix<R> boundaries(ring_, static_cast<Index>(cycles), 0);
-  for (const Symbol x : group.columns) {
-    boundaries.append_column(group.coordinates(ring_, *core.find(x)));
-  }
-  group.smith = sparse::smith_form(boundaries);
-  return group;
-}
-
-template <Ring R>
-Terms<R> LiveEquivalence<R>::Group::in_symbols(const R& ring, const Terms<R>& coordinates) const {
-  Terms<R> out;
-  const auto rank = static_cast<Index>(kernel.factors.size());
-  for (const Term<R>& term : coordinates) {
-    if (term.index < bound.size()) {
-      out.push_back({bound[term.index], term.coefficient});
-      continue;
-    }
-    const Index column = rank + term.index - static_cast<Index>(bound.size());
-    kernel.right.for_each_in_column(column, [&](const Term<R>& part) {
-      out.push_back({lower[part.index], ring.multiply(term.coefficient, part.coefficient)});
-    });
-  }
-  sparse::normalize(ring, out);
-  return out;
-}
-
-template <Ring R>
-Terms<R> LiveEquivalence<R>::Group::coordinates(const R& ring, const Terms<R>& cycle) const {
-  const auto position = [](const std::vector<Symbol>& symbols, Symbol x) -> std::optional<Index> {
-    const auto at = std::lower_bound(symbols.begin(), symbols.end(), x);
-    return at != symbols.end() && *at == x ? std::optional{static_cast<Index>(at - symbols.begin())} : std::nullopt;
-  };
-  Terms<R> out;
-  Terms<R> on_lower;
-  for (const Term<R>& term : cycle) {
-    if (const auto at = position(bound, term.index)) {
-      out.push_back({*at, term.coefficient});
-    } else {
-      const auto row = position(lower, term.index);
-      expects(row.has_value(), "a cycle is made of the small generators of its degree");
-      on_lower.push_back({*row, term.coefficient});
-    }
-  }
-  const auto rank = static_cast<Index>(kernel.factors.size());
-  for (const Term<R>& term : kernel.right_inverse.apply(on_lower)) {
-    expects(term.index >= rank, "the image of a cycle is a cycle of the small complex");
-    out.push_back({static_cast<Index>(bound.size()) + term.index - rank, term.coefficient});
-  }
-  sparse::normalize(ring, out);
-  return out;
-}
-
-template <Ring R>
 void LiveEquivalence<R>::visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit) {
-  const Group h = group(degree);
+  const Group<R> h = groups_.of(degree);
   const auto in_columns = [&h](Terms<R> terms) {
     for (Term<R>& term : terms) {
       term.index = h.columns[term.index];
@@ -442,7 +270,7 @@ ClassAnswer LiveEquivalence<R>::classify(const CellChain& chain) {
   answer.is_cycle = true;
   const Terms<R> z = g(chain);
   const Terms<R> image = rewriter_.rewrite(z);
-  const Group h = group(chain.degree);
+  const Group<R> h = groups_.of(chain.degree);
   // 1. The coordinates of F z: on the basis of the Smith form for what meets the core, on the free generators else.
   Terms<R> in_core;
   std::vector<Rational> on_free(h.free.size());
@@ -606,160 +434,14 @@ SmallChain LiveEquivalence<R>::boundary(const SmallChain& chain) {
   return to_small(chain.degree - 1, core_boundary(to_symbols(chain)));
 }
 
-// ---------------------------------------------------------------------------------------------------- matrices, laws
+template <Ring R>
+std::optional<std::string> LiveEquivalence<R>::first_defect(ops::StepKind last_step, ops::Moment before_it) {
+  return engine::first_defect(*this, last_step, before_it);
+}
 
 template <Ring R>
 reductions::Equivalence<R> LiveEquivalence<R>::matrices() {
-  expects(window_.families() == 0, "the big complex of lazy cells is not written out");
-  const ops::CellBasis basis = ops::cells_at(structure_, ops::now(structure_));
-  Numbering object;
-  for (std::size_t p = 0; p < basis.cells().size(); ++p) {
-    for (const CellId cell : basis.cells()[p]) {
-      object.add(static_cast<int>(p), cell);
-    }
-  }
-  Numbering big;
-  for (Index b = 0; b < big_.size(); ++b) {
-    big.add(big_.degree(b), b);
-  }
-  Numbering small;
-  for (int p = 0; p < static_cast<int>(rewriter_.small_counts().size()); ++p) {
-    for (const Symbol x : rewriter_.small(p)) {
-      small.add(p, x);
-    }
-  }
-  const ChainComplex<R> c = ops::chain_complex(structure_, basis, ops::now(structure_), ring_);
-  const ChainComplex<R> b =
-      reductions::complex_with(graded_map(ring_, -1, big, big, [&](Index x) { return big_.boundary().column(x); }));
-  const ChainComplex<R> s = reductions::complex_with(
-      graded_map(ring_, -1, small, small, [&](Index x) { return core_boundary(unit(ring_, x)); }));
-  const auto f = [&](Index x) { return big_.f(unit(ring_, x)); };
-  const auto g = [&](Index cell) {
-    Terms<R> out;
-    big_.add_g(cell, ring_.one(), out);
-    return out;
-  };
-  return {
-      {b, c, graded_map(ring_, 0, big, object, f), graded_map(ring_, 0, object, big, g),
-       graded_map(ring_, 1, big, big, [&](Index x) { return big_.h(x); })},
-      {b, s, graded_map(ring_, 0, big, small, [&](Index x) { return rewriter_.rewrite(unit(ring_, x)); }),
-       graded_map(ring_, 0, small, big, [&](Index x) { return rewriter_.lift(unit(ring_, x)); }),
-       graded_map(ring_, 1, big, big, [&](Index x) { return rewriter_.lift({}, rewriter_.trace(unit(ring_, x))); })}};
-}
-
-template <Ring R>
-std::optional<std::string> LiveEquivalence<R>::defect_of_matrices() {
-  if (const auto defect = reductions::first_defect(matrices())) {
-    return "the equivalence: " + defect->to_string();
-  }
-  return std::nullopt;
-}
-
-/// The laws of F, G and K, cell by cell and generator by generator: of the equivalence as it is seen from outside.
-template <Ring R>
-std::optional<std::string> LiveEquivalence<R>::defect_of_maps(const ops::CellBasis& cells) {
-  const auto minus = [](CellChain a, const CellChain& b) {
-    for (const CellChain::Term& term : b.terms) {
-      a.terms.push_back({-term.coefficient, term.cell});
-    }
-    return a;
-  };
-  const auto is_zero = [&](const CellChain& chain) {
-    Terms<R> sum;
-    for (const auto& [coefficient, cell] : chain.terms) {
-      sum.push_back({cell, from_rational(ring_, coefficient)});
-    }
-    sparse::normalize(ring_, sum);
-    return sum.empty();
-  };
-  for (std::size_t p = 0; p < cells.cells().size(); ++p) {
-    const int degree = static_cast<int>(p);
-    for (const CellId cell : cells.cells()[p]) {
-      const CellChain c{degree, {{1, cell}}};
-      const CellChain dc = boundary(c);
-      if (!boundary(dc).terms.empty()) {
-        return "d d is not 0 on " + std::string{structure_.name(cell)};
-      }
-      const SmallChain image = apply_F(c);
-      if (!(p == 0 ? boundary(image).terms.empty() : apply_F(dc) == boundary(image))) {
-        return "F does not obey d on " + std::string{structure_.name(cell)};
-      }
-      // d K + K d + G F - 1
-      CellChain sum = minus(boundary(apply_K(c)), c);
-      for (const CellChain& more : {p == 0 ? CellChain{} : apply_K(dc), apply_G(image)}) {
-        sum.terms.insert(sum.terms.end(), more.terms.begin(), more.terms.end());
-      }
-      if (!is_zero(sum)) {
-        return "d K + K d is not 1 - G F on " + std::string{structure_.name(cell)};
-      }
-    }
-  }
-  for (int p = 0; p < static_cast<int>(rewriter_.small_counts().size()); ++p) {
-    const std::size_t size = rewriter_.small(p).size();
-    for (std::uint32_t k = 0; k < size; ++k) {
-      const SmallChain x{p, {{1, k}}};
-      if (!is_zero(minus(boundary(apply_G(x)), apply_G(boundary(x))))) {
-        return "G does not obey d on generator " + std::to_string(k) + " of S_" + std::to_string(p);
-      }
-    }
-  }
-  return std::nullopt;
-}
-
-template <Ring R>
-std::optional<std::string> LiveEquivalence<R>::first_defect(ops::StepKind last_step, ops::Moment before_it) {
-  constexpr std::uint64_t most = 1'000'000;
-  const auto counts = structure_.counts();
-  if (const auto cells = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
-      structure_.families() > 0 && cells > most) {
-    return "the object has " + std::to_string(cells) + " cells, most of them never written out: laws are checked on " +
-           "objects of up to " + std::to_string(most) + " when there are products or large cones";
-  }
-  const ops::Moment present = ops::now(structure_);
-  if (const auto step = ops::step_sequence(structure_, last_step, before_it, present, ring_)) {
-    if (const auto defect = reductions::first_defect(step->sequence)) {
-      return "the step's exact sequence: " + defect->to_string();
-    }
-  }
-  const ops::CellBasis cells = ops::cells_at(structure_, present);
-  if (auto defect = ops::first_broken_face_law(structure_, cells)) {
-    return defect;
-  }
-  if (auto defect = window_.families() == 0 ? defect_of_matrices() : defect_of_maps(cells)) {
-    return defect;
-  }
-  const std::vector<reductions::AbelianGroup> groups =
-      reductions::homology_groups(ops::chain_complex(structure_, cells, present, ring_));
-  const Homology live = homology(groups.size());
-  for (std::size_t p = 0; p < live.betti.size(); ++p) {
-    const reductions::AbelianGroup scratch = p < groups.size() ? groups[p] : reductions::AbelianGroup{};
-    const reductions::AbelianGroup found{static_cast<Index>(live.betti[p]), live.torsion[p]};
-    if (!(scratch == found)) {
-      return "H_" + std::to_string(p) + " is " + found.to_string() + " here, but " + scratch.to_string() +
-             " by a Smith form from scratch";
-    }
-    const std::vector<Generator> basis = generators(static_cast<int>(p));
-    if (basis.size() != scratch.rank + scratch.torsion.size()) {
-      return "H_" + std::to_string(p) + " has " + std::to_string(basis.size()) + " generators for " +
-             scratch.to_string();
-    }
-    for (std::size_t k = 0; k < basis.size(); ++k) {
-      const ClassAnswer own = classify(basis[k].cycle);
-      for (std::size_t m = 0; m < own.coefficients.size(); ++m) {
-        if (!(own.coefficients[m] == Integer(m == k ? 1 : 0))) {
-          return "generator " + std::to_string(k) + " of H_" + std::to_string(p) + " is not the class of itself";
-        }
-      }
-      CellChain multiple = basis[k].cycle;
-      for (CellChain::Term& term : multiple.terms) {
-        term.coefficient *= basis[k].order;
-      }
-      if (!basis[k].order.is_zero() && !(boundary(basis[k].bounding) == multiple)) {
-        return "generator " + std::to_string(k) + " of H_" + std::to_string(p) + ": its order times it is not bounded";
-      }
-    }
-  }
-  return std::nullopt;
+  return matrices_of(*this);
 }
 
 namespace {

@@ -5,12 +5,12 @@
 #include <memory>
 #include <vector>
 
+#include "engine/groups.hpp"
 #include "engine/homology_tracker.hpp"
 #include "engine/left/big_complex.hpp"
 #include "engine/left/lazy_maps.hpp"
 #include "engine/right/rewriter.hpp"
 #include "reductions/equivalence.hpp"
-#include "sparse/smith.hpp"
 
 namespace sesame::engine {
 
@@ -42,68 +42,43 @@ class LiveEquivalence final : public HomologyTracker {
   }
   [[nodiscard]] std::optional<std::string> first_defect(ops::StepKind last_step, ops::Moment before_it) override;
 
-  /// The whole equivalence as matrices. C's basis is that of ops::cells_at; B's and S's are their generators of each
-  /// degree, oldest first. Cost: the size of all maps written out. Requires: there are no lazy families.
+  /// See matrices_of.
   [[nodiscard]] reductions::Equivalence<R> matrices();
   [[nodiscard]] const BigComplex<R>& big() const { return big_; }
+  /// The boundary of S on a chain of its generators.
+  [[nodiscard]] Terms<R> core_boundary(std::span<const sparse::Term<R>> chain_of_s) const;
+  /// The right reduction; its queries memoise.
+  [[nodiscard]] Rewriter<R>& rewriter() { return rewriter_; }
+  [[nodiscard]] const Window& window() const { return window_; }
 
  private:
-  /// The group of one degree p, as read off the core: its columns of degree p say what is a cycle, those of degree p +
-  /// 1 what is a boundary.
-  struct Group {
-    std::vector<Symbol> free;     ///< generators of S without boundary that are in no column above
-    std::vector<Symbol> bound;    ///< generators of S without boundary that are
-    std::vector<Symbol> lower;    ///< generators of S with a boundary
-    sparse::SmithForm<R> kernel;  ///< of d on `lower`: the columns of `right` from the rank on are its cycles
-    std::vector<Symbol> columns;  ///< the core's columns of the degree above
-    sparse::SmithForm<R> smith;   ///< of those, as written in the basis of cycles: `bound`, then the cycles of `lower`
-
-    [[nodiscard]] Index cycles() const { return smith.left.rows(); }
-    /// A combination of the basis of cycles, in symbols.
-    [[nodiscard]] Terms<R> in_symbols(const R& ring, const Terms<R>& coordinates) const;
-    /// The coordinates of a cycle of S that has no part on `free`. Requires: it is a cycle.
-    [[nodiscard]] Terms<R> coordinates(const R& ring, const Terms<R>& cycle) const;
-  };
   struct Mark {
     ops::Journal::Position position;
     typename BigComplex<R>::Mark big;
     typename LazyMaps<R>::Mark lazy;
     typename Rewriter<R>::Mark rewriter;
   };
-  struct TorsionCache {
-    std::uint64_t version = 0;
-    bool filled = false;
-    std::vector<std::vector<Integer>> torsion;
-    std::vector<std::uint32_t> ranks;  ///< of dS, by degree
-  };
-
   void take_in_step();
   void go_back_to(const Mark& mark);
   [[nodiscard]] std::vector<CellId> current_cells() const;
-  const TorsionCache& torsion();
-  [[nodiscard]] sparse::Matrix<R> core_matrix(const std::vector<Symbol>& columns) const;
-  [[nodiscard]] Group group(int degree) const;
   [[nodiscard]] Terms<R> g(const CellChain& chain) const;
   [[nodiscard]] typename R::Element in_own_orientation(CellId cell, const Rational& coefficient) const;
   /// K z for the chain of B g z, plus f of a lift; with the trace of g z this is K, with a chain of S on top G y + K z.
   [[nodiscard]] CellChain bounding(const CellChain& z, const Terms<R>& chain_of_s, const Trace<R>& trace);
-  [[nodiscard]] std::optional<std::string> defect_of_matrices();
-  [[nodiscard]] std::optional<std::string> defect_of_maps(const ops::CellBasis& cells);
   [[nodiscard]] CellChain to_cells(int degree, const Terms<R>& chain_of_b) const;
   [[nodiscard]] CellChain to_chain(int degree, const Terms<R>& cells) const;
   [[nodiscard]] SmallChain to_small(int degree, const Terms<R>& chain_of_s) const;
   [[nodiscard]] Terms<R> to_symbols(const SmallChain& chain) const;
-  [[nodiscard]] Terms<R> core_boundary(std::span<const sparse::Term<R>> chain_of_s) const;
 
   R ring_;
   Window window_;
   const Structure& structure_;
   BigComplex<R> big_;
   Rewriter<R> rewriter_;
+  Groups<R> groups_;
   LazyMaps<R> lazy_;
   ops::Journal::Position position_;  ///< of the journal: what has been taken in
   std::vector<Mark> marks_;
-  TorsionCache torsion_;
 };
 
 /// A live equivalence over a ring chosen at run time.

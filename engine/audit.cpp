@@ -1,0 +1,246 @@
+#include "engine/audit.hpp"
+
+#include <numeric>
+#include <unordered_map>
+
+#include "reductions/defect.hpp"
+#include "reductions/homology.hpp"
+#include "sparse/contract.hpp"
+
+namespace sesame::engine {
+
+using reductions::ChainComplex;
+using reductions::GradedMap;
+using sparse::expects;
+using sparse::Matrix;
+using sparse::Term;
+
+namespace {
+
+/// Where each symbol or generator stands within its degree.
+struct Numbering {
+  std::vector<std::vector<Index>> members;    ///< by degree
+  std::unordered_map<Index, Index> position;  ///< within the degree
+
+  void add(int degree, Index id) {
+    const auto p = static_cast<std::size_t>(degree);
+    if (p >= members.size()) {
+      members.resize(p + 1);
+    }
+    position.emplace(id, static_cast<Index>(members[p].size()));
+    members[p].push_back(id);
+  }
+  [[nodiscard]] std::vector<Index> sizes() const {
+    std::vector<Index> sizes;
+    for (const auto& degree : members) {
+      sizes.push_back(static_cast<Index>(degree.size()));
+    }
+    return sizes;
+  }
+};
+
+/// The graded map whose column at each member of `source` is column(member), a chain in members of `target`.
+template <Ring R, class Column>
+GradedMap<R> graded_map(const R& ring, int degree, const Numbering& source, const Numbering& target, Column column) {
+  const std::vector<Index> from = source.sizes();
+  const std::vector<Index> to = target.sizes();
+  std::vector<Matrix<R>> parts;
+  for (std::size_t p = 0; p < from.size(); ++p) {
+    Matrix<R> part(ring, reductions::size_at(to, static_cast<int>(p) + degree), 0);
+    for (const Index member : source.members[p]) {
+      Terms<R> terms = column(member);
+      for (Term<R>& term : terms) {
+        term.index = target.position.at(term.index);
+      }
+      sparse::normalize(ring, terms);
+      part.append_column(terms);
+    }
+    parts.push_back(std::move(part));
+  }
+  return GradedMap<R>(ring, degree, from, to, std::move(parts));
+}
+
+template <Ring R>
+Terms<R> unit(const R& ring, Index index) {
+  return {{index, ring.one()}};
+}
+
+}  // namespace
+
+template <Ring R>
+reductions::Equivalence<R> matrices_of(LiveEquivalence<R>& live) {
+  const R& ring = live.big().ring();
+  const Window& window = live.window();
+  const Structure& structure = window.structure();
+  const BigComplex<R>& big_complex = live.big();
+  Rewriter<R>& rewriter = live.rewriter();
+
+  expects(window.families() == 0, "the big complex of lazy cells is not written out");
+  const ops::CellBasis basis = ops::cells_at(structure, ops::now(structure));
+  Numbering object;
+  for (std::size_t p = 0; p < basis.cells().size(); ++p) {
+    for (const CellId cell : basis.cells()[p]) {
+      object.add(static_cast<int>(p), cell);
+    }
+  }
+  Numbering big;
+  for (Index b = 0; b < big_complex.size(); ++b) {
+    big.add(big_complex.degree(b), b);
+  }
+  Numbering small;
+  for (int p = 0; p < static_cast<int>(rewriter.small_counts().size()); ++p) {
+    for (const Symbol x : rewriter.small(p)) {
+      small.add(p, x);
+    }
+  }
+  const ChainComplex<R> c = ops::chain_complex(structure, basis, ops::now(structure), ring);
+  const ChainComplex<R> b = reductions::complex_with(
+      graded_map(ring, -1, big, big, [&](Index x) { return big_complex.boundary().column(x); }));
+  const ChainComplex<R> s = reductions::complex_with(
+      graded_map(ring, -1, small, small, [&](Index x) { return live.core_boundary(unit(ring, x)); }));
+  const auto f = [&](Index x) { return big_complex.f(unit(ring, x)); };
+  const auto g = [&](Index cell) {
+    Terms<R> out;
+    big_complex.add_g(cell, ring.one(), out);
+    return out;
+  };
+  return {{b, c, graded_map(ring, 0, big, object, f), graded_map(ring, 0, object, big, g),
+           graded_map(ring, 1, big, big, [&](Index x) { return big_complex.h(x); })},
+          {b, s, graded_map(ring, 0, big, small, [&](Index x) { return rewriter.rewrite(unit(ring, x)); }),
+           graded_map(ring, 0, small, big, [&](Index x) { return rewriter.lift(unit(ring, x)); }),
+           graded_map(ring, 1, big, big, [&](Index x) { return rewriter.lift({}, rewriter.trace(unit(ring, x))); })}};
+}
+
+namespace {
+
+template <Ring R>
+std::optional<std::string> defect_of_matrices(LiveEquivalence<R>& live) {
+  if (const auto defect = reductions::first_defect(matrices_of(live))) {
+    return "the equivalence: " + defect->to_string();
+  }
+  return std::nullopt;
+}
+
+/// The laws of F, G and K, cell by cell and generator by generator: of the equivalence as it is seen from outside.
+template <Ring R>
+std::optional<std::string> defect_of_maps(LiveEquivalence<R>& live, const ops::CellBasis& cells) {
+  const R& ring = live.big().ring();
+  const Structure& structure = live.window().structure();
+  Rewriter<R>& rewriter = live.rewriter();
+
+  const auto minus = [](CellChain a, const CellChain& b) {
+    for (const CellChain::Term& term : b.terms) {
+      a.terms.push_back({-term.coefficient, term.cell});
+    }
+    return a;
+  };
+  const auto is_zero = [&](const CellChain& chain) {
+    Terms<R> sum;
+    for (const auto& [coefficient, cell] : chain.terms) {
+      sum.push_back({cell, from_rational(ring, coefficient)});
+    }
+    sparse::normalize(ring, sum);
+    return sum.empty();
+  };
+  for (std::size_t p = 0; p < cells.cells().size(); ++p) {
+    const int degree = static_cast<int>(p);
+    for (const CellId cell : cells.cells()[p]) {
+      const CellChain c{degree, {{1, cell}}};
+      const CellChain dc = live.boundary(c);
+      if (!live.boundary(dc).terms.empty()) {
+        return "d d is not 0 on " + std::string{structure.name(cell)};
+      }
+      const SmallChain image = live.apply_F(c);
+      if (!(p == 0 ? live.boundary(image).terms.empty() : live.apply_F(dc) == live.boundary(image))) {
+        return "F does not obey d on " + std::string{structure.name(cell)};
+      }
+      // d K + K d + G F - 1
+      CellChain sum = minus(live.boundary(live.apply_K(c)), c);
+      for (const CellChain& more : {p == 0 ? CellChain{} : live.apply_K(dc), live.apply_G(image)}) {
+        sum.terms.insert(sum.terms.end(), more.terms.begin(), more.terms.end());
+      }
+      if (!is_zero(sum)) {
+        return "d K + K d is not 1 - G F on " + std::string{structure.name(cell)};
+      }
+    }
+  }
+  for (int p = 0; p < static_cast<int>(rewriter.small_counts().size()); ++p) {
+    const std::size_t size = rewriter.small(p).size();
+    for (std::uint32_t k = 0; k < size; ++k) {
+      const SmallChain x{p, {{1, k}}};
+      if (!is_zero(minus(live.boundary(live.apply_G(x)), live.apply_G(live.boundary(x))))) {
+        return "G does not obey d on generator " + std::to_string(k) + " of S_" + std::to_string(p);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+template <Ring R>
+std::optional<std::string> first_defect(LiveEquivalence<R>& live, ops::StepKind last_step,
+                                        const ops::Moment& before_it) {
+  const R& ring = live.big().ring();
+  const Structure& structure = live.window().structure();
+  constexpr std::uint64_t most = 1'000'000;
+  const auto counts = structure.counts();
+  if (const auto cells = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+      structure.families() > 0 && cells > most) {
+    return "the object has " + std::to_string(cells) + " cells, most of them never written out: laws are checked on " +
+           "objects of up to " + std::to_string(most) + " when there are products or large cones";
+  }
+  const ops::Moment present = ops::now(structure);
+  if (const auto step = ops::step_sequence(structure, last_step, before_it, present, ring)) {
+    if (const auto defect = reductions::first_defect(step->sequence)) {
+      return "the step's exact sequence: " + defect->to_string();
+    }
+  }
+  const ops::CellBasis cells = ops::cells_at(structure, present);
+  if (auto defect = ops::first_broken_face_law(structure, cells)) {
+    return defect;
+  }
+  if (auto defect = live.window().families() == 0 ? defect_of_matrices(live) : defect_of_maps(live, cells)) {
+    return defect;
+  }
+  const std::vector<reductions::AbelianGroup> groups =
+      reductions::homology_groups(ops::chain_complex(structure, cells, present, ring));
+  const Homology kept = live.homology(groups.size());
+  for (std::size_t p = 0; p < kept.betti.size(); ++p) {
+    const reductions::AbelianGroup scratch = p < groups.size() ? groups[p] : reductions::AbelianGroup{};
+    const reductions::AbelianGroup found{static_cast<Index>(kept.betti[p]), kept.torsion[p]};
+    if (!(scratch == found)) {
+      return "H_" + std::to_string(p) + " is " + found.to_string() + " here, but " + scratch.to_string() +
+             " by a Smith form from scratch";
+    }
+    const std::vector<Generator> basis = live.generators(static_cast<int>(p));
+    if (basis.size() != scratch.rank + scratch.torsion.size()) {
+      return "H_" + std::to_string(p) + " has " + std::to_string(basis.size()) + " generators for " +
+             scratch.to_string();
+    }
+    for (std::size_t k = 0; k < basis.size(); ++k) {
+      const ClassAnswer own = live.classify(basis[k].cycle);
+      for (std::size_t m = 0; m < own.coefficients.size(); ++m) {
+        if (!(own.coefficients[m] == Integer(m == k ? 1 : 0))) {
+          return "generator " + std::to_string(k) + " of H_" + std::to_string(p) + " is not the class of itself";
+        }
+      }
+      CellChain multiple = basis[k].cycle;
+      for (CellChain::Term& term : multiple.terms) {
+        term.coefficient *= basis[k].order;
+      }
+      if (!basis[k].order.is_zero() && !(live.boundary(basis[k].bounding) == multiple)) {
+        return "generator " + std::to_string(k) + " of H_" + std::to_string(p) + ": its order times it is not bounded";
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+#define SESAME_INSTANTIATE(R)                                           \
+  template reductions::Equivalence<R> matrices_of(LiveEquivalence<R>&); \
+  template std::optional<std::string> first_defect(LiveEquivalence<R>&, ops::StepKind, const ops::Moment&);
+SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
+#undef SESAME_INSTANTIATE
+
+}  // namespace sesame::engine

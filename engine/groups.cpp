@@ -1,0 +1,150 @@
+#include "engine/groups.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <unordered_map>
+
+#include "sparse/contract.hpp"
+
+namespace sesame::engine {
+
+using sparse::expects;
+using sparse::Matrix;
+using sparse::Term;
+
+/// The core's columns as a matrix on the rows that occur, in the order in which they do.
+template <Ring R>
+Matrix<R> Groups<R>::core_matrix(const std::vector<Symbol>& columns) const {
+  std::unordered_map<Symbol, Index> rows;
+  Matrix<R> matrix(ring_, 0, 0);
+  for (const Symbol x : columns) {
+    Terms<R> terms;
+    for (const Term<R>& term : *rewriter_.core().find(x)) {
+      const auto [row, is_new] = rows.try_emplace(term.index, static_cast<Index>(rows.size()));
+      if (is_new) {
+        matrix.append_rows(1);
+      }
+      terms.push_back({row->second, term.coefficient});
+    }
+    sparse::normalize(ring_, terms);
+    matrix.append_column(terms);
+  }
+  return matrix;
+}
+
+template <Ring R>
+const typename Groups<R>::Torsion& Groups<R>::torsion() {
+  const TorsionCore<R>& core = rewriter_.core();
+  if (is_filled_ && version_ == core.version()) {
+    return torsion_;
+  }
+  torsion_ = {};
+  version_ = core.version();
+  is_filled_ = true;
+  std::map<int, std::vector<Symbol>> by_degree;
+  for (const auto& [x, column] : core.columns()) {
+    by_degree[rewriter_.degree(x)].push_back(x);
+  }
+  for (const auto& [degree, columns] : by_degree) {
+    const auto p = static_cast<std::size_t>(degree);
+    const auto factors = sparse::invariant_factors(core_matrix(columns));
+    torsion_.ranks.resize(p + 1, 0);
+    torsion_.ranks[p] = static_cast<std::uint32_t>(factors.size());
+    torsion_.coefficients.resize(p);
+    for (const auto& factor : factors) {
+      if (!ring_.is_unit(factor)) {
+        torsion_.coefficients[p - 1].push_back(ring_.to_integer(factor));
+      }
+    }
+  }
+  return torsion_;
+}
+
+template <Ring R>
+Group<R> Groups<R>::of(int degree) const {
+  const TorsionCore<R>& core = rewriter_.core();
+  const auto columns_of = [&](int p) {
+    std::vector<Symbol> columns;
+    for (const auto& [x, column] : core.columns()) {
+      if (rewriter_.degree(x) == p) {
+        columns.push_back(x);
+      }
+    }
+    return columns;
+  };
+  const auto smith_of_nothing = [&] { return sparse::smith_form(Matrix<R>(ring_, 0, 0)); };
+  Group<R> group{{}, {}, columns_of(degree), smith_of_nothing(), columns_of(degree + 1), smith_of_nothing()};
+  group.kernel = sparse::smith_form(core_matrix(group.lower));
+  std::set<Symbol> met;
+  for (const Symbol x : group.columns) {
+    for (const Term<R>& term : *core.find(x)) {
+      met.insert(term.index);
+    }
+  }
+  for (const Symbol x : rewriter_.small(degree)) {
+    if (core.find(x) == nullptr) {
+      (met.contains(x) ? group.bound : group.free).push_back(x);
+    }
+  }
+  const std::size_t cycles = group.bound.size() + group.lower.size() - group.kernel.factors.size();
+  Matrix<R> boundaries(ring_, static_cast<Index>(cycles), 0);
+  for (const Symbol x : group.columns) {
+    boundaries.append_column(group.coordinates(ring_, *core.find(x)));
+  }
+  group.smith = sparse::smith_form(boundaries);
+  return group;
+}
+
+template <Ring R>
+Terms<R> Group<R>::in_symbols(const R& ring, const Terms<R>& coordinates) const {
+  Terms<R> out;
+  const auto rank = static_cast<Index>(kernel.factors.size());
+  for (const Term<R>& term : coordinates) {
+    if (term.index < bound.size()) {
+      out.push_back({bound[term.index], term.coefficient});
+      continue;
+    }
+    const Index column = rank + term.index - static_cast<Index>(bound.size());
+    kernel.right.for_each_in_column(column, [&](const Term<R>& part) {
+      out.push_back({lower[part.index], ring.multiply(term.coefficient, part.coefficient)});
+    });
+  }
+  sparse::normalize(ring, out);
+  return out;
+}
+
+template <Ring R>
+Terms<R> Group<R>::coordinates(const R& ring, const Terms<R>& cycle) const {
+  const auto position = [](const std::vector<Symbol>& symbols, Symbol x) -> std::optional<Index> {
+    const auto at = std::lower_bound(symbols.begin(), symbols.end(), x);
+    return at != symbols.end() && *at == x ? std::optional{static_cast<Index>(at - symbols.begin())} : std::nullopt;
+  };
+  Terms<R> out;
+  Terms<R> on_lower;
+  for (const Term<R>& term : cycle) {
+    if (const auto at = position(bound, term.index)) {
+      out.push_back({*at, term.coefficient});
+    } else {
+      const auto row = position(lower, term.index);
+      expects(row.has_value(), "a cycle is made of the small generators of its degree");
+      on_lower.push_back({*row, term.coefficient});
+    }
+  }
+  const auto rank = static_cast<Index>(kernel.factors.size());
+  for (const Term<R>& term : kernel.right_inverse.apply(on_lower)) {
+    expects(term.index >= rank, "the image of a cycle is a cycle of the small complex");
+    out.push_back({static_cast<Index>(bound.size()) + term.index - rank, term.coefficient});
+  }
+  sparse::normalize(ring, out);
+  return out;
+}
+
+#define SESAME_INSTANTIATE(R) \
+  template struct Group<R>;   \
+  template class Groups<R>;
+SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
+#undef SESAME_INSTANTIATE
+
+}  // namespace sesame::engine

@@ -1,0 +1,58 @@
+/// \file
+/// The homology groups of the small complex S, read off the core of its boundary.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/right/rewriter.hpp"
+#include "sparse/smith.hpp"
+
+namespace sesame::engine {
+
+/// The group of one degree p, as read off the core: its columns of degree p say what is a cycle, those of degree p +
+/// 1 what is a boundary.
+template <Ring R>
+struct Group {
+  std::vector<Symbol> free;     ///< generators of S without boundary that are in no column above
+  std::vector<Symbol> bound;    ///< generators of S without boundary that are
+  std::vector<Symbol> lower;    ///< generators of S with a boundary
+  sparse::SmithForm<R> kernel;  ///< of d on `lower`: the columns of `right` from the rank on are its cycles
+  std::vector<Symbol> columns;  ///< the core's columns of the degree above
+  sparse::SmithForm<R> smith;   ///< of those, as written in the basis of cycles: `bound`, then the cycles of `lower`
+
+  [[nodiscard]] Index cycles() const { return smith.left.rows(); }
+  /// A combination of the basis of cycles, in symbols.
+  [[nodiscard]] Terms<R> in_symbols(const R& ring, const Terms<R>& coordinates) const;
+  /// The coordinates of a cycle of S that has no part on `free`. Requires: it is a cycle.
+  [[nodiscard]] Terms<R> coordinates(const R& ring, const Terms<R>& cycle) const;
+};
+
+/// The groups of all degrees. Those of the present state: nothing is to be kept over a step.
+template <Ring R>
+class Groups {
+ public:
+  /// `rewriter` must outlive it.
+  Groups(R ring, const Rewriter<R>& rewriter) : ring_{ring}, rewriter_{rewriter} {}
+
+  /// What the core says of all degrees.
+  struct Torsion {
+    std::vector<std::vector<Integer>> coefficients;  ///< by degree: invariant factors > 1, each dividing the next
+    std::vector<std::uint32_t> ranks;                ///< of dS, by degree
+  };
+  /// Cost: O(1) as long as the core has not changed, else a Smith form of it for each degree, without transforms.
+  [[nodiscard]] const Torsion& torsion();
+  /// Cost: the small generators of a degree, and Smith forms of the core's columns of two, with transforms.
+  [[nodiscard]] Group<R> of(int degree) const;
+
+ private:
+  [[nodiscard]] sparse::Matrix<R> core_matrix(const std::vector<Symbol>& columns) const;
+
+  R ring_;
+  const Rewriter<R>& rewriter_;
+  Torsion torsion_;
+  std::uint64_t version_ = 0;  ///< of the core, that torsion_ is of
+  bool is_filled_ = false;
+};
+
+}  // namespace sesame::engine
