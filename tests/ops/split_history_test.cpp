@@ -1,0 +1,104 @@
+#include "ops/cells/split_history.hpp"
+
+#include <map>
+#include <random>
+#include <vector>
+
+#include "tests/support/catch.hpp"
+
+using namespace sesame;
+using ops::CellId;
+using ops::SplitHistory;
+
+TEST_CASE("faces that move and copies are what plain lists say, through undo", "[ops]") {
+  std::mt19937 random(GENERATE(range(0U, 8U)));
+  const auto draw = [&](unsigned below) { return static_cast<std::uint32_t>(random() % below); };
+  const auto as_created = [](CellId cell) {
+    return SplitHistory::MovedFaces{{cell + 100, cell + 200, cell + 300}, {ops::same_order, ops::same_order, 1}, {}};
+  };
+  SplitHistory splits;
+  std::vector<SplitHistory::MadeMove> moves;
+  std::vector<SplitHistory::Copy> copies;
+  const auto faces_of = [&](CellId cell) {
+    SplitHistory::MovedFaces faces = as_created(cell);
+    for (const SplitHistory::MadeMove& made : moves) {
+      if (made.cell == cell) {
+        faces.faces[made.slot] = made.after;
+        faces.orders[made.slot] = made.order_after;
+      }
+    }
+    return faces;
+  };
+  for (int step = 0; step < 300; ++step) {
+    const std::uint32_t what = draw(6);
+    if (what < 3) {
+      const ops::Move move{draw(6), draw(3), 1000 + draw(4), draw(3)};
+      const SplitHistory::MovedFaces before = faces_of(move.cell);
+      const auto links = static_cast<ops::LinkId>(step);
+      splits.add_move(move, links, [&] { return as_created(move.cell); });
+      moves.push_back(
+          {move.cell, move.slot, before.faces[move.slot], move.to, links, before.orders[move.slot], move.order});
+    } else if (what == 3 && !moves.empty()) {
+      splits.undo_last_move();
+      moves.pop_back();
+    } else if (what == 4) {
+      const SplitHistory::Copy copy{static_cast<CellId>(2000 + copies.size()), draw(5), {static_cast<CellId>(step)}};
+      splits.add_copy(copy);
+      copies.push_back(copy);
+    } else if (what == 5 && !copies.empty()) {
+      splits.undo_last_copy();
+      copies.pop_back();
+    }
+    REQUIRE(splits.moves().size() == moves.size());
+    REQUIRE(splits.copies() == copies.size());
+    for (CellId cell = 0; cell < 6; ++cell) {
+      const SplitHistory::MovedFaces* moved = splits.moved_faces(cell);
+      const bool has_moved = std::any_of(moves.begin(), moves.end(),
+                                         [&](const SplitHistory::MadeMove& made) { return made.cell == cell; });
+      REQUIRE((moved != nullptr) == has_moved);
+      if (has_moved) {
+        REQUIRE(moved->faces == faces_of(cell).faces);
+        REQUIRE(moved->orders == faces_of(cell).orders);
+      }
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const auto first = draw(static_cast<unsigned>(moves.size()) + 1);
+        std::vector<CellId> seen, expected;
+        splits.for_each_move_of(cell, k, first, static_cast<std::uint32_t>(moves.size()),
+                                [&](const SplitHistory::MadeMove& made) { seen.push_back(made.after); });
+        for (std::size_t m = first; m < moves.size(); ++m) {
+          if (moves[m].cell == cell && moves[m].slot == k) {
+            expected.push_back(moves[m].after);
+          }
+        }
+        REQUIRE(seen == expected);
+      }
+    }
+    for (CellId node = 1000; node < 1004; ++node) {
+      std::vector<std::uint32_t> expected;
+      for (std::uint32_t m = 0; m < moves.size(); ++m) {
+        if (moves[m].after == node) {
+          expected.push_back(m);
+        }
+      }
+      const auto onto = splits.moves_onto(node);
+      REQUIRE(std::vector<std::uint32_t>(onto.begin(), onto.end()) == expected);
+    }
+    for (CellId source = 0; source < 5; ++source) {
+      std::vector<CellId> expected;
+      for (const SplitHistory::Copy& copy : copies) {
+        if (copy.source == source) {
+          expected.push_back(copy.copy);
+        }
+      }
+      const auto of = splits.copies_of(source);
+      REQUIRE(std::vector<CellId>(of.begin(), of.end()) == expected);
+    }
+    for (CellId c = 2000; c < 2010; ++c) {
+      const SplitHistory::Copy* copy = splits.copy(c);
+      REQUIRE((copy != nullptr) == (c - 2000 < copies.size()));
+      if (copy != nullptr) {
+        REQUIRE(copy->moment == copies[c - 2000].moment);
+      }
+    }
+  }
+}
