@@ -7,10 +7,8 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <sstream>
 #include <unordered_map>
 
-#include "replay/script/script.hpp"
 #include "sparse/contract.hpp"
 #include "tools/mesh/first_homology.hpp"
 #include "tools/mesh/graph.hpp"
@@ -53,22 +51,14 @@ Normalised normalised(const Mesh& raw) {
 
 bool is_rational(const sparse::AnyRing& ring) { return std::holds_alternative<sparse::Rationals>(ring); }
 
-/// Builds the complex by the script that `sesame import` writes, so that cells have the same names here and there.
+/// Builds the complex by the step that `sesame import` writes, so that cells have the same names here and there.
 Result<std::unique_ptr<engine::Engine>> build(const Mesh& triangulated, const MeshHomologyOptions& options) {
-  std::stringstream text;
-  const ScriptOptions script{options.source, "Z", Polygons::fan, BuildOrder::breadth_first, false};
-  if (const auto summary = write_complex_script(triangulated, text, script); !summary) return summary.error();
-  replay::ScriptReader reader{replay::ByteSource::of_text(text.view(), options.source),
-                              std::numeric_limits<std::size_t>::max()};
-  if (const auto header = reader.header(); !header) return header.error();
+  auto complex = make_complex(triangulated, {options.source, "Z", Polygons::fan, BuildOrder::breadth_first, false});
+  if (!complex) return complex.error();
   auto engine =
       std::make_unique<engine::Engine>(is_rational(options.ring) ? sparse::AnyRing{Integers{}} : options.ring);
-  for (;;) {
-    const auto operation = reader.next();
-    if (!operation) return operation.error();
-    if (!operation->has_value()) return engine;
-    if (const auto report = engine->apply(**operation); !report) return report.error();
-  }
+  if (const auto report = engine->apply(std::move(*complex)); !report) return report.error();
+  return engine;
 }
 
 /// The points, scaled to within 1 of the origin, so that no distance between them is too large for a double.

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <deque>
 #include <iterator>
+#include <optional>
 #include <ostream>
 #include <span>
+#include <utility>
 
 #include "tools/mesh/incidence.hpp"
 #include "tools/mesh/normalise.hpp"
@@ -224,66 +226,77 @@ class ScriptWriter {
   std::size_t steps_ = 0;
 };
 
-class ComplexScript {
- public:
-  ComplexScript(const Items& items, std::ostream& out, const ScriptOptions& options)
-      : items_{items}, options_{options}, writer_{items, out, options} {}
-
-  Result<ScriptSummary> write() {
-    const auto& mesh = items_.mesh();
-    has_vertex_.assign(mesh.points.size(), false);
-    has_edge_.assign(items_.incidence().edges.size(), false);
-    writer_.head("a complex");
-    writer_.print("{{\"op\":\"complex\",\"name\":\"{}\",\"cells\":[", name_of_source(options_.source));
-    writer_.count_step();
-    for (const auto item : build_order(items_, options_.order)) write_item(item);
-    for (std::uint32_t v = 0; v < mesh.points.size(); ++v) write_vertex(v);
-    writer_.print("]}}\n");
-    writer_.expectation();
-    return writer_.finish();
+/// Visits the cells of a complex, each after its faces: vertex(v), edge(e) and triangle(item) with the numbers that
+/// points, edges and items have.
+template <class Vertex, class Edge, class Triangle>
+void for_each_cell(const Items& items, BuildOrder order, Vertex&& vertex, Edge&& edge, Triangle&& triangle) {
+  std::vector<bool> has_vertex(items.mesh().points.size(), false);
+  std::vector<bool> has_edge(items.incidence().edges.size(), false);
+  const auto visit_vertex = [&](std::uint32_t v) {
+    if (!has_vertex[v]) vertex(v);
+    has_vertex[v] = true;
+  };
+  for (const auto item : build_order(items, order)) {
+    const auto simplex = items[item];
+    for (const auto v : simplex.all_vertices()) visit_vertex(v);
+    for (const auto e : simplex.all_edges()) {
+      if (!has_edge[e]) edge(e);
+      has_edge[e] = true;
+    }
+    if (!items.is_line(item)) triangle(item);
   }
+  for (std::uint32_t v = 0; v < items.mesh().points.size(); ++v) visit_vertex(v);
+}
 
- private:
-  void separate() {
-    if (!is_first_) writer_.print(",");
-    is_first_ = false;
-  }
+Result<ScriptSummary> write_complex(const Items& items, std::ostream& out, const ScriptOptions& options) {
+  ScriptWriter writer{items, out, options};
+  writer.head("a complex");
+  writer.print("{{\"op\":\"complex\",\"name\":\"{}\",\"cells\":[", name_of_source(options.source));
+  writer.count_step();
+  const char* separator = "";
+  const auto separate = [&] { writer.print("{}", std::exchange(separator, ",")); };
+  for_each_cell(
+      items, options.order,
+      [&](std::uint32_t v) {
+        separate();
+        writer.print("{{\"id\":\"v{}\",\"at\":", v);
+        writer.print_point(v);
+        writer.print("}}");
+      },
+      [&](std::uint32_t e) {
+        separate();
+        const auto [low, high] = items.incidence().edges[e];
+        writer.print("{{\"id\":\"e{}-{}\",\"faces\":[\"v{}\",\"v{}\"]}}", low, high, high, low);
+      },
+      [&](std::uint32_t item) {
+        separate();
+        const auto [a, b, c] = items[item].vertices;
+        writer.print("{{\"id\":\"f{}\",\"faces\":[\"e{}-{}\",\"e{}-{}\",\"e{}-{}\"]}}", items.number(item), b, c, a, c,
+                     a, b);
+      });
+  writer.print("]}}\n");
+  writer.expectation();
+  return writer.finish();
+}
 
-  void write_item(std::uint32_t item) {
-    const auto simplex = items_[item];
-    for (const auto v : simplex.all_vertices()) write_vertex(v);
-    for (const auto edge : simplex.all_edges()) write_edge(edge);
-    if (items_.is_line(item)) return;
-    separate();
-    const auto& [a, b, c] = simplex.vertices;
-    writer_.print("{{\"id\":\"f{}\",\"faces\":[\"e{}-{}\",\"e{}-{}\",\"e{}-{}\"]}}", items_.number(item), b, c, a, c, a,
-                  b);
-  }
-
-  void write_vertex(std::uint32_t vertex) {
-    if (has_vertex_[vertex]) return;
-    has_vertex_[vertex] = true;
-    separate();
-    writer_.print("{{\"id\":\"v{}\",\"at\":", vertex);
-    writer_.print_point(vertex);
-    writer_.print("}}");
-  }
-
-  void write_edge(std::uint32_t edge) {
-    if (has_edge_[edge]) return;
-    has_edge_[edge] = true;
-    separate();
-    const auto [low, high] = items_.incidence().edges[edge];
-    writer_.print("{{\"id\":\"e{}-{}\",\"faces\":[\"v{}\",\"v{}\"]}}", low, high, high, low);
-  }
-
-  const Items& items_;
-  const ScriptOptions& options_;
-  ScriptWriter writer_;
-  std::vector<bool> has_vertex_;
-  std::vector<bool> has_edge_;
-  bool is_first_ = true;
-};
+ops::MakeComplex complex_of(const Items& items, const ScriptOptions& options) {
+  ops::MakeComplex complex{name_of_source(options.source), {}};
+  const auto edge_id = [](std::uint32_t low, std::uint32_t high) { return fmt::format("e{}-{}", low, high); };
+  const auto add = [&](std::string id, std::vector<std::string> faces, std::optional<ops::Point> at) {
+    complex.cells.push_back({std::move(id), std::nullopt, std::move(faces), at});
+  };
+  for_each_cell(
+      items, options.order, [&](std::uint32_t v) { add(fmt::format("v{}", v), {}, items.mesh().points[v]); },
+      [&](std::uint32_t e) {
+        const auto [low, high] = items.incidence().edges[e];
+        add(edge_id(low, high), {fmt::format("v{}", high), fmt::format("v{}", low)}, std::nullopt);
+      },
+      [&](std::uint32_t item) {
+        const auto [a, b, c] = items[item].vertices;
+        add(fmt::format("f{}", items.number(item)), {edge_id(b, c), edge_id(a, c), edge_id(a, b)}, std::nullopt);
+      });
+  return complex;
+}
 
 class AssembledScript {
  public:
@@ -408,7 +421,13 @@ Result<Items> items_of(const Mesh& mesh, const ScriptOptions& options) {
 Result<ScriptSummary> write_complex_script(const Mesh& mesh, std::ostream& out, const ScriptOptions& options) {
   auto items = items_of(mesh, options);
   if (!items) return items.error();
-  return ComplexScript{*items, out, options}.write();
+  return write_complex(*items, out, options);
+}
+
+Result<ops::MakeComplex> make_complex(const Mesh& mesh, const ScriptOptions& options) {
+  auto items = items_of(mesh, options);
+  if (!items) return items.error();
+  return complex_of(*items, options);
 }
 
 Result<ScriptSummary> write_assembled_script(const Mesh& mesh, std::ostream& out, const ScriptOptions& options) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ops/vocabulary/operation.hpp"
 #include "sparse/result.hpp"
 #include "tools/mesh/mesh.hpp"
 #include "tools/mesh/triangulate.hpp"
@@ -44,6 +45,9 @@ struct ScriptSummary {
 /// points. Whether the stream has taken everything, its owner sees.
 [[nodiscard]] Result<ScriptSummary> write_complex_script(const Mesh& mesh, std::ostream& out,
                                                          const ScriptOptions& options);
+
+/// The operation of that script.
+[[nodiscard]] Result<ops::MakeComplex> make_complex(const Mesh& mesh, const ScriptOptions& options);
 
 /// Writes a script of one `simplex` per triangle `fT`, line `lL`, or, for a point cloud, point `pP`, each followed by
 /// one `identify` that glues it to what is there, if anything is: shared edges, then vertices that no shared edge has.
