@@ -69,11 +69,11 @@ class Engine {
   // ---- steps
   /// Carries out one operation.
   /// Errors    what the planner refuses (nothing has happened then); `expectation` when an Expect differs from the
-  /// state;
-  ///           `refused` when an Undo asks for more steps than there are.
+  ///           state; `refused` when an Undo asks for more steps than there are.
   /// Cost      the cells that the step touches, times their dimension, plus the vectors that are rewritten: independent
-  /// of
-  ///           the size of the object and of the length of the history. An Undo costs what the steps taken back did.
+  ///           of the size of the object, and of the length of the history as far as the equivalence is begun afresh
+  ///           when splits weigh more than the object (see Equivalences).
+  ///           An Undo costs what the steps taken back did.
   Result<StepReport> apply(ops::Operation operation);
   /// What a construction operation would do, without doing it.
   Result<ops::Plan> plan(const ops::Operation& operation);

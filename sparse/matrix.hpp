@@ -96,10 +96,10 @@ class Matrix {
 
   /// Turns A (this) into [[A, B], [C, D]] in place: B and D are appended as columns, C is hung below A's columns.
   ///
-  /// Shapes    A m x n, B m x q, C p x n, D p x q; none of B, C, D is this matrix. The result has the rest of A. Where
-  /// A
-  ///           and D have Rest::identity and m = n, unit columns of D over which B is zero stay implicit; the implicit
-  ///           entries of B, C and D are otherwise written like stored ones.
+  /// Shapes    A m x n, B m x q, C p x n, D p x q; none of B, C, D is this matrix. The result has the rest of A.
+  ///           Where A and D have Rest::identity and m = n, unit columns of D over which B is zero stay implicit;
+  ///           the implicit entries of B, C and D are otherwise
+  ///           written like stored ones.
   /// Cost      O(nnz B + nnz C + nnz D + q), and the stored columns of C: A's entries are neither copied nor traversed.
   ///           An implicit unit column of A under which C has entries becomes stored: one entry of A. Where A has
   ///           Rest::identity and n > m, its implicit columns from m on, which are zero, become stored: O(n - m).

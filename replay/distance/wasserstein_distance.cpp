@@ -1,6 +1,6 @@
-// When no bars were matched, each would pay for its way to the diagonal. Matching i to j saves diagonal(i) +
-// diagonal(j)
-// - cost(i, j), where all costs are q-th powers: what is looked for is the matching that saves most. As an assignment
+// When no bars were matched, each would pay for its way to the diagonal. Matching i to j saves
+// diagonal(i) + diagonal(j) - cost(i, j), where all costs are q-th powers: what is looked for is the matching that
+// saves most. As an assignment
 // problem: rows are the points of the left, columns those of the right, and each row has one more column for itself,
 // the diagonal, which saves nothing. Rows are assigned one after the other along shortest augmenting paths; a path ends
 // at a free column, or at the diagonal of a row that it has reached. Potentials (u of rows, v of columns) keep all
