@@ -42,6 +42,46 @@ TEST_CASE("an observer sees each step that was applied, with the sizes of its se
   }
 }
 
+TEST_CASE("a report says what a step was, and an undo what it took back", "[engine]") {
+  using ops::EventKind;
+  using ops::StepKind;
+  const std::vector<std::pair<std::string, StepKind>> steps{
+      {R"({"op":"simplex","name":"t","dim":2})", StepKind::addition},
+      {R"({"op":"simplex","name":"s","dim":2})", StepKind::addition},
+      {R"({"op":"identify","pairs":[["t.0-1","s.0-1"]]})", StepKind::removal},
+      {R"({"op":"note","text":""})", StepKind::nothing},
+      {R"({"op":"deidentify","split":[{"cell":"t.0-1","as":"x","moves":[["s",2]]}]})", StepKind::split},
+      {R"({"op":"degenerate","cell":"t.0-2","along":0})", StepKind::removal},
+      {R"({"op":"class","chain":[[1,"x"]]})", StepKind::nothing},
+      {R"({"op":"insert","simplex":["a","b"]})", StepKind::addition},
+      {R"({"op":"insert","simplex":["a","b"],"exist_ok":true})", StepKind::nothing},
+      {R"({"op":"collapse","from":"a","to":"b"})", StepKind::removal},
+      {R"({"op":"simplex","name":"e","dim":1})", StepKind::addition},
+      {R"({"op":"product","name":"P","left":"e","right":"b"})", StepKind::product},
+      {R"({"op":"cone","apex":"v"})", StepKind::lazy_cone}};
+  Engine engine(Integers{}, ops::Limits{.cells_of_explicit_cone = 0});
+  std::vector<engine::StepReport> reports;
+  engine.observe([&](const ops::Operation&, const engine::StepReport& report) { reports.push_back(report); });
+  for (const auto& [line, kind] : steps) {
+    CAPTURE(line);
+    build(engine, {line});
+    CHECK(reports.back().kind == kind);
+    CHECK(reports.back().sequence.has_value() == (kind != StepKind::nothing && kind != StepKind::product));
+    CHECK((reports.back().events[EventKind::removal] > 0) == (kind == StepKind::removal));
+    CHECK((reports.back().events[EventKind::copy] > 0) == (kind == StepKind::split));
+  }
+  for (std::size_t k = steps.size(); k-- > 0;) {
+    const ops::EventCounts made = reports[k].events;
+    REQUIRE(engine.undo());
+    for (const EventKind kind :
+         {EventKind::cell, EventKind::copy, EventKind::removal, EventKind::move, EventKind::family, EventKind::name,
+          EventKind::body, EventKind::union_of_bodies, EventKind::simplicial}) {
+      CHECK(reports.back().events[kind] == made[kind]);
+    }
+  }
+  CHECK(engine.structure().journal().end() == 0);
+}
+
 TEST_CASE("undo, questions and notes are steps that observers see too", "[engine]") {
   Engine engine;
   std::vector<engine::StepReport> reports;
