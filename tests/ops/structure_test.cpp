@@ -145,7 +145,7 @@ std::string difference(const Structure& fast, const SlowStructure& slow) {
     }
   }
   std::vector<std::string> listed;
-  for (const BodyId b : fast.current_bodies()) {
+  for (const BodyId b : fast.bodies().current()) {
     listed.emplace_back(fast.body_name(b));
   }
   return listed == current ? "" : "current bodies";
