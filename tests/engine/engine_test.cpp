@@ -57,7 +57,7 @@ TEST_CASE("a report says what a step was, and an undo what it took back", "[engi
       {R"({"op":"insert","simplex":["a","b"],"exist_ok":true})", StepKind::nothing},
       {R"({"op":"collapse","from":"a","to":"b"})", StepKind::removal},
       {R"({"op":"simplex","name":"e","dim":1})", StepKind::addition},
-      {R"({"op":"product","name":"P","left":"e","right":"b"})", StepKind::product},
+      {R"({"op":"product","name":"P","left":"e","right":"e"})", StepKind::product},
       {R"({"op":"cone","apex":"v"})", StepKind::lazy_cone}};
   Engine engine(Integers{}, ops::Limits{.cells_of_explicit_cone = 0});
   std::vector<engine::StepReport> reports;
