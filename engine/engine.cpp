@@ -1,12 +1,13 @@
 #include "engine/engine.hpp"
 
-#include <fmt/format.h>
-#include <spdlog/spdlog.h>
+#include <spdlog/logger.h>
 
 #include <algorithm>
 #include <numeric>
 
 #include "engine/live_equivalence.hpp"
+#include "engine/log.hpp"
+#include "engine/step_account.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::engine {
@@ -105,30 +106,14 @@ std::uint64_t total(std::span<const std::uint64_t> counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
-/// "cells made: 7; bodies made: 1": what has changed, for an undo what is as it was before.
-std::string description(const StepReport& report) {
-  using ops::EventKind;
-  const bool is_undo = report.steps_undone > 0;
-  std::string text = is_undo ? fmt::format("steps taken back: {}", report.steps_undone) : "";
-  const auto add = [&](const char* what, const char* undone, auto... kinds) {
-    if (const std::uint64_t count = (report.events[kinds] + ...); count > 0) {
-      text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", is_undo ? undone : what, count);
-    }
-  };
-  add("cells made", "cells gone", EventKind::cell, EventKind::copy, EventKind::degenerate, EventKind::lazy);
-  add("cells merged or squashed", "cells separate again", EventKind::removal);
-  add("incidences moved", "incidences moved back", EventKind::move);
-  add("products and large cones", "products and large cones gone", EventKind::family);
-  add("bodies made", "bodies gone", EventKind::body);
-  add("bodies joined to others", "bodies apart again", EventKind::union_of_bodies);
-  return text.empty() ? "nothing changed" : text;
-}
-
 }  // namespace
 
 Engine::Engine(sparse::AnyRing ring, ops::Limits limits, const RebasePolicy& rebases)
     : ring_{ring}, workspace_{limits}, equivalences_{ring, workspace_.structure(), rebases} {
-  spdlog::default_logger_raw();  // made now if need be, so that memory running out in a step is the step's own affair
+  // Made now if need be, so that memory running out in a step is the step's own affair.
+  step_log();
+  rebase_log();
+  refusal_log();
 }
 
 Engine::~Engine() = default;
@@ -136,13 +121,20 @@ Engine::~Engine() = default;
 Result<StepReport> Engine::apply(ops::Operation operation) {
   sparse::expects(!is_broken_, "a step was cut off by an exception: the log is intact, make a new engine from it");
   is_broken_ = true;  // until this has come to its end
+  const StepAccount account(*this);
   Result<StepReport> result = carry_out(operation);
   if (result) {
     log_.push_back(std::move(operation));
   }
   is_broken_ = false;
-  if (result) {
-    notify(*result);
+  if (!result) {
+    refusal_log().debug("step {} ({}) did not happen: {}", log_.size() + 1, ops::keyword(operation),
+                        result.error().what);
+    return result;
+  }
+  account.say(*result);
+  for (const Observer& observer : observers_) {
+    observer(log_.back(), *result);
   }
   return result;
 }
@@ -306,15 +298,6 @@ StepReport Engine::pass(const ops::Operation& operation) {
 void Engine::remember() {
   numbers_.push_back(log_.size() + 1);
   equivalences_.push_mark();
-}
-
-void Engine::notify(const StepReport& report) const {
-  if (spdlog::should_log(spdlog::level::debug)) {
-    spdlog::debug("step {} ({}): {}", report.step, report.op, description(report));
-  }
-  for (const Observer& observer : observers_) {
-    observer(log_.back(), report);
-  }
 }
 
 void Engine::visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit) {

@@ -151,7 +151,6 @@ class Engine {
   Result<StepReport> take_back(const ops::Undo& operation);
   StepReport begin_report(const ops::Operation& operation) const;
   StepReport pass(const ops::Operation& operation);
-  void notify(const StepReport& report) const;
   void remember();
 
   sparse::AnyRing ring_;

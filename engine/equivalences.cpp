@@ -1,14 +1,21 @@
 #include "engine/equivalences.hpp"
 
+#include <fmt/format.h>
+#include <spdlog/logger.h>
+
 #include <algorithm>
+#include <chrono>
 #include <span>
 #include <utility>
 
 #include "engine/live_equivalence.hpp"
+#include "engine/log.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::engine {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t many = HomologyTracker::unlimited / 1024;  ///< sums and multiples of less do not overflow
 
@@ -39,15 +46,25 @@ Equivalences::Equivalences(const sparse::AnyRing& ring, const ops::Structure& st
 
 bool Equivalences::extend() {
   const std::uint64_t splits_allowed = policy_.least_splits + cells_of(structure_.counts()) / policy_.cells_per_split;
-  if (now().extend(budget_of(structure_.counts(), policy_)) &&
-      (now().copies() == 0 || now().copies() < splits_allowed)) {
+  const std::uint64_t budget = budget_of(structure_.counts(), policy_);
+  const bool is_within_budget = now().extend(budget);
+  const std::uint64_t copies = now().copies();
+  if (is_within_budget && (copies == 0 || copies < splits_allowed)) {
     return false;
   }
+  const auto start = Clock::now();
   std::unique_ptr<HomologyTracker> next = now().afresh();
   parts_.back().cells = cells_of(structure_.counts());
   cells_kept_ += parts_.back().cells;
   begin_part(std::move(next));
   give_up_oldest();
+  if (rebase_log().should_log(spdlog::level::info)) {
+    const std::chrono::duration<double, std::micro> took = Clock::now() - start;
+    rebase_log().info("begun afresh from {} cells, as {}; took {:.1f} us", cells_of(structure_.counts()),
+                      is_within_budget ? fmt::format("{} cells were split since the last time", copies)
+                                       : fmt::format("the step would have read more than {} terms", budget),
+                      took.count());
+  }
   return true;
 }
 
@@ -67,6 +84,8 @@ void Equivalences::begin_part(std::unique_ptr<HomologyTracker> tracker) {
 void Equivalences::give_up_oldest() {
   const std::uint64_t most = policy_.least_cells_kept + policy_.objects_kept * cells_of(structure_.counts());
   for (; cells_kept_ > most && first_kept_ + 2 < parts_.size(); ++first_kept_) {
+    rebase_log().debug("undo will not go back exactly to an object of {} cells: its equivalence is given up",
+                       parts_[first_kept_].cells);
     cells_kept_ -= parts_[first_kept_].cells;
     parts_[first_kept_].tracker.reset();
   }
@@ -81,6 +100,7 @@ void Equivalences::end_last_part() {
   if (Part& resumed = parts_.back(); resumed.tracker != nullptr) {
     done_by_others_ -= resumed.tracker->work();
     cells_kept_ -= resumed.cells;
+    rebase_log().debug("undo resumes the equivalence before, of {} cells", resumed.cells);
   }
 }
 
@@ -98,6 +118,8 @@ void Equivalences::undo(std::uint64_t marks) {
   if (parts_.back().tracker == nullptr) {
     begin_part(make_tracker_afresh(ring_, structure_));
     first_kept_ = parts_.size() - 1;
+    rebase_log().info("begun afresh from {} cells, as undo goes back further than equivalences are kept",
+                      cells_of(structure_.counts()));
   }
 }
 

@@ -1,11 +1,15 @@
 #include "engine/groups.hpp"
 
+#include <spdlog/logger.h>
+
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <optional>
 #include <set>
 #include <unordered_map>
 
+#include "engine/log.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::engine {
@@ -40,6 +44,9 @@ const typename Groups<R>::Torsion& Groups<R>::torsion() {
   if (is_filled_ && version_ == core.version()) {
     return torsion_;
   }
+  using Clock = std::chrono::steady_clock;
+  const bool is_told = step_log().should_log(spdlog::level::debug) && !core.columns().empty();
+  const auto start = is_told ? Clock::now() : Clock::time_point{};
   torsion_ = {};
   version_ = core.version();
   is_filled_ = true;
@@ -58,6 +65,11 @@ const typename Groups<R>::Torsion& Groups<R>::torsion() {
         torsion_.coefficients[p - 1].push_back(ring_.to_integer(factor));
       }
     }
+  }
+  if (is_told) {
+    const std::chrono::duration<double, std::micro> took = Clock::now() - start;
+    step_log().debug("torsion was computed anew, by Smith forms of {} columns in {} degrees; took {:.1f} us",
+                     core.columns().size(), by_degree.size(), took.count());
   }
   return torsion_;
 }
@@ -94,6 +106,8 @@ Group<R> Groups<R>::of(int degree) const {
     boundaries.append_column(group.coordinates(ring_, *core.find(x)));
   }
   group.smith = sparse::smith_form(boundaries);
+  step_log().debug("H_{} was computed with its basis: {} free classes, Smith forms of {} and {} columns", degree,
+                   group.free.size(), group.lower.size(), group.columns.size());
   return group;
 }
 

@@ -1,9 +1,6 @@
 // sesame: the program. Results go to standard output, messages and progress to standard error.
 #include <fcntl.h>
 #include <gmp.h>
-#include <spdlog/cfg/env.h>
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -18,6 +15,7 @@
 #include "sparse/contract.hpp"
 #include "tools/commands/command_line.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/program_log.hpp"
 
 namespace {
 
@@ -79,7 +77,7 @@ void expect_memory_to_run_out_anywhere() {
   });
 }
 
-int run(int argc, char** argv) {
+int run(int argc, char** argv, sesame::tools::ProgramLog& log) {
   CLI::App app{"sesame: integer homology, live, while an object is built", "sesame"};
   app.set_version_flag("--version", std::string{"sesame "} + SESAME_VERSION);
   app.require_subcommand(1);
@@ -91,7 +89,15 @@ int run(int argc, char** argv) {
   sesame::tools::add_tower_command(app, status);
   sesame::tools::add_distance_command(app, status);
   sesame::tools::add_bench_command(app, status);
+  for (CLI::App* command : app.get_subcommands({})) {
+    log.add_options(*command);
+  }
   add_help_command(app, status);
+  app.parse_complete_callback([&] {  // comes before the command's own callback
+    if (const sesame::Status started = log.start(*app.get_subcommands().front()); !started) {
+      throw CLI::ValidationError("--log-file", started.error().what);
+    }
+  });
   if (argc < 2) {
     std::cerr << app.help();
     return wrong_usage;
@@ -125,14 +131,16 @@ void keep_numbers_of_standard_streams() {
   }
 }
 
-/// The exit status, when all that went to standard output has got there.
-int after_output(int status) {
+/// The exit status, when all that went to standard output and to the log has got there.
+int after_output(int status, sesame::tools::ProgramLog& log) {
   std::cout << std::flush;
-  if (std::cout) {
-    return status;
+  const sesame::Status logged = log.finish();
+  if (!std::cout) {
+    std::cerr << "sesame: cannot write to standard output\n";
+  } else if (!logged) {
+    std::cerr << "sesame: --log-file: " << logged.error().what << '\n';
   }
-  std::cerr << "sesame: cannot write to standard output\n";
-  return wrong_usage;
+  return std::cout && (logged || status != 0) ? status : wrong_usage;
 }
 
 }  // namespace
@@ -143,9 +151,8 @@ int main(int argc, char** argv) {
   std::ios::sync_with_stdio(false);
   expect_memory_to_run_out_anywhere();
   try {
-    spdlog::set_default_logger(spdlog::stderr_color_st("sesame"));
-    spdlog::cfg::load_env_levels();
-    return after_output(run(argc, argv));
+    sesame::tools::ProgramLog log;
+    return after_output(run(argc, argv, log), log);
   } catch (const std::bad_alloc&) {
     end_for_want_of_memory();
   } catch (const std::exception& e) {

@@ -1,8 +1,12 @@
 #include "replay/script/replay.hpp"
 
+#include <spdlog/logger.h>
+
 #include <chrono>
 #include <new>
 #include <utility>
+
+#include "replay/text/log.hpp"
 
 namespace sesame::replay {
 namespace {
@@ -47,6 +51,7 @@ class Run {
     header_ring_ = header->ring;
     expects_torsion_ = own_ring && *own_ring == *ring;
     expects_betti_ = own_ring && characteristic(*own_ring) == characteristic(*ring);
+    replay_log().info("{}a script over {}, taken over {}", script_.place(), header->ring, sparse::ring_name(*ring));
     engine::Engine engine(*ring, options_.limits);
     Outcome outcome = options_.older_steps != nullptr ? take_older_steps(engine) : begin_log(*header, *ring);
     if (outcome == Outcome::done) {
@@ -55,6 +60,8 @@ class Run {
     if (outcome == refused_ && is_stopped()) {
       outcome = Outcome::interrupted;
     }
+    replay_log().info("{}{} steps, of which {} from an older log, {} begun afresh", script_.place(), steps_, older_,
+                      engine.rebases());
     const bool is_summarised = outcome == Outcome::done || outcome == Outcome::interrupted ||
                                (options_.partial && outcome != Outcome::law_failed) ||
                                (options_.keep_going && outcome == refused_ && !script_.is_broken());
@@ -78,6 +85,7 @@ class Run {
   Outcome fail(const std::string& what, Outcome outcome) {
     clear_progress();
     errors_ << what << '\n';
+    replay_log().debug("error: {}", what);
     return outcome;
   }
 
@@ -147,6 +155,7 @@ class Run {
 
   Outcome step(engine::Engine& engine, ops::Operation operation) {
     const auto start = Clock::now();
+    replay_log().trace("line {}: {}", script_.line(), ops::keyword(operation));
     if (auto* expected = std::get_if<ops::Expect>(&operation)) {
       leave_out_other_groups(*expected);
     }

@@ -1,10 +1,12 @@
 #include "replay/tower/tower_reader.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/logger.h>
 
 #include <algorithm>
 #include <limits>
 
+#include "replay/text/log.hpp"
 #include "replay/text/text_buffer.hpp"
 #include "sparse/contract.hpp"
 
@@ -40,6 +42,7 @@ Result<std::unique_ptr<TowerReader>> TowerReader::from(ByteSource source, TowerF
     if (!found) return found.error();
     format = *found;
   }
+  tower_log().info("{}: read as {}", source.name(), format_description(format));
   return std::unique_ptr<TowerReader>(new TowerReader(std::move(source), format, longest));
 }
 
@@ -59,8 +62,10 @@ Result<bool> TowerReader::next(TowerOperation& into) {
   Result<bool> got = read_operation(into);
   if (got && *got) {
     ++operations_;
+    tower_log().trace("line {}: operation {}", line_, operations_);
   } else {
     is_done_ = true;
+    tower_log().info("{}: {} operations were read", name(), operations_);
   }
   return got;
 }

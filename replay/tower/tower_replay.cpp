@@ -1,6 +1,18 @@
 #include "replay/tower/tower_replay.hpp"
 
+#include <spdlog/logger.h>
+
+#include "replay/text/log.hpp"
+
 namespace sesame::replay {
+namespace {
+
+Error told(const Error& error) {
+  tower_log().debug("an operation did not happen: {}", error.what);
+  return error;
+}
+
+}  // namespace
 
 using ops::Label;
 using ops::TowerComplex;
@@ -35,7 +47,7 @@ Status TowerReplay::apply(const TowerOperation& operation) {
     case TowerOperation::Kind::insert: {
       const Result<TowerComplex::Slot> slot = complex_.include(operation.labels);
       if (!slot) {
-        return slot.error();
+        return told(slot.error());
       }
       include(operation.dimension, *slot, complex_.facets(), operation.time);
       if (history_ != nullptr) {
@@ -47,7 +59,7 @@ Status TowerReplay::apply(const TowerOperation& operation) {
       prefetch(operation);
       const Result<std::uint32_t> slot = columns_.include(operation.dimension, operation.labels);
       if (!slot) {
-        return slot.error();
+        return told(slot.error());
       }
       include(operation.dimension, *slot, columns_.facets(), operation.time);
       if (history_ != nullptr) {
@@ -60,7 +72,7 @@ Status TowerReplay::apply(const TowerOperation& operation) {
       const Label v = operation.labels[1];
       const Result<const TowerComplex::Changes*> changes = complex_.plan_contraction(u, v);
       if (!changes) {
-        return changes.error();
+        return told(changes.error());
       }
       for (engine::BarcodeTracker* tracker : trackers_) {
         tracker->contract(complex_, **changes, operation.time);

@@ -7,6 +7,7 @@ Usage: command_line_test.py SESAME EXAMPLES_DIRECTORY
 import json
 import os
 import pathlib
+import re
 import resource
 import signal
 import subprocess
@@ -185,7 +186,8 @@ class Replay(unittest.TestCase):
             '{"op":"identify","pairs":[["t.0-1","u.0-1"]]}', '{"op":"note","text":"hello"}',
             '{"op":"undo","steps":2}', '{"op":"product","name":"P","left":"t","right":"u"}')),
                    env={**os.environ, "SPDLOG_LEVEL": "debug"})
-        self.assertEqual([line.split("] ")[-1] for line in done.stderr.splitlines()],
+        steps = [line.partition("[debug] ")[2] for line in done.stderr.splitlines() if line.startswith("[sesame.engine]")]
+        self.assertEqual([re.sub(r"; took [0-9.]+ us, [0-9]+ terms read, [0-9]+ written$", "", line) for line in steps],
                          ["step 1 (simplex): cells made: 7; bodies made: 1",
                           "step 2 (simplex): cells made: 7; bodies made: 1",
                           "step 3 (identify): cells merged or squashed: 3; bodies joined to others: 1",
@@ -244,6 +246,121 @@ class Replay(unittest.TestCase):
         line = process.stdout.readline()  # a report is flushed when it is made
         self.assertLess(time.monotonic(), deadline)
         return line
+
+
+class Log(unittest.TestCase):
+    """What is said of the work: by nobody unless it is asked for, and never on standard output."""
+
+    # A loop that is glued and torn until its equivalence is begun afresh, and a step that is refused.
+    SCRIPT = HEADER + '{"op":"simplex","name":"t","dim":1}\n{"op":"identify","pairs":[["t.0","t.1"]]}\n' + "".join(
+        '{"op":"deidentify","split":[{"cell":"t.0","as":"c%d","moves":[["t",0]]}]}\n'
+        '{"op":"identify","pairs":[["t.0","c%d"]]}\n' % (k, k) for k in range(5)) + \
+        '{"op":"identify","pairs":[["t","t.0"]]}\n{"op":"note","text":"the end"}\n'
+    ERROR = "standard input:14: \"t\" is a simplex of dimension 1 and"
+
+    def said(self, *arguments, **options):
+        """The lines of the log on standard error: (logger, level, text); and the other ones."""
+        done = run("replay", "-", "--quiet", "--keep-going", *arguments, text=self.SCRIPT, **options)
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+        found = [re.fullmatch(r"\[sesame\.(\w+)\] \[(\w+)\] (.*)", line) for line in done.stderr.splitlines()]
+        return [line.groups() for line in found if line], \
+            [line for line, match in zip(done.stderr.splitlines(), found) if not match]
+
+    def test_nothing_is_said_by_default(self):
+        lines, others = self.said()
+        self.assertEqual(lines, [])
+        self.assertEqual(len(others), 1)
+        self.assertTrue(others[0].startswith(self.ERROR), others)
+
+    def test_milestones_are_said_with_verbose_once(self):
+        lines, others = self.said("--verbose")
+        self.assertEqual([line[:2] for line in lines],
+                         [("tools", "info"), ("replay", "info"), ("rebase", "info"), ("replay", "info")])
+        self.assertRegex(lines[2][2], r"^begun afresh from 3 cells, as 4 cells were split since the last time; took ")
+        self.assertEqual(len(others), 1)
+
+    def test_every_step_and_refusal_is_said_with_verbose_twice(self):
+        for arguments in (["-vv"], ["--verbose", "-v"]):
+            lines, _ = self.said(*arguments)
+            self.assertEqual({level for _, level, _ in lines}, {"info", "debug"})
+            steps = [text for logger, _, text in lines if logger == "engine"]
+            self.assertEqual(len(steps), 13)
+            self.assertRegex(steps[1], r"^step 2 \(identify\): cells merged or squashed: 1; took [0-9.]+ us, \d+ terms ")
+            self.assertIn("step 13 (identify) did not happen: \"t\" is a simplex of dimension 1 and",
+                          " ".join(text for logger, _, text in lines if logger == "refusals"))
+
+    def test_three_times_is_the_most_that_is_said(self):
+        thrice, _ = self.said("-vvv")
+        self.assertEqual({level for _, level, _ in thrice}, {"info", "debug", "trace"})
+        self.assertEqual(len(self.said("-vvvvv")[0]), len(thrice))
+
+    def test_the_environment_asks_by_name(self):
+        env = {**os.environ, "SPDLOG_LEVEL": "sesame.rebase=info,sesame.refusals=debug"}
+        self.assertEqual([line[:2] for line in self.said(env=env)[0]], [("rebase", "info"), ("refusals", "debug")])
+
+    def test_a_tower_says_what_it_is_read_as_and_what_did_not_happen(self):
+        done = run("tower", "-vv", "--quiet", "-", text="i 0\ni 0 1\n")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("[sesame.tower] [info] standard input: read as a tower\n", done.stderr)
+        self.assertRegex(done.stderr, r"\[sesame.tower\] \[debug\] an operation did not happen: .*\n.*\bstandard input:2: ")
+
+    def test_a_file_has_all_of_it_with_times_behind_what_it_had(self):
+        with tempfile.TemporaryDirectory() as directory:
+            log = pathlib.Path(directory, "log")
+            for arguments, said in (([], []), (["-v"], ["tools", "replay", "rebase", "replay"])):
+                lines, _ = self.said("--log-file", log, *arguments)
+                self.assertEqual([line[0] for line in lines], said)
+            written = [re.fullmatch(r"\[\d{4}-\d\d-\d\d \d\d:\d\d:\d\d\.\d{6}\] \[sesame\.(\w+)\] \[(\w+)\] (.*)", line)
+                       for line in log.read_text(encoding="utf-8").splitlines()]
+            self.assertNotIn(None, written)
+            expected = [line[:2] for line in self.said("-vv")[0]]
+            self.assertEqual([line.groups()[:2] for line in written], expected * 2)
+
+    def test_standard_output_is_the_same_with_and_without(self):
+        for arguments in (["tower", EXAMPLES / "coarsened_circle.tower"],
+                          ["tower", "--json", "--pers", "-", EXAMPLES / "coarsened_circle.tower"],
+                          ["replay", "--quiet", "--log", "-", EXAMPLES / "torus.jsonl"], ["generate", "tower-A", "--size", 9]):
+            with tempfile.TemporaryDirectory() as directory:
+                plain = run(*arguments)
+                told = run(*arguments, "-vvv", "--log-file", os.path.join(directory, "log"))
+            untimed = [re.sub(r'"seconds":[^,}]*', "", done.stdout) for done in (plain, told)]
+            self.assertEqual((plain.returncode, untimed[0]), (told.returncode, untimed[1]))
+            self.assertIn("[sesame.tools] [info] ", told.stderr)
+
+    def test_a_log_that_is_another_file_of_the_command_line_is_refused(self):
+        with tempfile.TemporaryDirectory() as directory:
+            script, other = pathlib.Path(directory, "script"), pathlib.Path(directory, "other")
+            script.write_text(HEADER + TRIANGLE, encoding="utf-8")
+            os.symlink(script, other)
+            absent = os.path.join(directory, "absent")
+            relative = os.path.join(directory, ".", "absent")
+            for arguments, expected in (
+                    (["replay", script, "--log-file", script], "is what FILE names"),
+                    (["replay", script, "--log-file", other], "is what FILE names"),
+                    (["replay", script, "--log", absent, "--log-file", relative], "is what --log names"),
+                    (["tower", script, "--svg", absent, "--log-file", relative], "is what --svg names"),
+                    (["import", "x.off", "-o", absent, "--log-file", relative], "is what --output names"),
+                    (["distance", other, script, "--log-file", script], "is what A names"),
+                    (["replay", script, "--log-file", "-"], "standard output is for"),
+                    (["replay", script, "--log-file", directory], "it is a folder"),
+                    (["replay", script, "--log-file", absent + "/log"], "cannot write")):
+                done = run(*arguments)
+                self.assertEqual((arguments, done.returncode, done.stdout), (arguments, 1, ""))
+                self.assertIn("--log-file: ", done.stderr)
+                self.assertIn(expected, done.stderr)
+            self.assertEqual(script.read_text(encoding="utf-8"), HEADER + TRIANGLE)
+            self.assertFalse(os.path.exists(absent))
+
+    def test_a_log_that_cannot_be_written_is_an_error_at_the_end(self):
+        done = run("replay", "--quiet", "--log-file", "/dev/full", EXAMPLES / "torus.jsonl")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertEqual(done.stderr, "sesame: --log-file: cannot write /dev/full: No space left on device\n")
+
+    def test_every_command_has_it(self):
+        for command in ("replay", "import", "mesh", "generate", "tower", "distance", "bench"):
+            explained = run("help", command).stdout
+            self.assertIn("--verbose", explained)
+            self.assertIn("--log-file FILE", explained)
 
 
 class Program(unittest.TestCase):

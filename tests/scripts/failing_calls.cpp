@@ -3,7 +3,9 @@
 //   FAIL_READ_AT         reads of it end with EIO at this byte
 //   FAIL_ALLOCATION      of the allocations after the first read of it, the one with this number (from 1) gets no
 //   memory
+//   FAIL_SYNC            when it is set, no fsync of it succeeds
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -57,6 +59,12 @@ ssize_t read(int file, void* to, std::size_t size) {
   }
   const auto left = static_cast<std::size_t>(limit - position);
   return __read(file, to, size < left ? size : left);
+}
+
+int fsync(int file) {
+  if (getenv("FAIL_SYNC") == nullptr || !is_the_file(file)) return static_cast<int>(syscall(SYS_fsync, file));
+  errno = EIO;
+  return -1;
 }
 
 void* malloc(std::size_t size) {

@@ -120,6 +120,14 @@ class Failures(Directory):
             self.assertEqual((reader, done.returncode), (reader, 1), done.stderr)
             self.assertIn("cannot read standard input: Input/output error", done.stderr)
 
+    def test_a_folder_that_cannot_be_synced_is_a_warning(self):
+        output = self.directory / "torus.phat"
+        done = run("generate", "torus-300", "--size", 3, "-o", output, env=self.failing(self.directory, FAIL_SYNC=1))
+        self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertRegex(done.stderr, r"^\[sesame.tools\] \[warning\] .*torus.phat is written, but .*: Input/output error$")
+        self.assertGreater(output.stat().st_size, 0)
+
     def test_an_allocation_that_fails_is_status_1_with_its_reason_or_does_not_matter(self):
         script = self.write("script.jsonl", SCRIPT)
         for reader in ("replay", "tower", "tower, integers", "distance, left", "mesh, torus.off", "import, torus.off"):

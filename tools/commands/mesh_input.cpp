@@ -1,11 +1,14 @@
 #include "tools/commands/mesh_input.hpp"
 
+#include <spdlog/logger.h>
+
 #include <charconv>
 #include <cmath>
 #include <iostream>
 
 #include "replay/script/replay.hpp"
 #include "tools/commands/options.hpp"
+#include "tools/commands/program_log.hpp"
 
 namespace sesame::tools {
 
@@ -41,7 +44,11 @@ Result<Mesh> read(const MeshInput& input) {
     }
     reading.weld = distance;
   }
-  return read_mesh(input.file, reading);
+  Result<Mesh> mesh = read_mesh(input.file, reading);
+  if (mesh) {
+    tools_log().info("{}: a mesh of {} points and {} faces", name_of(input), mesh->points.size(), mesh->faces.size());
+  }
+  return mesh;
 }
 
 int refuse(const Error& error) {

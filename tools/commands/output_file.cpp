@@ -1,6 +1,7 @@
 #include "tools/commands/output_file.hpp"
 
 #include <fcntl.h>
+#include <spdlog/logger.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include <optional>
 
 #include "tools/commands/interrupt.hpp"
+#include "tools/commands/program_log.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -60,8 +62,11 @@ std::string role_of(const FileStatus& file, const std::vector<std::string>& inpu
 /// The name itself is written to the disk when the folder is.
 void settle_folder_of(const fs::path& file) {
   const int folder = ::open(file.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0 || (fsync(folder) != 0 && errno != EINVAL)) {  // which is for folders that need none
+    tools_log().warn("{} is written, but a power cut may still take its name away: its folder cannot be synced: {}",
+                     file.string(), std::strerror(errno));
+  }
   if (folder >= 0) {
-    fsync(folder);
     ::close(folder);
   }
 }
@@ -121,6 +126,7 @@ Result<std::unique_ptr<PartFile>> PartFile::make(const OutputPlace& place, const
     }
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0) {
+      tools_log().debug("{} is {} until it is whole", place.path, path.string());
       return std::make_unique<PartFile>(place, std::move(path), descriptor);
     }
     if (errno != EEXIST) {
@@ -142,6 +148,7 @@ Status PartFile::replace() {
     return cannot_write(place_.path);
   }
   settle_folder_of(place_.target);
+  tools_log().info("{} is written", place_.path);
   return Done{};
 }
 
