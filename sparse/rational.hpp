@@ -25,10 +25,10 @@ class Rational {
   Rational& operator=(const Rational&) = default;
   Rational& operator=(Rational&&) noexcept = default;
   ~Rational() = default;
-  Rational(Integer value)
-      : numerator_{std::move(value)} {}                // NOLINT(google-explicit-constructor): a number is a number
-  Rational(std::int64_t value) : numerator_{value} {}  // NOLINT(google-explicit-constructor)
-  Rational(int value) : numerator_{value} {}           // NOLINT(google-explicit-constructor)
+  // Numbers are numbers.
+  Rational(Integer value) : numerator_{std::move(value)} {}  // NOLINT(google-explicit-constructor)
+  Rational(std::int64_t value) : numerator_{value} {}        // NOLINT(google-explicit-constructor)
+  Rational(int value) : numerator_{value} {}                 // NOLINT(google-explicit-constructor)
   /// Requires: a denominator other than 0.
   Rational(Integer numerator, Integer denominator);
 

@@ -57,6 +57,7 @@ class TypeTable {
   TypeTable();
   TypeTable(const TypeTable&) = delete;
   TypeTable& operator=(const TypeTable&) = delete;
+  ~TypeTable() = default;
 
   /// The id of a type; describes it when it is new. Requires: all entries >= 1 and total_faces(type) is small enough.
   TypeId intern(const CellType& type);

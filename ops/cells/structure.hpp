@@ -50,6 +50,8 @@ struct Cone {
 class Structure {
  public:
   Structure();
+  Structure(const Structure&) = delete;
+  Structure& operator=(const Structure&) = delete;
   ~Structure();
 
   // ---- cells
@@ -324,7 +326,7 @@ class Structure {
   void advance_to_root(Value& v) const;
   [[nodiscard]] int compare_age(CellId a, CellId b) const;
   [[nodiscard]] std::vector<Incidence> faces_of_lazy(const LazyKey& key) const;
-  void make_all_cells_of(FamilyId family) const;
+  void make_all_cells_of(FamilyId id) const;
   [[nodiscard]] std::optional<Incidence> lookup_in_order(std::string_view name) const;
   [[nodiscard]] std::string lazy_name(const LazyKey& key) const;
   [[nodiscard]] CellId owner_of(std::uint32_t entry) const;

@@ -24,6 +24,7 @@ class Workspace {
   explicit Workspace(const Limits& limits = {}) : planner_{structure_, limits} {}
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
+  ~Workspace() = default;
 
   [[nodiscard]] const Structure& structure() const { return structure_; }
   [[nodiscard]] const Planner& planner() const { return planner_; }
