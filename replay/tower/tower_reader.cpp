@@ -43,7 +43,9 @@ Result<std::unique_ptr<TowerReader>> TowerReader::from(ByteSource source, TowerF
     format = *found;
   }
   tower_log().info("{}: read as {}", source.name(), format_description(format));
-  return std::unique_ptr<TowerReader>(new TowerReader(std::move(source), format, longest));
+  std::unique_ptr<TowerReader> reader(new TowerReader(std::move(source), format, longest));
+  reader->is_traced_ = tower_log().should_log(spdlog::level::trace);
+  return reader;
 }
 
 std::string TowerReader::place() const {
@@ -60,9 +62,11 @@ ScriptReader TowerReader::take_script() {
 Result<bool> TowerReader::next(TowerOperation& into) {
   if (is_done_) return false;
   Result<bool> got = read_operation(into);
-  if (got && *got) {
+  if (got && *got) [[likely]] {
     ++operations_;
-    tower_log().trace("line {}: operation {}", line_, operations_);
+    if (is_traced_) {
+      tower_log().trace("line {}: operation {}", line_, operations_);
+    }
   } else {
     is_done_ = true;
     tower_log().info("{}: {} operations were read", name(), operations_);

@@ -110,6 +110,7 @@ class TowerReader {
   std::vector<std::uint64_t> labels_;  ///< of the last operation, unless they are used where they lie
   std::uint64_t line_ = 0;             ///< see line()
   std::uint64_t operations_ = 0;
+  bool is_traced_ = false;  ///< each operation is to be said; asked once, since a level costs more than a column
   std::optional<std::uint64_t> columns_;  ///< that the header announces
   std::optional<FacetParser> facets_;
   std::uint64_t first_line_ = 0;  ///< of a tower: the line of its first operation, which says whether all have times
