@@ -59,6 +59,15 @@ Lineage::Meeting Lineage::meeting(Value one, Value other) const {
   Instant instant = last == none ? 0 : end_of(last);
   if (last != none && structure_.link_of(last) != none) {
     instant = instant_after(structure_.links_before_step(structure_.link_of(last)));
+    // What a step makes degenerate has no order left, however the step came to it.
+    const auto goes_on = [&](const Value& at) {
+      const LinkId link = structure_.link_of(at.cell);
+      return link != none && instant_after(structure_.links_before_step(link)) == instant;
+    };
+    while (goes_on(one) && goes_on(other)) {
+      advance(one);
+      advance(other);
+    }
   }
   VertexMaps& maps = structure_.maps();
   return {instant, maps.compose(one.order, maps.inverse(other.order))};

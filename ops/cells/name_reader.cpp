@@ -219,6 +219,10 @@ std::optional<Value> NameReader::coned(const Cone& cone, Value base) const {
   if (auto value = cone_over(cone, base)) {
     return value;
   }
+  // In its own order: two cells may meet when they have become degenerate, and then the order of the name would be
+  // lost.
+  Value plain = base;
+  plain.order = same_order;
   std::optional<Value> first;
   Instant when = 0;
   CellId oldest = none;
@@ -228,11 +232,11 @@ std::optional<Value> NameReader::coned(const Cone& cone, Value base) const {
     if (!was_current || !cone_over(cone, itself)) {
       continue;
     }
-    const Lineage::Meeting met = lineage_.meeting(base, itself);
+    const Lineage::Meeting met = lineage_.meeting(plain, itself);
     const Instant instant = std::max(met.instant, cone.made);
     const CellId called = structure_.oldest_at(node, cone.links);
     if (!first || instant < when || (instant == when && structure_.is_older(called, oldest))) {
-      itself.order = met.order;
+      itself.order = structure_.maps().compose(base.order, met.order);
       first = cone_over(cone, itself);
       when = instant;
       oldest = called;
