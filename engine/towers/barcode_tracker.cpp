@@ -101,16 +101,7 @@ class Tracker final : public BarcodeTracker {
     }
   }
 
-  [[nodiscard]] std::vector<std::uint64_t> betti() const override {
-    std::vector<std::uint64_t> alive;
-    for (const Level& level : levels_) {
-      alive.push_back(level.space.alive());
-    }
-    while (!alive.empty() && alive.back() == 0) {
-      alive.pop_back();
-    }
-    return alive;
-  }
+  [[nodiscard]] std::vector<std::uint64_t> betti() const override { return classes_alive(levels_); }
 
   void for_each_open_bar(const OnBar& visit) const override {
     for (std::size_t d = 0; d < levels_.size(); ++d) {

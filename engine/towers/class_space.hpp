@@ -124,4 +124,18 @@ class ClassSpace {
   std::uint64_t terms_touched_ = 0;
 };
 
+/// The numbers of classes alive, per dimension up to the largest that has one. `levels`: per dimension, with a
+/// ClassSpace called `space`.
+template <class Levels>
+[[nodiscard]] std::vector<std::uint64_t> classes_alive(const Levels& levels) {
+  std::vector<std::uint64_t> alive;
+  for (const auto& level : levels) {
+    alive.push_back(level.space.alive());
+  }
+  while (!alive.empty() && alive.back() == 0) {
+    alive.pop_back();
+  }
+  return alive;
+}
+
 }  // namespace sesame::engine
