@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sparse/hash_index.hpp"
+
 namespace sesame::ops {
 
 /// Not empty, UTF-8, without white space or control characters.
@@ -53,8 +55,8 @@ class PartHashes {
 
 /// What names denote, in the order in which they were given. The last names can be taken back.
 ///
-/// The index is one open table of (hash, number) pairs: a lookup that fails, as each new name's does, reads one cache
-/// line and no text. It took a fifth of the time of a replay as a std::unordered_map.
+/// A lookup that fails, as each new name's does, reads one cache line of the index and no text. It took a fifth of the
+/// time of a replay as a std::unordered_map.
 class NameTable {
  public:
   struct Name {
@@ -76,17 +78,13 @@ class NameTable {
   void pop_back();
 
  private:
-  struct Slot {
-    std::uint32_t hash;
-    std::uint32_t number;
-  };
   static std::uint32_t hash_of(std::string_view text);
-  void grow();
-  void insert(Slot slot);
+  /// As the index takes it, which goes by the upper half.
+  static std::uint64_t key(std::uint32_t hash) { return std::uint64_t{hash} << 32U; }
 
   std::deque<Name> names_;
   mutable std::uint64_t looked_up_ = 0;
-  std::vector<Slot> slots_;  // a power of two of them, at most half in use
+  sparse::HashIndex index_;
 };
 
 }  // namespace sesame::ops

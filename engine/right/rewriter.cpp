@@ -31,7 +31,7 @@ template <Ring R>
 void Rewriter<R>::drop_work() {
   Terms<R> nothing;
   sum_.finish(nothing);
-  for (Accumulator<R>& traced : traced_) {
+  for (sparse::Accumulator<R>& traced : traced_) {
     traced.finish(nothing);
   }
   traces_running_ = 0;
@@ -568,7 +568,7 @@ Trace<R> Rewriter<R>::run_trace(RuleId before, Begin begin) {
   if (traces_running_ == traced_.size()) {
     traced_.emplace_back(ring_);
   }
-  Accumulator<R>& traced = traced_[traces_running_++];
+  sparse::Accumulator<R>& traced = traced_[traces_running_++];
   std::priority_queue<RuleId, std::vector<RuleId>, std::greater<>> queue;
   const auto add = [&](Symbol x, const Element& factor, const Element& coefficient) {
     const RuleId rule = state_[x];

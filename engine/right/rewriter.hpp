@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/right/accumulator.hpp"
 #include "engine/right/torsion_core.hpp"
+#include "sparse/accumulator.hpp"
 #include "sparse/matrix.hpp"
 
 namespace sesame::engine {
@@ -268,8 +268,9 @@ class Rewriter {
   std::vector<PerturbationStep> perturbation_steps_;
   std::unordered_map<RuleId, Change> changes_;
   std::uint64_t last_serial_ = 0;
-  Accumulator<R> sum_;
-  std::deque<Accumulator<R>> traced_;  ///< one for each trace that is running: taking in a change may start another
+  sparse::Accumulator<R> sum_;
+  /// One for each trace that is running: taking in a change may start another.
+  std::deque<sparse::Accumulator<R>> traced_;
   std::size_t traces_running_ = 0;
   Terms<R> column_;
   std::vector<RuleId> pending_;

@@ -7,9 +7,9 @@
 
 #include "engine/towers/class_space.hpp"
 #include "engine/towers/contraction_shifts.hpp"
-#include "engine/towers/descending_sum.hpp"
 #include "engine/towers/time_list.hpp"
 #include "sparse/contract.hpp"
+#include "sparse/descending_sum.hpp"
 
 namespace sesame::engine {
 namespace {
@@ -385,7 +385,7 @@ class Tracker final : public CycleTracker {
   std::vector<std::vector<Image>> images_;  ///< per dimension and slot
   std::vector<Terms<R>> corrections_;
   ContractionShifts shifts_;
-  DescendingSum<R> sum_;
+  sparse::DescendingSum<R> sum_;
   Terms<R> boundary_, column_;
   std::vector<Level> levels_;
   std::vector<Node> nodes_;  ///< per generator: its class, or no_node

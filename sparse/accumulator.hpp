@@ -3,15 +3,16 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "sparse/chain.hpp"
 
-namespace sesame::engine {
+namespace sesame::sparse {
 
 /// Sums terms by index. One slot per index, kept between sums; a sum touches only the indices that occur in it.
 /// Source: the sparse accumulator of J. Gilbert, C. Moler and R. Schreiber, "Sparse matrices in MATLAB" (1992).
-template <sparse::Ring R>
+template <Ring R>
 class Accumulator {
  public:
   using Element = typename R::Element;
@@ -19,7 +20,7 @@ class Accumulator {
   explicit Accumulator(R ring) : ring_{ring} {}
 
   /// Adds factor * coefficient at an index. True when the index is new to this sum. Cost O(1), amortised.
-  bool add_product(sparse::Index index, const Element& factor, const Element& coefficient) {
+  bool add_product(Index index, const Element& factor, const Element& coefficient) {
     if (index >= values_.size()) [[unlikely]] {
       values_.resize(std::max<std::size_t>(index + std::size_t{1}, values_.size() * 2), ring_.zero());
       present_.resize(values_.size(), 0);
@@ -34,13 +35,13 @@ class Accumulator {
   }
 
   /// The sum so far at an index that is part of this sum, which is set to zero.
-  Element take(sparse::Index index) { return std::exchange(values_[index], ring_.zero()); }
+  Element take(Index index) { return std::exchange(values_[index], ring_.zero()); }
 
   /// The sum in normal form, and a fresh start. Cost O(n log n) for n indices.
-  void finish(sparse::Terms<R>& out) {
+  void finish(Terms<R>& out) {
     out.clear();
     std::sort(touched_.begin(), touched_.end());
-    for (const sparse::Index index : touched_) {
+    for (const Index index : touched_) {
       Element value = take(index);
       present_[index] = 0;
       if (!ring_.is_zero(value)) {
@@ -54,7 +55,7 @@ class Accumulator {
   R ring_;
   std::vector<Element> values_;
   std::vector<unsigned char> present_;
-  std::vector<sparse::Index> touched_;
+  std::vector<Index> touched_;
 };
 
-}  // namespace sesame::engine
+}  // namespace sesame::sparse

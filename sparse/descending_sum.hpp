@@ -7,20 +7,20 @@
 #include <bit>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "sparse/chain.hpp"
 
-namespace sesame::engine {
+namespace sesame::sparse {
 
 /// Dense in values, and a tree of words of 64 bits over them that says where they are: O(log_64 of the largest index)
 /// for everything, which is one word most of the time. Empty again once all has been taken.
 /// Source: the bit tree of U. Bauer, M. Kerber, J. Reininghaus and H. Wagner, "PHAT" (2017).
-template <sparse::Ring R>
+template <Ring R>
 class DescendingSum {
  public:
   using Element = typename R::Element;
-  using Index = sparse::Index;
 
   explicit DescendingSum(R ring) : ring_{ring} {}
 
@@ -43,7 +43,7 @@ class DescendingSum {
   }
 
   /// Takes out the term with the largest index; nothing when the sum is 0.
-  std::optional<sparse::Term<R>> take() {
+  std::optional<Term<R>> take() {
     while (!values_.empty() && levels_.back()[0] != 0) {
       std::size_t at = 0;
       for (std::size_t level = levels_.size(); level-- > 0;) {
@@ -60,7 +60,7 @@ class DescendingSum {
       }
       const Element value = std::exchange(values_[index], ring_.zero());
       if (!ring_.is_zero(value)) {
-        return sparse::Term<R>{index, value};
+        return Term<R>{index, value};
       }
     }
     return std::nullopt;
@@ -83,4 +83,4 @@ class DescendingSum {
   std::array<std::vector<std::uint64_t>, height> levels_;  ///< bit i of a level: there is something in word i below
 };
 
-}  // namespace sesame::engine
+}  // namespace sesame::sparse

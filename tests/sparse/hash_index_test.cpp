@@ -1,0 +1,52 @@
+#include "sparse/hash_index.hpp"
+
+#include <map>
+#include <vector>
+
+#include "tests/sparse/dense.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace sesame::sparse;
+
+TEST_CASE("HashIndex: finds what a map from keys finds, whatever was erased", "[sparse][twin]") {
+  Random random{GENERATE(range(0u, 10u))};
+  // Few different hashes let runs of entries meet and share one hash; all of them make the table grow.
+  const Index hashes = GENERATE(1u, 7u, 1000u);
+  const auto hash_of = [&](std::uint64_t key) { return spread_bits(key % hashes); };
+  HashIndex index;
+  std::vector<std::uint64_t> keys;              // per number
+  std::map<std::uint64_t, std::uint32_t> twin;  // key to number
+  const auto find = [&](std::uint64_t key) {
+    return index.find(hash_of(key), [&](std::uint32_t number) { return keys[number] == key; });
+  };
+  for (int step = 0; step < 600; ++step) {
+    const std::uint64_t key = below(random, 300);
+    const auto found = twin.find(key);
+    REQUIRE(find(key) == (found == twin.end() ? HashIndex::nothing : found->second));
+    if (found == twin.end()) {
+      keys.push_back(key);
+      const auto number = static_cast<std::uint32_t>(keys.size() - 1);
+      index.insert(hash_of(key), number);
+      twin.emplace(key, number);
+    } else if (below(random, 3) != 0) {
+      index.erase(hash_of(key), found->second);
+      twin.erase(found);
+    }
+    REQUIRE(index.size() == twin.size());
+  }
+  for (std::uint64_t key = 0; key < 300; ++key) {
+    const auto found = twin.find(key);
+    CHECK(find(key) == (found == twin.end() ? HashIndex::nothing : found->second));
+  }
+}
+
+TEST_CASE("HashIndex: an empty one holds nothing, and holds nothing again when all is erased", "[sparse]") {
+  HashIndex index;
+  const auto any = [](std::uint32_t) { return true; };
+  CHECK(index.find(0, any) == HashIndex::nothing);
+  index.insert(0, 5);
+  CHECK(index.find(0, any) == 5);
+  index.erase(0, 5);
+  CHECK(index.find(0, any) == HashIndex::nothing);
+  CHECK(index.size() == 0);
+}
