@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "engine/right/rewriter.hpp"
+#include "sparse/integer.hpp"
 #include "sparse/smith.hpp"
 
 namespace sesame::engine {
+
+using sparse::Integer;
 
 /// The group of one degree p, as read off the core: its columns of degree p say what is a cycle, those of degree p +
 /// 1 what is a boundary.

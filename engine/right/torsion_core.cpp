@@ -95,13 +95,13 @@ void TorsionCore<R>::release_pivot(Symbol x) {
 template <Ring R>
 void TorsionCore<R>::undo(std::size_t journal_size) {
   while (journal_.size() > journal_size) {
-    Change change = std::move(journal_.back());
+    Edit edit = std::move(journal_.back());
     journal_.pop_back();
-    if (change.before) {
-      replace(change.x, std::move(*change.before));
+    if (edit.before) {
+      replace(edit.x, std::move(*edit.before));
     }
-    if (find(change.x) != nullptr) {
-      set_ownership(change.x, change.owned_pivot);
+    if (find(edit.x) != nullptr) {
+      set_ownership(edit.x, edit.owned_pivot);
     }
   }
 }

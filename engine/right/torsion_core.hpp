@@ -8,17 +8,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "sparse/chain.hpp"
+#include "engine/right/symbol.hpp"
 
 namespace sesame::engine {
-
-using sparse::Index;
-using sparse::Ring;
-using sparse::Terms;
-
-/// A generator that the right reduction knows: one of B, or a combination that a change of basis made.
-using Symbol = sparse::Index;
-inline constexpr Symbol no_symbol = UINT32_MAX;
 
 /// The nonzero columns of dS, by small generator, with an index of their rows and the pivots of their Hermite form: a
 /// column that has been settled owns the pivot in its last row. Every change is journaled, so that undo restores
@@ -52,7 +44,7 @@ class TorsionCore {
   [[nodiscard]] bool owns_pivot(Symbol x) const;
   void set_ownership(Symbol x, bool owns);
 
-  struct Change {
+  struct Edit {
     Symbol x;
     std::optional<Column> before;  ///< the column, when it changed
     bool owned_pivot;
@@ -60,7 +52,7 @@ class TorsionCore {
   std::map<Symbol, Column> columns_;
   std::unordered_map<Symbol, std::vector<Symbol>> rows_;  // unordered: columns_with_row sorts
   std::unordered_map<Symbol, Symbol> pivots_;
-  std::vector<Change> journal_;
+  std::vector<Edit> journal_;
   std::uint64_t version_ = 0;
 };
 

@@ -1,0 +1,224 @@
+#include "engine/right/lifts.hpp"
+
+#include <functional>
+#include <map>
+#include <queue>
+#include <tuple>
+
+namespace sesame::engine {
+
+// ----------------------------------------------------------------------------------------------------------- traces
+
+/// Rewrites with the rules made before a time, each as it was made, the earliest first; `begin(add)` adds what is to be
+/// rewritten. Rules refer to later rules only, so each is applied at most once.
+template <Ring R>
+template <class Begin>
+Trace<R> Lifts<R>::run_trace(RuleId before, Begin begin) {
+  if (traces_running_ == traced_.size()) {
+    traced_.emplace_back(ring_);
+  }
+  sparse::Accumulator<R>& traced = traced_[traces_running_++];
+  std::priority_queue<RuleId, std::vector<RuleId>, std::greater<>> queue;
+  const Rules<R>& rules = rules_;
+  const auto add = [&](Symbol x, const Element& factor, const Element& coefficient) {
+    const RuleId rule = rules.removed_by(x);
+    if (rule < before && rules[rule].a == x && traced.add_product(x, factor, coefficient)) {
+      queue.push(rule);
+    }
+  };
+  begin(add);
+  Trace<R> trace;
+  while (!queue.empty()) {
+    const RuleId rule = queue.top();
+    queue.pop();
+    const Element coefficient = traced.take(rules[rule].a);
+    if (ring_.is_zero(coefficient)) {
+      continue;
+    }
+    if (rules[rule].b != no_symbol) {
+      trace.emplace_back(rule, ring_.multiply(rules[rule].inverse, coefficient));
+    }
+    if (perturbations_.lacks_any(rule, before)) {
+      take_in(rule);  // else what it is behind with is in symbols that no rule of that time can use
+    }
+    const std::uint64_t weight = words(coefficient);
+    std::uint64_t effort = 0;
+    perturbations_.for_each_in_value(rule, [&](Symbol y, const Element& factor) {
+      effort += weight * words(factor);
+      add(y, coefficient, factor);
+    });
+    effort_.spend(effort);
+    effort_.check();
+  }
+  Terms<R> nothing;
+  traced.finish(nothing);  // all taken: this only clears
+  --traces_running_;
+  return trace;
+}
+
+template <Ring R>
+Trace<R> Lifts<R>::trace(std::span<const TermType> chain_of_b) {
+  return run_trace(rules_.size(), [&](auto add) {
+    for (const TermType& term : chain_of_b) {
+      add(rules_.symbol_of(term.index), term.coefficient, ring_.one());
+    }
+  });
+}
+
+/// The trace of the boundary of x by the rules made before a time (after its making, for a combination).
+template <Ring R>
+Trace<R> Lifts<R>::trace_of_boundary(Symbol x, RuleId before) {
+  return run_trace(before, [&](auto add) {
+    if (const auto* combination = rules_.combination(x)) {
+      for (const TermType& term : combination->column) {
+        add(term.index, term.coefficient, ring_.one());
+      }
+    } else {
+      boundary_.for_each_in_column(rules_.generator_in(x), [&](const TermType& term) {
+        add(rules_.symbol_of(term.index), term.coefficient, ring_.one());
+      });
+    }
+  });
+}
+
+template <Ring R>
+void Lifts<R>::drop_work() {
+  Terms<R> nothing;
+  for (sparse::Accumulator<R>& traced : traced_) {
+    traced.finish(nothing);
+  }
+  traces_running_ = 0;
+}
+
+// ------------------------------------------------------------------------------------------------------------ lifts
+
+/// One step of writing a * V_time(x) in generators of B and in lifts of earlier times: `add(time, y, coefficient)` is
+/// told of those of a combination, `add_rule(rule, coefficient)` of those of the symbols b of rules.
+template <Ring R>
+template <class Add, class AddRule>
+void Lifts<R>::expand(RuleId time, Symbol x, const Element& a, Terms<R>& generators, Add add, AddRule add_rule) {
+  if (const auto* combination = rules_.combination(x)) {
+    add(combination->rule, combination->x, a);
+    add(combination->rule, combination->y, ring_.negate(ring_.multiply(a, combination->q)));
+  } else {
+    generators.push_back({rules_.generator_in(x), a});
+  }
+  const Element minus = ring_.negate(a);
+  for (const auto& [rule, factor] : trace_of_boundary(x, time)) {
+    add_rule(rule, ring_.multiply(minus, factor));
+  }
+}
+
+template <Ring R>
+Terms<R> Lifts<R>::lift(std::span<const TermType> chain_of_s, const Trace<R>& trace) {
+  // What is still to be expanded: V_t(x) with its coefficient, the latest t first. Expanding one leads to earlier ones
+  // only, so equal ones have been added up by the time their turn comes.
+  std::map<std::pair<RuleId, Symbol>, Element, std::greater<>> pending;
+  const auto add = [&](RuleId time, Symbol x, const Element& coefficient) {
+    ring_.add_product(pending.try_emplace({time, x}, ring_.zero()).first->second, coefficient, ring_.one());
+  };
+  const auto add_rule = [&](RuleId rule, const Element& coefficient) { add(rule, rules_[rule].b, coefficient); };
+  for (const TermType& term : chain_of_s) {
+    add(rules_.size(), term.index, term.coefficient);
+  }
+  for (const auto& [rule, coefficient] : trace) {
+    add_rule(rule, coefficient);
+  }
+  Terms<R> chain;
+  while (!pending.empty()) {
+    const auto node = pending.extract(pending.begin());
+    if (!ring_.is_zero(node.mapped())) {
+      expand(node.key().first, node.key().second, node.mapped(), chain, add, add_rule);
+    }
+  }
+  sparse::normalize(ring_, chain);
+  return chain;
+}
+
+template <Ring R>
+typename Lifts<R>::Expansion Lifts<R>::expansion(Symbol x, RuleId time) {
+  Expansion v;
+  std::vector<std::tuple<RuleId, Symbol, Element>> pending{{time, x, ring_.one()}};
+  while (!pending.empty()) {
+    const auto [t, y, coefficient] = pending.back();
+    pending.pop_back();
+    expand(
+        t, y, coefficient, v.generators, [&](RuleId at, Symbol z, const Element& a) { pending.emplace_back(at, z, a); },
+        [&](RuleId rule, const Element& a) { v.trace.emplace_back(rule, ring_.negate(a)); });
+  }
+  return v;
+}
+
+// ------------------------------------------------------------------------------------------------------------ gains
+
+/// delta(V), in symbols from `first` on. Requires: the rules of the trace are up to date.
+template <Ring R>
+Terms<R> Lifts<R>::gain_of(const Expansion& v, Symbol first) {
+  Terms<R> gain;
+  for (const TermType& part : v.generators) {
+    boundary_.for_each_in_column(part.index, [&](const TermType& term) {
+      if (term.index > part.index && rules_.symbol_of(term.index) >= first) {
+        gain.push_back({rules_.symbol_of(term.index), ring_.multiply(part.coefficient, term.coefficient)});
+      }
+    });
+  }
+  for (const auto& [rule, coefficient] : v.trace) {
+    for (const TermType& term : perturbations_.gain(rule)) {
+      if (term.index >= first) {
+        gain.push_back({term.index, ring_.negate(ring_.multiply(coefficient, term.coefficient))});
+      }
+    }
+  }
+  effort_.spend(words_of<R>(gain));
+  sparse::normalize(ring_, gain);
+  return gain;
+}
+
+/// With a stack of its own, for chains of rules can be as long as the history.
+template <Ring R>
+void Lifts<R>::take_in(RuleId rule) {
+  if (!perturbations_.is_behind(rule)) {
+    return;
+  }
+  struct Frame {
+    RuleId rule;
+    Expansion lift;  // of its b
+    std::size_t next = 0;
+  };
+  std::vector<Frame> stack;
+  const auto push = [&](RuleId r) {
+    Expansion lift = expansion(rules_[r].b, r);
+    stack.push_back({r, std::move(lift)});
+  };
+  push(rule);
+  while (!stack.empty()) {
+    Frame& top = stack.back();
+    while (top.next < top.lift.trace.size() && !perturbations_.is_behind(top.lift.trace[top.next].first)) {
+      ++top.next;
+    }
+    if (top.next < top.lift.trace.size()) {
+      push(top.lift.trace[top.next].first);
+      continue;
+    }
+    const Terms<R> gain = gain_of(top.lift, perturbations_.first_missing(top.rule));
+    perturbations_.take_in(top.rule, gain);
+    effort_.read(gain.size() + top.lift.trace.size());
+    effort_.spend(words_of<R>(gain));
+    stack.pop_back();
+  }
+}
+
+template <Ring R>
+Terms<R> Lifts<R>::gain(Symbol x, RuleId time, Symbol first) {
+  const Expansion v = expansion(x, time);
+  for (const auto& [rule, coefficient] : v.trace) {
+    take_in(rule);
+  }
+  return gain_of(v, first);
+}
+
+#define SESAME_INSTANTIATE(R) template class Lifts<R>;
+SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
+#undef SESAME_INSTANTIATE
+
+}  // namespace sesame::engine

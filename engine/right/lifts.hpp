@@ -1,0 +1,86 @@
+/// \file
+/// The homotopy h and the lift g of the right reduction, worked out on demand.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/right/effort.hpp"
+#include "engine/right/perturbations.hpp"
+#include "engine/right/rules.hpp"
+#include "sparse/accumulator.hpp"
+#include "sparse/matrix.hpp"
+
+namespace sesame::engine {
+
+/// Coefficients of a rewriting by rule: what the homotopy h is made of.
+template <Ring R>
+using Trace = std::vector<std::pair<RuleId, typename R::Element>>;
+
+/// Traces and lifts, by the rules as they were made. The *trace* of a chain v has for each elimination (a, b) with unit
+/// e that rewriting v uses e^-1 times the coefficient under which a was rewritten; the *lift* of a symbol x at time t
+/// is the cycle modulo b's that x stands for:
+///
+///   h(v) = sum trace(v)[a] V(b_a),    V_t(x) = x - sum trace_t(d x)[a] V(b_a)
+///
+/// with the rules made before t, each V(b_a) at the time of its own rule; for x' = x - q y made by rule m,
+/// V_t(x') = V_m(x) - q V_m(y) - sum of the trace, between m and t, of the boundary that x' was made with.
+///
+/// A perturbation delta changes what rules say. Whoever needs a rule has it `take_in` what it lacks first, and with it
+/// the rules that it depends on; that is delta(V(b)), by going down the same traces.
+///
+/// Invariant: it keeps nothing; what is below is scratch. Source: engine/LIVE_FORM.md.
+template <Ring R>
+class Lifts {
+ public:
+  using Element = typename R::Element;
+  using TermType = sparse::Term<R>;
+
+  /// All of them must outlive it.
+  Lifts(R ring, const sparse::Matrix<R>& boundary, const Rules<R>& rules, Perturbations<R>& perturbations,
+        Effort& effort)
+      : ring_{ring}, boundary_{boundary}, rules_{rules}, perturbations_{perturbations}, effort_{effort} {}
+
+  /// h, as a trace, of a chain of B. Cost: the rules that apply, each once, times the logarithm of their number.
+  [[nodiscard]] Trace<R> trace(std::span<const TermType> chain_of_b);
+  /// g of a chain of S (in symbols) plus sum trace[a] V(b_a): a chain of B in normal form.
+  /// Cost: each rule involved is expanded once.
+  [[nodiscard]] Terms<R> lift(std::span<const TermType> chain_of_s, const Trace<R>& trace = {});
+
+  /// delta(V_time(x)) of the perturbations with new symbols from `first` on, in these; in normal form.
+  /// Cost: the rules under x are brought up to date, else that of the lift.
+  [[nodiscard]] Terms<R> gain(Symbol x, RuleId time, Symbol first);
+  /// Brings a rule up to date, and all rules that it depends on. Cost: O(1) when it is.
+  void take_in(RuleId rule);
+
+  /// Forgets what an OverBudget has cut off.
+  void drop_work();
+
+ private:
+  /// V_t(x) = generators - sum trace[a] V(b_a).
+  struct Expansion {
+    Terms<R> generators;
+    Trace<R> trace;
+  };
+
+  template <class Begin>
+  Trace<R> run_trace(RuleId before, Begin begin);
+  Trace<R> trace_of_boundary(Symbol x, RuleId before);
+  template <class Add, class AddRule>
+  void expand(RuleId time, Symbol x, const Element& coefficient, Terms<R>& generators, Add add, AddRule add_rule);
+  [[nodiscard]] Expansion expansion(Symbol x, RuleId time);
+  [[nodiscard]] Terms<R> gain_of(const Expansion& v, Symbol first);
+
+  R ring_;
+  const sparse::Matrix<R>& boundary_;
+  const Rules<R>& rules_;
+  Perturbations<R>& perturbations_;
+  Effort& effort_;
+  std::deque<sparse::Accumulator<R>> traced_;  ///< one for each trace that is running: taking in may start another
+  std::size_t traces_running_ = 0;
+};
+
+}  // namespace sesame::engine

@@ -1,0 +1,149 @@
+#include "engine/right/perturbations.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace sesame::engine {
+namespace {
+
+template <Ring R>
+void cut(Terms<R>& terms, Symbol first) {
+  std::erase_if(terms, [first](const sparse::Term<R>& term) { return term.index >= first; });
+}
+
+}  // namespace
+
+template <Ring R>
+typename Perturbations<R>::Concerned Perturbations<R>::record(RuleId time, Symbol first,
+                                                              std::span<const Index> changed) {
+  Concerned concerned;
+  std::set<int> combined;  // degrees with changes of basis
+  for (const auto& combination : rules_.combinations()) {
+    combined.insert(rules_.degree(combination.x));
+  }
+  std::map<int, RuleId> since;  // by degree: rules made before do not have a changed generator in their lifts
+  for (const Index generator : changed) {
+    const Symbol x = rules_.symbol_of(generator);
+    const RuleId rule = rules_.removed_by(x);
+    if (rule == no_rule) {
+      concerned.small.insert(x);
+    }
+    // In the lifts of others are only the b of rules, and whatever is part of a combination.
+    const bool is_combined = combined.contains(rules_.degree(x));
+    if (is_combined || (rule != no_rule && rules_[rule].b == x)) {
+      const RuleId from = is_combined ? rules_.born(x) : rule;
+      const auto [at, is_new] = since.try_emplace(rules_.degree(x), from);
+      at->second = std::min(at->second, from);
+    }
+  }
+  Step step{first, {}, {}, {}};
+  for (const auto& [degree, rule] : since) {
+    step.degrees.push_back(degree);
+    const auto q = static_cast<std::size_t>(degree);
+    of_degree_.resize(std::max(of_degree_.size(), q + 1));
+    of_degree_[q].push_back({time, rule, first, ++last_serial_});
+    for (const Symbol x : rules_.small(degree)) {
+      if (x < first) {
+        concerned.small.insert(x);
+      }
+    }
+  }
+  steps_.push_back(std::move(step));
+  ++recorded_;
+  for (std::size_t k = 0; k < rules_.combinations().size() && !since.empty(); ++k) {
+    const auto& combination = rules_.combinations()[k];
+    const auto of_degree = since.find(rules_.degree(combination.x));
+    if (combination.rule < time && of_degree != since.end() && combination.rule >= of_degree->second) {
+      concerned.combinations.push_back(k);
+    }
+  }
+  return concerned;
+}
+
+/// How many perturbations of generators of a degree there had been at a time.
+template <Ring R>
+std::size_t Perturbations<R>::until(std::size_t degree, RuleId time) const {
+  if (degree >= of_degree_.size()) {
+    return 0;
+  }
+  const auto& all = of_degree_[degree];
+  const auto after = std::upper_bound(all.begin(), all.end(), time,
+                                      [](RuleId t, const Perturbation& perturbation) { return t < perturbation.time; });
+  return static_cast<std::size_t>(after - all.begin());
+}
+
+/// How many perturbations of its degree a rule has taken in: those made before it have been part of it from the start.
+template <Ring R>
+std::size_t Perturbations<R>::taken_in(RuleId rule) const {
+  const auto gained = gains_.find(rule);
+  return gained != gains_.end() ? gained->second.taken_in : until(degree_of_b(rule), rule);
+}
+
+template <Ring R>
+bool Perturbations<R>::is_behind(RuleId rule) const {
+  const std::size_t q = degree_of_b(rule);
+  if (q >= of_degree_.size() || of_degree_[q].empty() || rules_[rule].b == no_symbol) {
+    return false;
+  }
+  const auto& all = of_degree_[q];
+  return std::any_of(all.begin() + static_cast<std::ptrdiff_t>(taken_in(rule)), all.end(),
+                     [rule](const Perturbation& perturbation) { return perturbation.since <= rule; });
+}
+
+template <Ring R>
+void Perturbations<R>::take_in(RuleId rule, const Terms<R>& more) {
+  Gain& sum = gains_[rule];
+  sum.terms.insert(sum.terms.end(), more.begin(), more.end());
+  sum.taken_in = of_degree_[degree_of_b(rule)].size();
+  steps_.back().rules.push_back(rule);
+}
+
+template <Ring R>
+void Perturbations<R>::extend_column(std::size_t combination, const Terms<R>& more) {
+  if (!more.empty()) {
+    rules_.extend_column(combination, more);
+    steps_.back().combinations.push_back(combination);
+  }
+}
+
+template <Ring R>
+void Perturbations<R>::undo(std::size_t size, RuleId rules) {
+  while (steps_.size() > size) {
+    undo_last();
+  }
+  for (RuleId rule = rules; rule < rules_.size() && !gains_.empty(); ++rule) {
+    gains_.erase(rule);
+  }
+}
+
+template <Ring R>
+void Perturbations<R>::undo_last() {
+  const Step step = std::move(steps_.back());
+  steps_.pop_back();
+  for (const int degree : step.degrees) {
+    of_degree_[static_cast<std::size_t>(degree)].pop_back();
+  }
+  for (const std::size_t combination : step.combinations) {
+    rules_.cut_column(combination, step.first);
+  }
+  for (const RuleId rule : step.rules) {
+    const auto gained = gains_.find(rule);
+    if (gained == gains_.end()) {
+      continue;
+    }
+    cut<R>(gained->second.terms, step.first);
+    gained->second.taken_in = std::min(gained->second.taken_in, of_degree_[degree_of_b(rule)].size());
+    if (steps_.empty()) {
+      gains_.erase(gained);
+    } else {
+      steps_.back().rules.push_back(rule);
+    }
+  }
+}
+
+#define SESAME_INSTANTIATE(R) template class Perturbations<R>;
+SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
+#undef SESAME_INSTANTIATE
+
+}  // namespace sesame::engine

@@ -1,0 +1,130 @@
+/// \file
+/// The perturbations of B's boundary, and what the rules have gained by them.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/right/rules.hpp"
+
+namespace sesame::engine {
+
+/// *A perturbation* is what a de-identification does: boundaries of old generators b gain terms delta(b) in new
+/// generators e, the copies. Then the rule that b made has -e^-1 delta(V(b)) more, for the e are eliminated after it;
+/// and the boundary of a small x has delta(V(x)) more. The latter is worked out at once, the former when a rule is
+/// read.
+///
+/// This is the record: which perturbations there were, seen by degree, and for each rule the sum of the delta(V(b))
+/// that it has *taken in*, its gain, with their number. What delta(V(b)) is, Lifts work out.
+///
+/// Invariants: a rule has taken in an initial part of the perturbations of its degree, those made before it included;
+/// the terms of a gain, and those that columns of combinations gained, are in symbols from the first new one of their
+/// perturbation on, so that undo cuts them off there.
+///
+/// Source: the basic perturbation lemma; see engine/LIVE_FORM.md.
+template <Ring R>
+class Perturbations {
+ public:
+  using Element = typename R::Element;
+  using TermType = sparse::Term<R>;
+
+  /// `rules` must outlive it.
+  Perturbations(R ring, Rules<R>& rules) : ring_{ring}, rules_{rules} {}
+
+  /// Whose boundaries a perturbation may change.
+  struct Concerned {
+    std::set<Symbol> small;
+    std::vector<std::size_t> combinations;  ///< by their place in Rules::combinations
+  };
+  /// Takes note of a perturbation of the boundaries of `changed`, in symbols from `first` on, which were made at `time`
+  /// or later. Cost: the changed generators, the combinations, and, when a changed one may be in a lift, the small
+  /// symbols of its degree.
+  Concerned record(RuleId time, Symbol first, std::span<const Index> changed);
+  /// Grows with each `record`.
+  [[nodiscard]] std::uint64_t version() const { return recorded_; }
+
+  /// The serial number of the last perturbation that concerns a rule, made before or after it; 0: none.
+  [[nodiscard]] std::uint64_t last(RuleId rule) const {
+    const std::size_t q = degree_of_b(rule);
+    return q < of_degree_.size() && !of_degree_[q].empty() ? of_degree_[q].back().serial : 0;
+  }
+  /// Whether there has been a perturbation until a time that a rule has not taken in.
+  [[nodiscard]] bool lacks_any(RuleId rule, RuleId time) const {
+    return !of_degree_.empty() && until(degree_of_b(rule), time) > taken_in(rule);
+  }
+  /// Whether there has been a perturbation that a rule has not taken in and that may change it.
+  [[nodiscard]] bool is_behind(RuleId rule) const;
+  /// The first new symbol of the perturbations that a rule has not taken in. Requires: there is one.
+  [[nodiscard]] Symbol first_missing(RuleId rule) const { return of_degree_[degree_of_b(rule)][taken_in(rule)].first; }
+
+  /// delta(V(b)) for the b of a rule, by all perturbations that it has taken in; in normal form.
+  [[nodiscard]] std::span<const TermType> gain(RuleId rule) const {
+    if (gains_.empty()) {
+      return {};
+    }
+    const auto gained = gains_.find(rule);
+    return gained != gains_.end() ? std::span<const TermType>{gained->second.terms} : std::span<const TermType>{};
+  }
+  /// The value of a rule, with what it has gained: visit(symbol, coefficient). Gains are in younger symbols, so this is
+  /// normal form.
+  template <class Visit>
+  void for_each_in_value(RuleId rule, Visit visit) const {
+    for (const TermType& term : rules_.value(rule)) {
+      visit(term.index, term.coefficient);
+    }
+    if (const std::span<const TermType> gained = gain(rule); !gained.empty()) {
+      const Element factor = ring_.negate(rules_[rule].inverse);
+      for (const TermType& term : gained) {
+        visit(term.index, ring_.multiply(factor, term.coefficient));
+      }
+    }
+  }
+
+  /// A rule takes in all that it lacks: `more` is delta(V(b)) in symbols from `first_missing` on.
+  void take_in(RuleId rule, const Terms<R>& more);
+  /// The column of a combination gains what the last perturbation gives it.
+  void extend_column(std::size_t combination, const Terms<R>& more);
+
+  [[nodiscard]] std::size_t size() const { return steps_.size(); }
+  /// Goes back to a number of perturbations; the rules from `rules` on are still there, and about to be undone.
+  void undo(std::size_t size, RuleId rules);
+
+ private:
+  /// A perturbation as one degree of changed generators sees it.
+  struct Perturbation {
+    RuleId time;
+    RuleId since;  ///< rules made before cannot depend on a changed generator
+    Symbol first;  ///< of the new symbols
+    std::uint64_t serial;
+  };
+  /// A perturbation, for undo.
+  struct Step {
+    Symbol first;
+    std::vector<int> degrees;
+    std::vector<RuleId> rules;              ///< that took it in while it was the last
+    std::vector<std::size_t> combinations;  ///< whose column it changed
+  };
+  struct Gain {
+    Terms<R> terms;
+    std::size_t taken_in = 0;
+  };
+
+  [[nodiscard]] std::size_t degree_of_b(RuleId rule) const {
+    return static_cast<std::size_t>(rules_.degree(rules_[rule].a)) + 1;
+  }
+  [[nodiscard]] std::size_t until(std::size_t degree, RuleId time) const;
+  [[nodiscard]] std::size_t taken_in(RuleId rule) const;
+  void undo_last();
+
+  R ring_;
+  Rules<R>& rules_;
+  std::vector<std::vector<Perturbation>> of_degree_;  ///< by the degree of the changed generators
+  std::vector<Step> steps_;
+  std::unordered_map<RuleId, Gain> gains_;
+  std::uint64_t last_serial_ = 0, recorded_ = 0;
+};
+
+}  // namespace sesame::engine
