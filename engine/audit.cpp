@@ -98,14 +98,14 @@ reductions::Equivalence<R> matrices_of(LiveEquivalence<R>& live) {
       graded_map(ring, -1, big, big, [&](Index x) { return big_complex.boundary().column(x); }));
   const ChainComplex<R> s = reductions::complex_with(
       graded_map(ring, -1, small, small, [&](Index x) { return live.core_boundary(unit(ring, x)); }));
-  const auto f = [&](Index x) { return big_complex.f(unit(ring, x)); };
+  const auto f = [&](Index x) { return big_complex.maps().f(unit(ring, x)); };
   const auto g = [&](Index cell) {
     Terms<R> out;
-    big_complex.add_g(cell, ring.one(), out);
+    big_complex.maps().add_g(cell, ring.one(), out);
     return out;
   };
   return {{b, c, graded_map(ring, 0, big, object, f), graded_map(ring, 0, object, big, g),
-           graded_map(ring, 1, big, big, [&](Index x) { return big_complex.h(x); })},
+           graded_map(ring, 1, big, big, [&](Index x) { return big_complex.maps().h(x); })},
           {b, s, graded_map(ring, 0, big, small, [&](Index x) { return rewriter.rewrite(unit(ring, x)); }),
            graded_map(ring, 0, small, big, [&](Index x) { return rewriter.lift(unit(ring, x)); }),
            graded_map(ring, 1, big, big, [&](Index x) { return rewriter.lift({}, rewriter.trace(unit(ring, x))); })}};

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/audit.hpp"
+#include "engine/left/new_family.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::engine {
@@ -40,9 +41,8 @@ LiveEquivalence<R>::LiveEquivalence(R ring, Window window)
       big_{ring, window_},
       rewriter_{ring, big_.boundary()},
       groups_{ring, rewriter_},
-      lazy_{ring, window_, big_, rewriter_},
+      frozen_{ring, big_, rewriter_},
       position_{window_.start()} {
-  big_.set_lazy_maps(lazy_);
   for (Index generator = 0; generator < big_.size(); ++generator) {
     rewriter_.append(big_.degree(generator));
   }
@@ -124,7 +124,7 @@ void LiveEquivalence<R>::take_in_step() {
         last_move = run.first + run.count - 1;
         break;
       case ops::EventKind::family:
-        lazy_.add_family(run.first);
+        append_family(run.first, structure_, frozen_, big_, rewriter_);
         break;
       case ops::EventKind::removal:
         for (LinkId link = run.first; link < run.first + run.count; ++link) {
@@ -152,7 +152,7 @@ void LiveEquivalence<R>::take_in_step() {
 
 template <Ring R>
 void LiveEquivalence<R>::push_mark() {
-  marks_.push_back({position_, big_.mark(), lazy_.mark(), rewriter_.mark()});
+  marks_.push_back({position_, big_.mark(), frozen_.mark(), rewriter_.mark()});
 }
 
 template <Ring R>
@@ -165,7 +165,7 @@ template <Ring R>
 void LiveEquivalence<R>::go_back_to(const Mark& mark) {
   rewriter_.undo(mark.rewriter);
   big_.truncate(mark.big);
-  lazy_.truncate(mark.lazy, mark.big.generators);
+  frozen_.truncate(mark.frozen);
   position_ = mark.position;
 }
 
@@ -185,7 +185,7 @@ std::vector<Lifetime> LiveEquivalence<R>::lifetimes() const {
   expects(R::is_field, "classes live and die over fields");
   const auto step_of = [this](Index generator) {
     const auto next = std::upper_bound(marks_.begin(), marks_.end(), generator,
-                                       [](Index g, const Mark& mark) { return g < mark.big.generators; });
+                                       [](Index g, const Mark& mark) { return g < mark.big.size(); });
     return static_cast<std::size_t>(next - marks_.begin()) - 1;
   };
   std::vector<Lifetime> lifetimes;
@@ -227,7 +227,7 @@ void LiveEquivalence<R>::visit_generators(int degree, std::uint64_t most_terms, 
   };
   const auto write_out = [&](int p, const Terms<R>& chain_of_s, CellChain& chain, std::uint64_t& terms) {
     const Terms<R> lift = rewriter_.lift(chain_of_s);
-    terms = most_terms == uncountable ? 0 : big_.terms_of_f(lift);
+    terms = most_terms == uncountable ? 0 : big_.maps().terms_of_f(lift);
     if (terms > most_terms) {
       chain.degree = p;
     } else {
@@ -321,7 +321,7 @@ Terms<R> LiveEquivalence<R>::g(const CellChain& chain) const {
   for (const auto& [coefficient, cell] : chain.terms) {
     expects(structure_.is_current(cell) && !structure_.is_consumed(cell) && structure_.dimension(cell) == chain.degree,
             "a chain is made of current cells of its degree");
-    big_.add_g(cell, in_own_orientation(cell, coefficient), out);
+    big_.maps().add_g(cell, in_own_orientation(cell, coefficient), out);
   }
   sparse::normalize(ring_, out);
   return out;
@@ -335,7 +335,7 @@ typename R::Element LiveEquivalence<R>::in_own_orientation(CellId cell, const Ra
 
 template <Ring R>
 CellChain LiveEquivalence<R>::to_cells(int degree, const Terms<R>& chain_of_b) const {
-  return to_chain(degree, big_.f(chain_of_b));
+  return to_chain(degree, big_.maps().f(chain_of_b));
 }
 
 template <Ring R>
@@ -394,9 +394,9 @@ CellChain LiveEquivalence<R>::apply_K(const CellChain& chain) {
 
 template <Ring R>
 CellChain LiveEquivalence<R>::bounding(const CellChain& z, const Terms<R>& chain_of_s, const Trace<R>& trace) {
-  Terms<R> cells = big_.f(rewriter_.lift(chain_of_s, trace));
+  Terms<R> cells = big_.maps().f(rewriter_.lift(chain_of_s, trace));
   for (const auto& [coefficient, cell] : z.terms) {
-    lazy_.add_K_of_lazy_part(cell, in_own_orientation(cell, coefficient), cells);
+    big_.maps().add_K_of_lazy_part(cell, in_own_orientation(cell, coefficient), cells);
   }
   sparse::normalize(ring_, cells);
   return to_chain(z.degree + 1, cells);

@@ -8,7 +8,7 @@
 #include "engine/groups.hpp"
 #include "engine/homology_tracker.hpp"
 #include "engine/left/big_complex.hpp"
-#include "engine/left/lazy_maps.hpp"
+#include "engine/left/frozen_maps.hpp"
 #include "engine/right/rewriter.hpp"
 #include "reductions/equivalence.hpp"
 
@@ -38,7 +38,7 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] SmallChain boundary(const SmallChain& chain) override;
   [[nodiscard]] std::vector<Lifetime> lifetimes() const override;
   [[nodiscard]] Work work() const override {
-    return {big_.entries_appended(), rewriter_.terms_read(), rewriter_.rule_terms(), big_.links_followed()};
+    return {big_.entries_appended(), rewriter_.terms_read(), rewriter_.rule_terms(), big_.maps().links_followed()};
   }
   [[nodiscard]] std::optional<std::string> first_defect(ops::StepKind last_step, ops::Moment before_it) override;
 
@@ -55,7 +55,7 @@ class LiveEquivalence final : public HomologyTracker {
   struct Mark {
     ops::Journal::Position position;
     typename BigComplex<R>::Mark big;
-    typename LazyMaps<R>::Mark lazy;
+    typename FrozenMaps<R>::Mark frozen;
     typename Rewriter<R>::Mark rewriter;
   };
   void take_in_step();
@@ -76,7 +76,7 @@ class LiveEquivalence final : public HomologyTracker {
   BigComplex<R> big_;
   Rewriter<R> rewriter_;
   Groups<R> groups_;
-  LazyMaps<R> lazy_;
+  FrozenMaps<R> frozen_;
   ops::Journal::Position position_;  ///< of the journal: what has been taken in
   std::vector<Mark> marks_;
 };

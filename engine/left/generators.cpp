@@ -1,0 +1,38 @@
+#include "engine/left/generators.hpp"
+
+namespace sesame::engine {
+
+ops::BodyId Generators::body_of(Index generator) const {
+  if (is_removal(generator)) {
+    return structure_.body_of(structure_.removed(origin_[generator] & ~removal_bit));
+  }
+  if (is_of_family(generator)) {
+    return structure_.bodies().find(structure_.family(family(generator)).body);
+  }
+  return structure_.body_of(cell(generator));
+}
+
+Index Generators::append(std::uint32_t origin, int degree) {
+  origin_.push_back(origin);
+  degree_.push_back(static_cast<std::uint8_t>(degree));
+  if (static_cast<std::size_t>(degree) >= counts_.size()) {
+    counts_.resize(static_cast<std::size_t>(degree) + 1, 0);
+  }
+  ++counts_[static_cast<std::size_t>(degree)];
+  return size() - 1;
+}
+
+void Generators::truncate(const Mark& mark) {
+  while (size() > mark.generators) {
+    --counts_[degree_.back()];
+    origin_.pop_back();
+    degree_.pop_back();
+  }
+  while (!counts_.empty() && counts_.back() == 0) {
+    counts_.pop_back();
+  }
+  of_cell_.resize(mark.cells - window_.begin().created);
+  of_link_.resize(mark.links - window_.begin().links);
+}
+
+}  // namespace sesame::engine

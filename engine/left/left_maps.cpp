@@ -1,0 +1,190 @@
+#include "engine/left/left_maps.hpp"
+
+#include "engine/left/saturating.hpp"
+
+namespace sesame::engine {
+
+// ------------------------------------------------------------------------------------------------------------------- g
+
+template <Ring R>
+Terms<R> LeftMaps<R>::g(CellId cell) const {
+  Terms<R> out;
+  add_g(cell, ring_.one(), out);
+  sparse::normalize(ring_, out);
+  return out;
+}
+
+template <Ring R>
+void LeftMaps<R>::add_g(CellId cell, const Element& factor, Terms<R>& out) const {
+  if (window_.has_splits() || window_.is_lazy(cell)) {
+    add_g_at(cell, structure_.now(), factor, out);
+    return;
+  }
+  out.push_back({generators_.of(cell), factor});  // without copies there are no changes of basis
+  window_.for_each_first_face(cell, [&](CellId face, int sign) {
+    if (!structure_.is_current(face)) {
+      add_path(face, structure_.links(), sign > 0 ? factor : ring_.negate(factor), out);
+    }
+  });
+}
+
+/// g as the history was at a moment, for a cell that was current then.
+template <Ring R>
+void LeftMaps<R>::add_g_at(CellId cell, const ops::Moment& moment, const Element& factor, Terms<R>& out) const {
+  if (window_.is_lazy(cell)) {
+    families_.add_F(cell, factor, out);
+  } else {
+    shifts_.add_as_created(generators_.of(cell), factor, out);
+    if (const Structure::Copy* copy = window_.copy(cell)) {
+      add_g_at(copy->source, copy->moment, factor, out);
+    }
+  }
+  window_.for_each_face_of_history(cell, moment, [&](CellId node, int sign, LinkId links) {
+    add_path(node, links, sign > 0 ? factor : ring_.negate(factor), out);
+  });
+}
+
+template <Ring R>
+void LeftMaps<R>::add_path(CellId x, LinkId links, const Element& factor, Terms<R>& out) const {
+  int sign = 1;
+  while (x != ops::none) {
+    const LinkId link = structure_.link_of(x);
+    if (link >= links) {  // none is more than any: it is current, or degenerate from the start
+      return;
+    }
+    ++links_followed_;
+    out.push_back({generators_.of_link(link), sign > 0 ? factor : ring_.negate(factor)});
+    sign *= structure_.sign_of(link);
+    x = structure_.parent(x);
+  }
+}
+
+template <Ring R>
+void LeftMaps<R>::add_lazy_part(CellId cell, const Element& factor, Terms<R>& out) const {
+  if (window_.families() == 0) {
+    return;
+  }
+  while (const Structure::Copy* copy = window_.copy(cell)) {
+    cell = copy->source;
+  }
+  if (window_.is_lazy(cell)) {
+    out.push_back({cell, factor});
+  }
+}
+
+template <Ring R>
+void LeftMaps<R>::add_K_of_lazy_part(CellId cell, const Element& factor, Terms<R>& out) const {
+  Terms<R> part;
+  add_lazy_part(cell, factor, part);
+  Terms<R> nodes;
+  for (const auto& [lazy, coefficient] : part) {
+    families_.add_K(lazy, coefficient, nodes);
+  }
+  add_as_now(nodes, out);
+}
+
+// ------------------------------------------------------------------------------------------------------------------- f
+
+template <Ring R>
+Terms<R> LeftMaps<R>::f(std::span<const sparse::Term<R>> chain) const {
+  Terms<R> cells;
+  for (const auto& [generator, coefficient] : chain) {
+    add_f(generator, coefficient, cells);
+  }
+  sparse::normalize(ring_, cells);
+  return cells;
+}
+
+/// f of a generator times a factor, added to `out`: current cells, not in normal form.
+template <Ring R>
+void LeftMaps<R>::add_f(Index generator, const Element& factor, Terms<R>& out) const {
+  if (families_.has_attached()) {
+    Terms<R> bounded;
+    families_.add_K_of_attached(generator, ring_.negate(factor), bounded);
+    add_as_now(bounded, out);
+  }
+  if (generators_.is_removal(generator)) {
+    return;
+  }
+  if (generators_.is_of_family(generator)) {
+    Terms<R> cells;
+    families_.maps(generators_.family(generator)).add_G(generator, factor, cells);
+    add_as_now(cells, out);
+    return;
+  }
+  const auto add_difference = [&](CellId node) {
+    add_cell(node, factor, out);
+    if (const Structure::Copy* copy = window_.copy(node)) {
+      add_cell(copy->source, ring_.negate(factor), out);
+    }
+  };
+  add_difference(generators_.cell(generator));
+  for (const Index e : shifts_.added_to(generator)) {
+    add_difference(generators_.cell(e));
+  }
+}
+
+/// A chain of cells as created, as the current cells that they are now, added to `out` (not in normal form).
+template <Ring R>
+void LeftMaps<R>::add_as_now(std::span<const sparse::Term<R>> nodes, Terms<R>& out) const {
+  for (const auto& [node, coefficient] : nodes) {
+    add_cell(node, coefficient, out);
+  }
+}
+
+template <Ring R>
+void LeftMaps<R>::add_cell(CellId node, const Element& factor, Terms<R>& out) const {
+  if (const auto [cell, sign] = structure_.find_oriented(node); cell != ops::none) {
+    out.push_back({cell, sign > 0 ? factor : ring_.negate(factor)});
+  }
+}
+
+template <Ring R>
+std::uint64_t LeftMaps<R>::terms_of_f(std::span<const sparse::Term<R>> chain) const {
+  std::uint64_t terms = 0;
+  for (const auto& term : chain) {
+    terms = saturating_sum(terms, terms_of_f(term.index));
+  }
+  return terms;
+}
+
+template <Ring R>
+std::uint64_t LeftMaps<R>::terms_of_f(Index generator) const {
+  const std::uint64_t terms = families_.terms_of_K_of_attached(generator);
+  if (generators_.is_removal(generator)) {
+    return terms;
+  }
+  if (generators_.is_of_family(generator)) {
+    return saturating_sum(terms, families_.maps(generators_.family(generator)).terms_of_G(generator));
+  }
+  const std::size_t differences = 1 + shifts_.added_to(generator).size();
+  return saturating_sum(terms, 2 * differences - (window_.copy(generators_.cell(generator)) == nullptr ? 1 : 0));
+}
+
+// ------------------------------------------------------------------------------------------------------------------- h
+
+template <Ring R>
+Terms<R> LeftMaps<R>::h(Index generator) const {
+  Terms<R> path;
+  if (generators_.is_removal(generator)) {
+    return path;
+  }
+  const auto add = [&](CellId node) {
+    add_path(node, structure_.links(), ring_.negate(ring_.one()), path);
+    if (const Structure::Copy* copy = window_.copy(node)) {
+      add_path(copy->source, structure_.links(), ring_.one(), path);
+    }
+  };
+  add(generators_.cell(generator));
+  for (const Index e : shifts_.added_to(generator)) {
+    add(generators_.cell(e));
+  }
+  sparse::normalize(ring_, path);
+  return path;
+}
+
+#define SESAME_INSTANTIATE(R) template class LeftMaps<R>;
+SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
+#undef SESAME_INSTANTIATE
+
+}  // namespace sesame::engine

@@ -1,0 +1,102 @@
+#include "engine/left/new_family.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "engine/left/cone_maps.hpp"
+#include "engine/left/product_maps.hpp"
+#include "engine/left/simplicial_product_maps.hpp"
+
+namespace sesame::engine {
+
+namespace {
+
+/// The small generators of a body, sorted.
+template <Ring R>
+std::vector<Symbol> symbols_of(ops::BodyId body, const BigComplex<R>& big, const Rewriter<R>& rewriter) {
+  std::vector<Symbol> symbols;
+  for (int p = 0; p < static_cast<int>(rewriter.small_counts().size()); ++p) {
+    for (const Symbol x : rewriter.small(p)) {
+      if (big.body_of(rewriter.generator_in(x)) == body) {
+        symbols.push_back(x);
+      }
+    }
+  }
+  std::sort(symbols.begin(), symbols.end());
+  return symbols;
+}
+
+/// dS of some small generators.
+template <Ring R>
+using Columns = std::unordered_map<Symbol, Terms<R>>;
+
+template <Ring R>
+void add_columns(const std::vector<Symbol>& symbols, const Rewriter<R>& rewriter, Columns<R>& columns) {
+  for (const Symbol x : symbols) {
+    const Terms<R>* column = rewriter.core().find(x);
+    columns.try_emplace(x, column == nullptr ? Terms<R>{} : *column);
+  }
+}
+
+/// d(a (x) b) = da (x) b + (-1)^|a| a (x) db
+template <Ring R>
+Terms<R> boundary_of_pair(const R& ring, const PairTable& pairs, Symbol a, Symbol b, int degree_of_a,
+                          const Columns<R>& columns) {
+  Terms<R> boundary;
+  pairs.add_tensor(ring, columns.at(a), {{b, ring.one()}}, ring.one(), boundary);
+  pairs.add_tensor(ring, {{a, ring.one()}}, columns.at(b), ring.from(degree_of_a % 2 == 0 ? 1 : -1), boundary);
+  sparse::normalize(ring, boundary);
+  return boundary;
+}
+
+template <Ring R>
+PairTable append_pairs(ops::FamilyId id, const std::vector<ops::BodyId>& factors, BigComplex<R>& big,
+                       Rewriter<R>& rewriter) {
+  const std::vector<Symbol> left = symbols_of(factors[0], big, rewriter);
+  const std::vector<Symbol> right = symbols_of(factors[1], big, rewriter);
+  Columns<R> columns;
+  add_columns(left, rewriter, columns);
+  add_columns(right, rewriter, columns);
+  rewriter.consume(left);
+  if (factors[0] != factors[1]) {
+    rewriter.consume(right);
+  }
+  const PairTable pairs(left, right, big.size(), [&](Symbol x) { return rewriter.degree(x); });
+  for (Index generator = pairs.first(); generator < pairs.end(); ++generator) {
+    const auto [a, b] = pairs.pair(generator);
+    const int degree = rewriter.degree(a) + rewriter.degree(b);
+    big.append_of_family(id, degree, boundary_of_pair(big.ring(), pairs, a, b, rewriter.degree(a), columns));
+    rewriter.append(degree);
+  }
+  return pairs;
+}
+
+}  // namespace
+
+template <Ring R>
+void append_family(ops::FamilyId id, const Structure& structure, FrozenMaps<R>& frozen, BigComplex<R>& big,
+                   Rewriter<R>& rewriter) {
+  const R& ring = big.ring();
+  const ops::LazyFamily& family = structure.family(id);
+  if (family.kind == ops::FamilyKind::cone) {
+    for (const ops::BodyId body : family.bodies) {
+      rewriter.consume(symbols_of(body, big, rewriter));
+    }
+    big.follow(family.apex);  // it is F of every vertex
+    big.append_family(std::make_unique<ConeMaps<R>>(ring, structure, id, big.maps()));
+    return;
+  }
+  PairTable pairs = append_pairs(id, family.bodies, big, rewriter);
+  if (family.kind == ops::FamilyKind::product) {
+    big.append_family(std::make_unique<ProductMaps<R>>(ring, structure, id, std::move(pairs), frozen));
+  } else {
+    big.append_family(std::make_unique<SimplicialProductMaps<R>>(ring, structure, id, std::move(pairs), frozen));
+  }
+}
+
+#define SESAME_INSTANTIATE(R) \
+  template void append_family(ops::FamilyId, const Structure&, FrozenMaps<R>&, BigComplex<R>&, Rewriter<R>&);
+SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
+#undef SESAME_INSTANTIATE
+
+}  // namespace sesame::engine

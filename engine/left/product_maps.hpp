@@ -1,0 +1,32 @@
+/// \file
+/// The maps of a product of two bodies whose cells are pairs of cells.
+#pragma once
+
+#include "engine/left/tensor_maps.hpp"
+
+namespace sesame::engine {
+
+/// A cell a.b of the product is a|b itself: the tensor product of the factors' equivalences as it stands.
+///
+/// Cost: F as many terms as those of the factors multiplied, K too; K at some cells only as many as there are of these.
+template <Ring R>
+class ProductMaps final : public TensorMaps<R> {
+ public:
+  using typename FamilyMaps<R>::Element;
+  using TensorMaps<R>::TensorMaps;
+
+  void add_F(CellId cell, const Element& factor, Terms<R>& out) const override;
+  void add_K(CellId cell, const Element& factor, Terms<R>& out) const override;
+  [[nodiscard]] std::uint64_t terms_of_K(CellId cell) const override;
+  void add_K_at(CellId cell, std::span<const CellId> at, const Element& factor, Terms<R>& out) const override;
+
+ protected:
+  void add_pairs(const Terms<R>& left, const Terms<R>& right, const Element& factor, Terms<R>& out) const override;
+  [[nodiscard]] std::uint64_t cells_of_pair(int /*p*/, int /*q*/) const override { return 1; }
+  [[nodiscard]] int sign_in_pair(const ops::LazyKey& /*key*/) const override { return 1; }
+
+ private:
+  using TensorMaps<R>::ring_, TensorMaps<R>::structure_, TensorMaps<R>::factors_;
+};
+
+}  // namespace sesame::engine
