@@ -97,7 +97,7 @@ reductions::Equivalence<R> matrices_of(LiveEquivalence<R>& live) {
   const ChainComplex<R> b = reductions::complex_with(
       graded_map(ring, -1, big, big, [&](Index x) { return big_complex.boundary().column(x); }));
   const ChainComplex<R> s = reductions::complex_with(
-      graded_map(ring, -1, small, small, [&](Index x) { return live.core_boundary(unit(ring, x)); }));
+      graded_map(ring, -1, small, small, [&](Index x) { return live.chains().boundary(unit(ring, x)); }));
   const auto f = [&](Index x) { return big_complex.maps().f(unit(ring, x)); };
   const auto g = [&](Index cell) {
     Terms<R> out;

@@ -155,6 +155,62 @@ Terms<R> Group<R>::coordinates(const R& ring, const Terms<R>& cycle) const {
   return out;
 }
 
+/// A chain of the core's columns of the degree above, in symbols.
+template <Ring R>
+Terms<R> Group<R>::in_columns(Terms<R> terms) const {
+  for (Term<R>& term : terms) {
+    term.index = columns[term.index];
+  }
+  return terms;
+}
+
+/// The k-th generator that the Smith form has.
+template <Ring R>
+GroupGenerator<R> Group<R>::on_cycles(const R& ring, Index k) const {
+  GroupGenerator<R> generator{0, in_symbols(ring, smith.left_inverse.column(k)), {}};
+  if (k < smith.factors.size()) {
+    generator.order = ring.to_integer(smith.factors[k]);
+    generator.bounding = in_columns(smith.right.column(k));
+  }
+  return generator;
+}
+
+template <Ring R>
+typename Group<R>::Class Group<R>::class_of(const R& ring, const Terms<R>& cycle) const {
+  // 1. The coordinates: on the basis of the Smith form for what meets the core, on the free generators else.
+  Terms<R> in_core;
+  std::vector<Rational> on_free(free.size());
+  for (const Term<R>& term : cycle) {
+    const auto at = std::lower_bound(free.begin(), free.end(), term.index);
+    if (at != free.end() && *at == term.index) {
+      on_free[static_cast<std::size_t>(at - free.begin())] = to_rational(ring, term.coefficient);
+    } else {
+      in_core.push_back(term);
+    }
+  }
+  std::vector<typename R::Element> dense(cycles(), ring.zero());
+  for (const Term<R>& term : smith.left.apply(coordinates(ring, in_core))) {
+    dense[term.index] = term.coefficient;
+  }
+  // 2. What is left of them modulo the orders, and what bounds the rest.
+  Class result;
+  for (std::size_t k = 0; k < dense.size(); ++k) {
+    if (k >= smith.factors.size()) {
+      result.coefficients.push_back(to_rational(ring, dense[k]));
+      continue;
+    }
+    const auto& order = smith.factors[k];
+    const auto quotient = ring.quotient(dense[k], order);
+    sparse::add_multiple<R>(ring, result.bounding, quotient, smith.right.column(static_cast<Index>(k)));
+    if (!ring.is_unit(order)) {
+      result.coefficients.push_back(ring.to_integer(ring.subtract(dense[k], ring.multiply(quotient, order))));
+    }
+  }
+  result.coefficients.insert(result.coefficients.end(), on_free.begin(), on_free.end());
+  result.bounding = in_columns(std::move(result.bounding));
+  return result;
+}
+
 #define SESAME_INSTANTIATE(R) \
   template struct Group<R>;   \
   template class Groups<R>;

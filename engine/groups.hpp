@@ -7,11 +7,21 @@
 
 #include "engine/right/rewriter.hpp"
 #include "sparse/integer.hpp"
+#include "sparse/rational.hpp"
 #include "sparse/smith.hpp"
 
 namespace sesame::engine {
 
 using sparse::Integer;
+using sparse::Rational;
+
+/// A generator of a group, in symbols.
+template <Ring R>
+struct GroupGenerator {
+  Integer order;  ///< 0: free
+  Terms<R> cycle;
+  Terms<R> bounding;  ///< its boundary is order * cycle; empty for a free generator
+};
 
 /// The group of one degree p, as read off the core: its columns of degree p say what is a cycle, those of degree p +
 /// 1 what is a boundary.
@@ -29,6 +39,32 @@ struct Group {
   [[nodiscard]] Terms<R> in_symbols(const R& ring, const Terms<R>& coordinates) const;
   /// The coordinates of a cycle of S that has no part on `free`. Requires: it is a cycle.
   [[nodiscard]] Terms<R> coordinates(const R& ring, const Terms<R>& cycle) const;
+
+  /// Calls visit(GroupGenerator) for each generator, as long as it answers true: those of finite order by increasing
+  /// order, then the free ones. Each is worked out when it is its turn.
+  template <class Visit>
+  void for_each_generator(const R& ring, Visit visit) const {
+    for (Index k = 0; k < cycles(); ++k) {
+      if ((k >= smith.factors.size() || !ring.is_unit(smith.factors[k])) && !visit(on_cycles(ring, k))) {
+        return;
+      }
+    }
+    for (const Symbol x : free) {
+      if (!visit(GroupGenerator<R>{0, {{x, ring.one()}}, {}})) {
+        return;
+      }
+    }
+  }
+  /// The class of a cycle z of S.
+  struct Class {
+    std::vector<Rational> coefficients;  ///< of the generators, in the order in which they are visited
+    Terms<R> bounding;                   ///< z is the sum of the generators plus its boundary
+  };
+  [[nodiscard]] Class class_of(const R& ring, const Terms<R>& cycle) const;
+
+ private:
+  [[nodiscard]] GroupGenerator<R> on_cycles(const R& ring, Index k) const;
+  [[nodiscard]] Terms<R> in_columns(Terms<R> terms) const;
 };
 
 /// The groups of all degrees. Those of the present state: nothing is to be kept over a step.

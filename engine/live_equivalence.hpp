@@ -5,7 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "engine/groups.hpp"
+#include "engine/chains.hpp"
+#include "engine/classes.hpp"
 #include "engine/homology_tracker.hpp"
 #include "engine/left/big_complex.hpp"
 #include "engine/left/frozen_maps.hpp"
@@ -14,7 +15,8 @@
 
 namespace sesame::engine {
 
-/// C <= B => S: the left reduction is BigComplex, the right one Rewriter; the groups are read off S.
+/// C <= B => S: the left reduction is BigComplex, the right one Rewriter. This class keeps them current, by what the
+/// journal says, and takes them back; questions about chains are answered by Chains, those about classes by Classes.
 template <Ring R>
 class LiveEquivalence final : public HomologyTracker {
  public:
@@ -27,15 +29,17 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] std::unique_ptr<HomologyTracker> afresh() const override;
   [[nodiscard]] std::uint32_t copies() const override { return window_.copies(); }
 
-  [[nodiscard]] Homology homology(std::size_t dimensions) override;
+  [[nodiscard]] Homology homology(std::size_t dimensions) override { return classes_.homology(dimensions); }
   [[nodiscard]] std::uint64_t small_of(ops::BodyId body) const override;
-  void visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit) override;
-  [[nodiscard]] ClassAnswer classify(const CellChain& chain) override;
-  [[nodiscard]] SmallChain apply_F(const CellChain& chain) override;
-  [[nodiscard]] CellChain apply_G(const SmallChain& chain) override;
-  [[nodiscard]] CellChain apply_K(const CellChain& chain) override;
-  [[nodiscard]] CellChain boundary(const CellChain& chain) const override;
-  [[nodiscard]] SmallChain boundary(const SmallChain& chain) override;
+  void visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit) override {
+    classes_.visit_generators(degree, most_terms, visit);
+  }
+  [[nodiscard]] ClassAnswer classify(const CellChain& chain) override { return classes_.classify(chain); }
+  [[nodiscard]] SmallChain apply_F(const CellChain& chain) override { return chains_.F(chain); }
+  [[nodiscard]] CellChain apply_G(const SmallChain& chain) override { return chains_.G(chain); }
+  [[nodiscard]] CellChain apply_K(const CellChain& chain) override { return chains_.K(chain); }
+  [[nodiscard]] CellChain boundary(const CellChain& chain) const override { return chains_.boundary(chain); }
+  [[nodiscard]] SmallChain boundary(const SmallChain& chain) override { return chains_.boundary(chain); }
   [[nodiscard]] std::vector<Lifetime> lifetimes() const override;
   [[nodiscard]] Work work() const override {
     return {big_.entries_appended(), rewriter_.terms_read(), rewriter_.rule_terms(), big_.maps().links_followed()};
@@ -45,8 +49,7 @@ class LiveEquivalence final : public HomologyTracker {
   /// See matrices_of.
   [[nodiscard]] reductions::Equivalence<R> matrices();
   [[nodiscard]] const BigComplex<R>& big() const { return big_; }
-  /// The boundary of S on a chain of its generators.
-  [[nodiscard]] Terms<R> core_boundary(std::span<const sparse::Term<R>> chain_of_s) const;
+  [[nodiscard]] const Chains<R>& chains() const { return chains_; }
   /// The right reduction; its queries memoise.
   [[nodiscard]] Rewriter<R>& rewriter() { return rewriter_; }
   [[nodiscard]] const Window& window() const { return window_; }
@@ -61,22 +64,15 @@ class LiveEquivalence final : public HomologyTracker {
   void take_in_step();
   void go_back_to(const Mark& mark);
   [[nodiscard]] std::vector<CellId> current_cells() const;
-  [[nodiscard]] Terms<R> g(const CellChain& chain) const;
-  [[nodiscard]] typename R::Element in_own_orientation(CellId cell, const Rational& coefficient) const;
-  /// K z for the chain of B g z, plus f of a lift; with the trace of g z this is K, with a chain of S on top G y + K z.
-  [[nodiscard]] CellChain bounding(const CellChain& z, const Terms<R>& chain_of_s, const Trace<R>& trace);
-  [[nodiscard]] CellChain to_cells(int degree, const Terms<R>& chain_of_b) const;
-  [[nodiscard]] CellChain to_chain(int degree, const Terms<R>& cells) const;
-  [[nodiscard]] SmallChain to_small(int degree, const Terms<R>& chain_of_s) const;
-  [[nodiscard]] Terms<R> to_symbols(const SmallChain& chain) const;
 
   R ring_;
   Window window_;
   const Structure& structure_;
   BigComplex<R> big_;
   Rewriter<R> rewriter_;
-  Groups<R> groups_;
   FrozenMaps<R> frozen_;
+  Chains<R> chains_;
+  Classes<R> classes_;
   ops::Journal::Position position_;  ///< of the journal: what has been taken in
   std::vector<Mark> marks_;
 };

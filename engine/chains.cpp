@@ -1,0 +1,114 @@
+#include "engine/chains.hpp"
+
+#include <algorithm>
+
+#include "sparse/contract.hpp"
+
+namespace sesame::engine {
+
+using sparse::expects;
+using sparse::Term;
+
+template <Ring R>
+Terms<R> Chains<R>::g(const CellChain& chain) const {
+  Terms<R> out;
+  for (const auto& [coefficient, cell] : chain.terms) {
+    expects(structure_.is_current(cell) && !structure_.is_consumed(cell) && structure_.dimension(cell) == chain.degree,
+            "a chain is made of current cells of its degree");
+    left_.add_g(cell, in_own_orientation(cell, coefficient), out);
+  }
+  sparse::normalize(ring_, out);
+  return out;
+}
+
+template <Ring R>
+CellChain Chains<R>::bounding(const CellChain& z, const Terms<R>& g_of_z, const Terms<R>& y) {
+  Terms<R> cells = left_.f(rewriter_.lift(y, rewriter_.trace(g_of_z)));
+  for (const auto& [coefficient, cell] : z.terms) {
+    left_.add_K_of_lazy_part(cell, in_own_orientation(cell, coefficient), cells);
+  }
+  sparse::normalize(ring_, cells);
+  return to_chain(z.degree + 1, cells);
+}
+
+// ------------------------------------------------------------------------------------------------------- boundaries
+
+template <Ring R>
+CellChain Chains<R>::boundary(const CellChain& chain) const {
+  Terms<R> out;
+  for (const auto& [coefficient, cell] : chain.terms) {
+    const auto faces = structure_.faces(cell);
+    const auto element = in_own_orientation(cell, coefficient);
+    for (std::uint32_t k = 0; k < faces.size(); ++k) {
+      if (const auto [face, sign] = structure_.find_oriented(faces[k]); face != ops::none) {
+        out.push_back({face, sign * structure_.sign_of_face(cell, k) > 0 ? element : ring_.negate(element)});
+      }
+    }
+  }
+  sparse::normalize(ring_, out);
+  return to_chain(chain.degree - 1, out);
+}
+
+template <Ring R>
+Terms<R> Chains<R>::boundary(std::span<const Term<R>> symbols) const {
+  Terms<R> out;
+  for (const Term<R>& term : symbols) {
+    if (const Terms<R>* column = rewriter_.core().find(term.index)) {
+      sparse::add_multiple<R>(ring_, out, term.coefficient, *column);
+    }
+  }
+  return out;
+}
+
+// ------------------------------------------------------------------------------------------------------ translation
+
+/// The coefficient of a current cell as it is oriented itself, where it is given as its canonical name says.
+template <Ring R>
+typename R::Element Chains<R>::in_own_orientation(CellId cell, const Rational& coefficient) const {
+  return from_rational(ring_, structure_.sign_of_name(cell) > 0 ? coefficient : -coefficient);
+}
+
+template <Ring R>
+CellChain Chains<R>::to_chain(int degree, const Terms<R>& cells) const {
+  CellChain chain{degree, {}};
+  for (const Term<R>& term : cells) {
+    const bool agrees = structure_.sign_of_name(CellId{term.index}) > 0;
+    chain.terms.push_back({to_rational(ring_, agrees ? term.coefficient : ring_.negate(term.coefficient)), term.index});
+  }
+  std::sort(chain.terms.begin(), chain.terms.end(), [this](const CellChain::Term& a, const CellChain::Term& b) {
+    return structure_.is_older(structure_.oldest(a.cell), structure_.oldest(b.cell));
+  });
+  return chain;
+}
+
+template <Ring R>
+SmallChain Chains<R>::to_small(int degree, const Terms<R>& symbols) const {
+  SmallChain out{degree, {}};
+  if (symbols.empty()) {
+    return out;
+  }
+  const std::vector<Symbol> small = rewriter_.small(degree);  // oldest first: increasing
+  for (const Term<R>& term : symbols) {
+    const auto at = std::lower_bound(small.begin(), small.end(), term.index);
+    out.terms.push_back({to_rational(ring_, term.coefficient), static_cast<std::uint32_t>(at - small.begin())});
+  }
+  return out;
+}
+
+template <Ring R>
+Terms<R> Chains<R>::to_symbols(const SmallChain& chain) const {
+  const std::vector<Symbol> small = rewriter_.small(chain.degree);
+  Terms<R> out;
+  for (const auto& [coefficient, generator] : chain.terms) {
+    expects(generator < small.size(), "a chain of the small complex is made of its generators");
+    out.push_back({small[generator], from_rational(ring_, coefficient)});
+  }
+  sparse::normalize(ring_, out);
+  return out;
+}
+
+#define SESAME_INSTANTIATE(R) template class Chains<R>;
+SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
+#undef SESAME_INSTANTIATE
+
+}  // namespace sesame::engine
