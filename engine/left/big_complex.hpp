@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "engine/left/left_maps.hpp"
-#include "sparse/matrix.hpp"
+#include "sparse/column_store.hpp"
 
 namespace sesame::engine {
 
@@ -55,7 +55,7 @@ class BigComplex {
   [[nodiscard]] Index size() const { return generators_.size(); }
   [[nodiscard]] int degree(Index generator) const { return generators_.degree(generator); }
   /// The boundary of B as one square matrix over all degrees.
-  [[nodiscard]] const sparse::Matrix<R>& boundary() const { return boundary_; }
+  [[nodiscard]] const sparse::ColumnStore<R>& boundary() const { return boundary_; }
   /// The number of generators of each degree, up to the largest that has one.
   [[nodiscard]] const std::vector<std::uint32_t>& counts() const { return generators_.counts(); }
   /// The body whose cells a generator belongs to.
@@ -116,7 +116,7 @@ class BigComplex {
   BasisShifts<R> shifts_;
   Families<R> families_;
   LeftMaps<R> maps_;
-  sparse::Matrix<R> boundary_;
+  sparse::ColumnStore<R> boundary_;
   std::vector<Index> changed_;                                      ///< generators whose boundaries gained, for undo
   std::unordered_map<Index, std::vector<Index>> columns_followed_;  ///< columns with a generator, for those followed
   std::uint64_t entries_appended_ = 0;

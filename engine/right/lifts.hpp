@@ -12,7 +12,7 @@
 #include "engine/right/perturbations.hpp"
 #include "engine/right/rules.hpp"
 #include "sparse/accumulator.hpp"
-#include "sparse/matrix.hpp"
+#include "sparse/column_store.hpp"
 
 namespace sesame::engine {
 
@@ -40,7 +40,7 @@ class Lifts {
   using TermType = sparse::Term<R>;
 
   /// All of them must outlive it.
-  Lifts(R ring, const sparse::Matrix<R>& boundary, const Rules<R>& rules, Perturbations<R>& perturbations,
+  Lifts(R ring, const sparse::ColumnStore<R>& boundary, const Rules<R>& rules, Perturbations<R>& perturbations,
         Effort& effort)
       : ring_{ring}, boundary_{boundary}, rules_{rules}, perturbations_{perturbations}, effort_{effort} {}
 
@@ -75,7 +75,7 @@ class Lifts {
   [[nodiscard]] Terms<R> gain_of(const Expansion& v, Symbol first);
 
   R ring_;
-  const sparse::Matrix<R>& boundary_;
+  const sparse::ColumnStore<R>& boundary_;
   const Rules<R>& rules_;
   Perturbations<R>& perturbations_;
   Effort& effort_;

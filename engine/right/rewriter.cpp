@@ -5,7 +5,7 @@
 namespace sesame::engine {
 
 template <Ring R>
-Rewriter<R>::Rewriter(R ring, const sparse::Matrix<R>& boundary)
+Rewriter<R>::Rewriter(R ring, const sparse::ColumnStore<R>& boundary)
     : boundary_{boundary},
       rules_{ring},
       perturbations_{ring, rules_},

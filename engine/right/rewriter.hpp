@@ -12,7 +12,7 @@
 #include "engine/right/perturbations.hpp"
 #include "engine/right/rules.hpp"
 #include "engine/right/settling.hpp"
-#include "sparse/matrix.hpp"
+#include "sparse/column_store.hpp"
 
 namespace sesame::engine {
 
@@ -32,7 +32,7 @@ class Rewriter {
   using TermType = sparse::Term<R>;
 
   /// `boundary` is dB; it grows outside, a column before the generator is announced here by `append`.
-  Rewriter(R ring, const sparse::Matrix<R>& boundary);
+  Rewriter(R ring, const sparse::ColumnStore<R>& boundary);
   Rewriter(const Rewriter&) = delete;
   Rewriter& operator=(const Rewriter&) = delete;
 
@@ -100,7 +100,7 @@ class Rewriter {
   void undo(const Mark& mark);
 
  private:
-  const sparse::Matrix<R>& boundary_;
+  const sparse::ColumnStore<R>& boundary_;
   Effort effort_;
   Rules<R> rules_;
   Perturbations<R> perturbations_;

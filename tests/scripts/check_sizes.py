@@ -16,7 +16,6 @@ FORMAT = "one format, whose parts say nothing without one another"
 LARGE_FILES = {
     "engine/towers/cycle_tracker.cpp": (409, "one algorithm"),
     "ops/simplicial/tower_complex.cpp": (432, "one vertex index with AbstractComplex would serve both"),
-    "sparse/matrix_bodies.hpp": (673, "what the engine uses has yet to part from the rest"),
     "sparse/smith.cpp": (487, "one algorithm with its transforms"),
     "tools/bench/eager_equivalence.cpp": (437, "the published method on columns of its own; reductions/ should carry it"),
     "tools/bench/scenarios.cpp": (513, "a list"),
@@ -28,7 +27,6 @@ LARGE_FILES = {
 # Class: (public functions, why).
 LARGE_CLASSES = {
     "Structure": (83, "cells, the forest, lazy cells and names have yet to become classes of their own"),
-    "Matrix": (33, "what is for blocks has yet to part from what is for columns"),
 }
 
 TOKENS = re.compile(r'//[^\n]*|/\*.*?\*/|R"\((?:.|\n)*?\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)

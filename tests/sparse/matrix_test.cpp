@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sparse/matrix_text.hpp"
 #include "tests/sparse/dense.hpp"
 #include "tests/support/catch.hpp"
 
@@ -261,14 +262,14 @@ TEST_CASE("matrices print for people", "[sparse]") {
   Matrix<Integers> matrix = Matrix<Integers>::identity({}, 3);
   const Terms<Integers> column{{0, -12}, {2, 1}};
   matrix.set_column(1, column);
-  CHECK(matrix.to_string() ==
+  CHECK(to_string(matrix) ==
         "[ 1 -12 0 ]\n"
         "[ 0   0 0 ]\n"
         "[ 0   1 1 ]\n");
   Matrix<Integers> large({}, 40, 50);
   large.set_column(33, column);
-  CHECK(large.to_string() == "40 x 50 over Z, zero but for:\n33: -12 e0 + e2\n");
-  CHECK(Matrix<Z2>(Z2{}, 0, 3).to_string() == "0 x 3 over Z/2\n");
+  CHECK(to_string(large) == "40 x 50 over Z, zero but for:\n33: -12 e0 + e2\n");
+  CHECK(to_string(Matrix<Z2>(Z2{}, 0, 3)) == "0 x 3 over Z/2\n");
 }
 
 TEST_CASE("wrong shapes and places are contract breaches", "[sparse]") {
