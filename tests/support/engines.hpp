@@ -9,6 +9,7 @@
 #include "engine/engine.hpp"
 #include "engine/live_equivalence.hpp"
 #include "reductions/homology.hpp"
+#include "sparse/matrix_text.hpp"
 #include "tests/support/structures.hpp"
 
 namespace sesame::tests {
@@ -107,7 +108,7 @@ inline std::string answers(Engine& engine) {
 template <sparse::Ring R>
 void append_map(const reductions::GradedMap<R>& map, std::string& text) {
   for (int p = 0; p < static_cast<int>(map.source().size()); ++p) {
-    text += map.at(p).to_string() + "\n";
+    text += sparse::to_string(map.at(p)) + "\n";
   }
 }
 

@@ -1,0 +1,292 @@
+/// \file
+/// The elimination behind the Smith form. Part of smith.cpp, which alone includes it.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "sparse/matrix.hpp"
+
+namespace sesame::sparse {
+
+template <Ring R>
+using Lines = std::vector<Terms<R>>;
+
+template <Ring R>
+Lines<R> unit_lines(const R& ring, Index n) {
+  Lines<R> lines(n);
+  for (Index i = 0; i < n; ++i) {
+    lines[i] = {{i, ring.one()}};
+  }
+  return lines;
+}
+
+template <Ring R>
+void scale(const R& ring, Terms<R>& terms, const typename R::Element& a) {
+  for (Term<R>& term : terms) {
+    term.coefficient = ring.multiply(term.coefficient, a);
+  }
+}
+
+/// A change of basis and its inverse: of one, the lines that an operation adds to; of the other, those it adds from.
+template <Ring R>
+struct Transform {
+  Lines<R> forward;  ///< rows of left, or columns of right
+  Lines<R> inverse;  ///< columns of left_inverse, or rows of right_inverse
+
+  /// forward[k] += a forward[pivot] for each k a of `multiples`; and the inverse accordingly.
+  void add(const R& ring, Index pivot, const Terms<R>& multiples) {
+    Terms<R> gathered;  // what inverse[pivot] gains, added up at once
+    for (const auto& [k, a] : multiples) {
+      add_multiple<R>(ring, forward[k], a, forward[pivot]);
+      for (const Term<R>& term : inverse[k]) {
+        gathered.push_back({term.index, ring.multiply(ring.negate(a), term.coefficient)});
+      }
+    }
+    normalize(ring, gathered);
+    add_multiple<R>(ring, inverse[pivot], ring.one(), gathered);
+  }
+};
+
+template <Ring R>
+struct Pivot {
+  Index row;
+  Index column;
+  typename R::Element value;
+};
+
+/// Absolute value as the size of an element, for choosing pivots: all units are equal.
+template <Ring R>
+Integer size_of(const R& ring, const typename R::Element& a) {
+  return ring.is_unit(a) ? Integer{1} : abs(ring.to_integer(a));
+}
+
+/// Diagonalises a sparse matrix by column operations that clear the row of a pivot; once that row is clear, the row
+/// operations that clear its column touch nothing else. Entries are kept by columns; rows only know where to look.
+template <Ring R>
+class DiagonalElimination {
+ public:
+  using Element = typename R::Element;
+
+  DiagonalElimination(const Matrix<R>& matrix, bool with_transforms)
+      : ring_{matrix.ring()}, columns_(matrix.columns()), rows_(matrix.rows()), row_sizes_(matrix.rows()) {
+    for (Index j = 0; j < matrix.columns(); ++j) {
+      columns_[j] = matrix.column(j);
+      for (const Term<R>& entry : columns_[j]) {
+        rows_[entry.index].push_back(j);
+        ++row_sizes_[entry.index];
+      }
+      queue(j);
+    }
+    if (with_transforms) {
+      left_ = {unit_lines(ring_, matrix.rows()), unit_lines(ring_, matrix.rows())};
+      right_ = {unit_lines(ring_, matrix.columns()), unit_lines(ring_, matrix.columns())};
+    }
+    with_transforms_ = with_transforms;
+  }
+
+  /// All pivots, in the order found. The matrix is zero apart from them.
+  std::vector<Pivot<R>> run() {
+    std::vector<Pivot<R>> pivots;
+    while (auto pivot = next_pivot()) {
+      isolate(*pivot);
+      make_positive(*pivot);
+      columns_[pivot->column].clear();
+      rows_[pivot->row] = {};
+      pivots.push_back(std::move(*pivot));
+    }
+    return pivots;
+  }
+
+  Transform<R>& left() { return left_; }
+  Transform<R>& right() { return right_; }
+
+ private:
+  using Candidate = std::pair<std::size_t, Index>;  // column size, column
+
+  void queue(Index j) {
+    if (!columns_[j].empty()) {
+      queue_.push({columns_[j].size(), j});
+    }
+  }
+
+  /// A unit with little fill-in: in one of the shortest columns, in its shortest row. Without units left, an entry of
+  /// least absolute value. A column is looked at again only after it has changed.
+  std::optional<Pivot<R>> next_pivot() {
+    while (!queue_.empty()) {
+      const auto [size, j] = queue_.top();
+      queue_.pop();
+      if (columns_[j].size() != size) {
+        continue;
+      }
+      const Term<R>* best = nullptr;
+      for (const Term<R>& entry : columns_[j]) {
+        if (ring_.is_unit(entry.coefficient) &&
+            (best == nullptr || row_sizes_[entry.index] < row_sizes_[best->index])) {
+          best = &entry;
+        }
+      }
+      if (best != nullptr) {
+        return Pivot<R>{best->index, j, best->coefficient};
+      }
+    }
+    return least_entry();
+  }
+
+  std::optional<Pivot<R>> least_entry() const {
+    std::optional<Pivot<R>> best;
+    Integer best_size;
+    std::size_t best_fill = 0;
+    for (Index j = 0; j < columns_.size(); ++j) {
+      for (const Term<R>& entry : columns_[j]) {
+        const Integer size = size_of(ring_, entry.coefficient);
+        const std::size_t fill = (columns_[j].size() - 1) * (row_sizes_[entry.index] - 1);
+        if (!best || size < best_size || (size == best_size && fill < best_fill)) {
+          best = Pivot<R>{entry.index, j, entry.coefficient};
+          best_size = size;
+          best_fill = fill;
+        }
+      }
+    }
+    return best;
+  }
+
+  /// Brings the pivot to stand alone in its row and column. Whenever a remainder is left, it is smaller than the
+  /// pivot and takes its place: so this ends.
+  void isolate(Pivot<R>& pivot) {
+    while (true) {
+      if (const auto smaller = clear_row(pivot)) {
+        pivot = *smaller;
+      } else if (const auto lower = clear_column(pivot)) {
+        pivot = *lower;
+      } else {
+        return;
+      }
+    }
+  }
+
+  [[nodiscard]] const Element* find(Index row, Index column) const {
+    const Terms<R>& terms = columns_[column];
+    const auto at = std::lower_bound(terms.begin(), terms.end(), row,
+                                     [](const Term<R>& term, Index index) { return term.index < index; });
+    return at != terms.end() && at->index == row ? &at->coefficient : nullptr;
+  }
+
+  /// Takes multiples of the pivot's column off the others that meet its row. The least remainder, if there is one.
+  std::optional<Pivot<R>> clear_row(const Pivot<R>& pivot) {
+    std::vector<Index>& row = rows_[pivot.row];
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
+    const std::vector<Index> others = std::exchange(row, {});
+    std::optional<Pivot<R>> least;
+    Terms<R> multiples;
+    for (const Index k : others) {
+      const Element* entry = find(pivot.row, k);
+      if (entry == nullptr) {
+        continue;
+      }
+      rows_[pivot.row].push_back(k);
+      if (k == pivot.column) {
+        continue;
+      }
+      const Element factor = ring_.negate(ring_.quotient(*entry, pivot.value));
+      if (!ring_.is_zero(factor)) {
+        add_column(k, factor, pivot.column);
+        multiples.push_back({k, factor});
+      }
+      if (const Element* rest = find(pivot.row, k)) {
+        keep_least(least, {pivot.row, k, *rest});
+      }
+    }
+    if (with_transforms_) {
+      right_.add(ring_, pivot.column, multiples);
+    }
+    return least;
+  }
+
+  /// Takes multiples of the pivot's row off the others that meet its column; requires the row to be clear.
+  std::optional<Pivot<R>> clear_column(const Pivot<R>& pivot) {
+    std::optional<Pivot<R>> least;
+    Terms<R> cleared, multiples;
+    for (Term<R>& entry : columns_[pivot.column]) {
+      if (entry.index == pivot.row) {
+        cleared.push_back(std::move(entry));
+        continue;
+      }
+      const Element factor = ring_.negate(ring_.quotient(entry.coefficient, pivot.value));
+      if (!ring_.is_zero(factor)) {
+        multiples.push_back({entry.index, factor});
+        ring_.add_product(entry.coefficient, factor, pivot.value);
+      }
+      if (ring_.is_zero(entry.coefficient)) {
+        --row_sizes_[entry.index];
+      } else {
+        keep_least(least, {entry.index, pivot.column, entry.coefficient});
+        cleared.push_back(std::move(entry));
+      }
+    }
+    columns_[pivot.column] = std::move(cleared);
+    if (with_transforms_) {
+      left_.add(ring_, pivot.row, multiples);
+    }
+    return least;
+  }
+
+  void keep_least(std::optional<Pivot<R>>& least, Pivot<R> candidate) const {
+    if (!least || size_of(ring_, candidate.value) < size_of(ring_, least->value)) {
+      least = std::move(candidate);
+    }
+  }
+
+  /// column[to] += factor column[from], with the rows told of new entries and of entries that went.
+  void add_column(Index to, const Element& factor, Index from) {
+    const Terms<R> before = columns_[to];
+    add_multiple<R>(ring_, columns_[to], factor, columns_[from]);
+    auto a = before.begin();
+    auto b = columns_[to].begin();
+    while (a != before.end() || b != columns_[to].end()) {
+      if (b == columns_[to].end() || (a != before.end() && a->index < b->index)) {
+        --row_sizes_[(a++)->index];
+      } else if (a == before.end() || b->index < a->index) {
+        ++row_sizes_[b->index];
+        rows_[(b++)->index].push_back(to);
+      } else {
+        ++a, ++b;
+      }
+    }
+    queue(to);
+  }
+
+  /// Multiplies the new basis element of the source by a unit: the pivot becomes positive, over a field 1.
+  void make_positive(Pivot<R>& pivot) {
+    Element unit = ring_.one();
+    if (ring_.is_unit(pivot.value)) {
+      unit = ring_.inverse(pivot.value);
+    } else if (ring_.to_integer(pivot.value).sign() < 0) {
+      unit = ring_.negate(unit);
+    }
+    if (unit == ring_.one()) {
+      return;
+    }
+    pivot.value = ring_.multiply(pivot.value, unit);
+    if (with_transforms_) {
+      scale(ring_, right_.forward[pivot.column], unit);
+      scale(ring_, right_.inverse[pivot.column], ring_.inverse(unit));
+    }
+  }
+
+  R ring_;
+  bool with_transforms_ = false;
+  Lines<R> columns_;
+  std::vector<std::vector<Index>> rows_;  ///< columns that meet the row: perhaps repeated, perhaps no longer
+  std::vector<std::size_t> row_sizes_;    ///< the exact number of entries of the row
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
+  Transform<R> left_;
+  Transform<R> right_;
+};
+
+}  // namespace sesame::sparse
