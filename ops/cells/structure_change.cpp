@@ -86,17 +86,17 @@ void Structure::change_abstract(const Plan& plan, CellId first) {
   std::span<const VertexId> vertices = change.vertices;
   for (CellId c = first; c < created(); ++c) {
     const auto size = static_cast<std::size_t>(dimension(c)) + 1;
-    abstract_.add(c, vertices.first(size));
+    abstract_.include(c, vertices.first(size));
     vertices = vertices.subspan(size);
   }
   if (const auto& collapse = change.collapse) {
     for (const Merge& merge : plan.merges) {
-      abstract_.remove(merge.removed);
+      abstract_.exclude(merge.removed);
     }
     for (const CellId c : change.renamed) {
-      abstract_.replace(c, collapse->gone, collapse->kept);
+      abstract_.rename(c, collapse->gone, collapse->kept);
     }
-    abstract_.join_labels(collapse->from, collapse->to, collapse->kept);
+    abstract_.contract_labels(collapse->from, collapse->to, collapse->kept);
   }
   for (std::uint32_t k = changes_before; k < abstract_.mark(); ++k) {
     note(EventKind::simplicial, k);

@@ -25,27 +25,29 @@ class CollapsePlanner {
       return p != q ? p < q : a < b;
     });
     for (const CellId cell : star) {
-      const auto own = complex_.vertices(cell);
-      const std::vector<VertexId> vertices(own.begin(), own.end());
-      if (std::find(vertices.begin(), vertices.end(), change_.collapse->kept) != vertices.end()) {
-        squash(cell, vertices);
-      } else {
-        send(cell, vertices);
+      const auto [fate, gone_at, survivor] = complex_.fate_of(cell, change_.collapse->gone, change_.collapse->kept);
+      switch (fate) {
+        case SimplexIndex::Fate::renamed:
+          change_.renamed.push_back(cell);
+          break;
+        case SimplexIndex::Fate::merged:
+          merge(cell, gone_at, survivor);
+          break;
+        case SimplexIndex::Fate::squashed:
+          squash(cell, gone_at);
+          break;
       }
     }
   }
 
  private:
-  [[nodiscard]] static std::size_t place(const std::vector<VertexId>& vertices, VertexId v) {
-    return static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), v) - vertices.begin());
-  }
-
   /// Onto the face without the vertex that goes, which itself goes where the other one is.
-  void squash(CellId cell, const std::vector<VertexId>& vertices) {
-    const std::size_t gone = place(vertices, change_.collapse->gone);
+  void squash(CellId cell, std::size_t gone) {
+    const auto vertices = complex_.vertices(cell);
+    const auto kept = static_cast<std::size_t>(std::ranges::find(vertices, change_.collapse->kept) - vertices.begin());
     VertexMap map;  // onto the vertices of the face
     for (std::size_t k = 0; k < vertices.size(); ++k) {
-      const std::size_t at = k == gone ? place(vertices, change_.collapse->kept) : k;
+      const std::size_t at = k == gone ? kept : k;
       map.push_back(static_cast<std::uint8_t>(at - (at > gone ? 1 : 0)));
     }
     VertexMaps& maps = structure_.maps();
@@ -54,13 +56,10 @@ class CollapsePlanner {
     merges_.push_back({cell, none, maps.compose(squashed, face)});
   }
 
-  void send(CellId cell, std::vector<VertexId> vertices) {
-    std::replace(vertices.begin(), vertices.end(), change_.collapse->gone, change_.collapse->kept);
-    const CellId other = complex_.find(vertices);
-    if (other == none) {
-      change_.renamed.push_back(cell);
-      return;
-    }
+  void merge(CellId cell, std::size_t gone, CellId other) {
+    const auto own = complex_.vertices(cell);
+    std::vector<VertexId> vertices(own.begin(), own.end());
+    vertices[gone] = change_.collapse->kept;
     VertexMaps& maps = structure_.maps();
     const OrderId order = maps.order(places_in(complex_.vertices(other), vertices));
     // The cell that stands for the most stays, as ever: so paths of the union-find forest are short.

@@ -74,7 +74,7 @@ Result<BodyId> resolve_body(const std::string& name, const Structure& structure)
 Result<BodyId> abstract_body(LabelId label, const Structure& structure) {
   const AbstractComplex& complex = structure.abstract();
   const VertexId vertex = complex.vertex(label);
-  if (complex.is_collapsed(label)) {
+  if (complex.is_contracted(label)) {
     return Error{Errc::refused, fmt::format("\"{}\" was collapsed into another vertex: write \"{}\"",
                                             complex.text(label), complex.text(complex.label_of(vertex)))};
   }

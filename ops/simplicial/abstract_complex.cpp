@@ -1,6 +1,7 @@
 #include "ops/simplicial/abstract_complex.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "sparse/contract.hpp"
@@ -10,15 +11,6 @@ namespace sesame::ops {
 using sparse::expects;
 
 namespace {
-
-/// A word per vertex: as good as random, and the same in every run. Source: the generator splitmix64 of G. Steele,
-/// D. Lea and C. Flood, "Fast splittable pseudorandom number generators" (2014).
-std::uint64_t word_of(VertexId vertex) {
-  std::uint64_t word = (std::uint64_t{vertex} + 1) * 0x9e37'79b9'7f4a'7c15U;
-  word = (word ^ word >> 30U) * 0xbf58'476d'1ce4'e5b9U;
-  word = (word ^ word >> 27U) * 0x94d0'49bb'1331'11ebU;
-  return word ^ word >> 31U;
-}
 
 bool is_integer(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; }) &&
@@ -68,55 +60,31 @@ LabelId AbstractComplex::add_label(std::string_view text) {
   const LabelId label = labels();
   texts_.add(text, label, none);
   labels_.push_back({label, 1, label});
-  vertices_.push_back({word_of(label), label});
+  label_of_.push_back(label);
   journal_.push_back({Change::Kind::label});
   return label;
 }
 
-void AbstractComplex::join_labels(LabelId from, LabelId to, VertexId kept) {
+void AbstractComplex::contract_labels(LabelId from, LabelId to, VertexId kept) {
   LabelId above = root(from);
   LabelId below = root(to);
-  expects(above != below, "labels of different vertices are joined");
+  expects(above != below, "labels of different vertices are contracted");
   if (labels_[above].below < labels_[below].below) {
     std::swap(above, below);
   }
-  joints_.push_back({above, below, labels_[above].vertex, kept, vertices_[kept].label});
-  journal_.push_back({Change::Kind::joint});
+  contractions_.push_back({above, below, labels_[above].vertex, kept, label_of_[kept]});
+  journal_.push_back({Change::Kind::contraction});
   labels_[below].parent = above;
   labels_[above].below += labels_[below].below;
   labels_[above].vertex = kept;
-  vertices_[kept].label = to;
+  label_of_[kept] = to;
 }
 
 // ------------------------------------------------------------------------------------------------------------- cells
 
-std::uint32_t AbstractComplex::end_of(std::uint32_t number) const {
-  return number + 1 < cells_.size() ? cells_[number + 1].first : static_cast<std::uint32_t>(vertex_.size());
-}
-
-std::span<const VertexId> AbstractComplex::vertices_of(std::uint32_t number) const {
-  return std::span{vertex_}.subspan(cells_[number].first, end_of(number) - cells_[number].first);
-}
-
-std::uint32_t AbstractComplex::find_number(std::span<const VertexId> vertices) const {
-  std::uint64_t sum = 0;
-  for (const VertexId v : vertices) {
-    sum += vertices_[v].word;
-  }
-  touched_ += vertices.size();
-  const auto [first, last] = by_sum_.equal_range(sum);
-  const auto found = std::find_if(first, last, [&](const auto& entry) {
-    const auto of_cell = vertices_of(entry.second);
-    return of_cell.size() == vertices.size() && std::all_of(vertices.begin(), vertices.end(), [&](VertexId v) {
-             return std::find(of_cell.begin(), of_cell.end(), v) != of_cell.end();
-           });
-  });
-  return found == last ? none : found->second;
-}
-
 CellId AbstractComplex::find(std::span<const VertexId> vertices) const {
-  const std::uint32_t number = find_number(vertices);
-  return number == none ? none : cells_[number].id;
+  const SimplexIndex::Slot slot = simplices_.find(SimplexIndex::key(vertices));
+  return slot == SimplexIndex::nothing ? none : cells_[vertices.size() - 1][slot];
 }
 
 std::optional<std::vector<VertexId>> AbstractComplex::vertices_named(std::string_view name) const {
@@ -149,95 +117,79 @@ std::optional<AbstractComplex::Named> AbstractComplex::find_named(std::string_vi
   std::vector<VertexId> different = *listed;
   std::sort(different.begin(), different.end());
   different.erase(std::unique(different.begin(), different.end()), different.end());
-  const std::uint32_t number = find_number(different);
-  return number == none ? std::nullopt
-                        : std::optional{Named{cells_[number].id, places_in(vertices_of(number), *listed)}};
+  const CellId cell = find(different);
+  return cell == none ? std::nullopt : std::optional{Named{cell, places_in(vertices(cell), *listed)}};
 }
 
 std::vector<CellId> AbstractComplex::star(VertexId vertex) const {
   std::vector<CellId> cells;
-  for (std::uint32_t i = vertices_[vertex].first; i != none; i = incidences_[i].after) {
-    cells.push_back(cells_[incidences_[i].cell].id);
-  }
-  touched_ += cells.size();
+  cells.reserve(star_size(vertex));
+  simplices_.for_each_in_star(
+      vertex, [&](std::size_t dimension, SimplexIndex::Slot slot) { cells.push_back(cells_[dimension][slot]); });
   return cells;
+}
+
+AbstractComplex::Fate AbstractComplex::fate_of(CellId cell, VertexId moved, VertexId kept) const {
+  const auto [slot, dimension] = place_[cell];
+  const SimplexIndex::Change change = simplices_.change_of(dimension, slot, moved, kept);
+  const bool is_merged = change.fate == SimplexIndex::Fate::merged;
+  return {change.fate, change.moved_at, is_merged ? cells_[dimension][change.survivor] : none};
 }
 
 // ------------------------------------------------------------------------------------------------------------ change
 
-void AbstractComplex::link(std::uint32_t incidence) {
-  Vertex& vertex = vertices_[vertex_[incidence]];
-  incidences_[incidence].before = none;
-  incidences_[incidence].after = vertex.first;
-  if (vertex.first != none) {
-    incidences_[vertex.first].before = incidence;
+void AbstractComplex::include(CellId cell, std::span<const VertexId> vertices) {
+  const std::size_t dimension = vertices.size() - 1;
+  const SimplexIndex::Slot slot = simplices_.slots(dimension);
+  simplices_.include(SimplexIndex::key(vertices), slot);
+  if (cells_.size() <= dimension) {
+    cells_.resize(dimension + 1);
   }
-  vertex.first = incidence;
-  ++vertex.star_size;
-  ++touched_;
+  cells_[dimension].push_back(cell);
+  if (place_.size() <= cell) {
+    place_.resize(cell + std::size_t{1});
+  }
+  place_[cell] = {slot, static_cast<std::uint8_t>(dimension)};
+  journal_.push_back({Change::Kind::inclusion, 0, place_[cell]});
 }
 
-void AbstractComplex::unlink(std::uint32_t incidence) {
-  Vertex& vertex = vertices_[vertex_[incidence]];
-  const auto [cell, before, after] = incidences_[incidence];
-  (before == none ? vertex.first : incidences_[before].after) = after;
-  if (after != none) {
-    incidences_[after].before = before;
-  }
-  --vertex.star_size;
-  ++touched_;
+void AbstractComplex::exclude(CellId cell) {
+  simplices_.exclude(place_[cell].dimension, place_[cell].slot);
+  journal_.push_back({Change::Kind::exclusion, 0, place_[cell]});
 }
 
-void AbstractComplex::enter(std::uint32_t number) { by_sum_.emplace(cells_[number].sum, number); }
-
-void AbstractComplex::leave(std::uint32_t number) {
-  const auto [first, last] = by_sum_.equal_range(cells_[number].sum);
-  by_sum_.erase(std::find_if(first, last, [number](const auto& entry) { return entry.second == number; }));
+void AbstractComplex::rename(CellId cell, VertexId moved, VertexId kept) {
+  const auto own = vertices(cell);
+  const auto at = static_cast<std::size_t>(std::find(own.begin(), own.end(), moved) - own.begin());
+  put_vertex(place_[cell], at, kept);
+  journal_.push_back({Change::Kind::renaming, static_cast<std::uint8_t>(at), place_[cell], moved});
 }
 
-void AbstractComplex::set_vertex(std::uint32_t incidence, VertexId vertex) {
-  const std::uint32_t number = incidences_[incidence].cell;
-  leave(number);
-  unlink(incidence);
-  cells_[number].sum += vertices_[vertex].word - vertices_[vertex_[incidence]].word;
-  vertex_[incidence] = vertex;
-  link(incidence);
-  enter(number);
+void AbstractComplex::put_vertex(const Place& place, std::size_t at, VertexId vertex) {
+  std::array<VertexId, largest_dimension + 1> vertices;
+  const auto old = simplices_.vertices(place.dimension, place.slot);
+  std::copy(old.begin(), old.end(), vertices.begin());
+  vertices[at] = vertex;
+  simplices_.rename(place.dimension, place.slot, {vertices.data(), old.size()});
 }
 
-void AbstractComplex::add(CellId cell, std::span<const VertexId> vertices) {
-  const auto number = static_cast<std::uint32_t>(cells_.size());
-  cells_.push_back({cell, static_cast<std::uint32_t>(vertex_.size()), 0});
-  for (const VertexId v : vertices) {
-    vertex_.push_back(v);
-    incidences_.push_back({number, none, none});
-    cells_[number].sum += vertices_[v].word;
-    link(static_cast<std::uint32_t>(vertex_.size() - 1));
-  }
-  enter(number);
-  if (number_.size() <= cell) {
-    number_.resize(cell + std::size_t{1}, none);
-  }
-  number_[cell] = number;
-  journal_.push_back({Change::Kind::cell});
+// -------------------------------------------------------------------------------------------------------------- undo
+
+void AbstractComplex::undo_inclusion(const Place& place) {
+  simplices_.exclude(place.dimension, place.slot);
+  simplices_.drop_last_slot(place.dimension);
+  std::vector<CellId>& cells = cells_[place.dimension];
+  place_[cells.back()] = {};
+  cells.pop_back();
 }
 
-void AbstractComplex::remove(CellId cell) {
-  const std::uint32_t number = number_[cell];
-  leave(number);
-  for (std::uint32_t i = cells_[number].first; i < end_of(number); ++i) {
-    unlink(i);
-  }
-  journal_.push_back({Change::Kind::removal, number});
-}
-
-void AbstractComplex::replace(CellId cell, VertexId before, VertexId after) {
-  std::uint32_t incidence = cells_[number_[cell]].first;
-  while (vertex_[incidence] != before) {
-    ++incidence;
-  }
-  set_vertex(incidence, after);
-  journal_.push_back({Change::Kind::replacement, incidence, before});
+void AbstractComplex::undo_contraction() {
+  const Contraction& last = contractions_.back();
+  labels_[last.child].parent = last.child;
+  labels_[last.root].below -= labels_[last.child].below;
+  labels_[last.root].vertex = last.before;
+  label_of_[last.kept] = last.label_before;
+  contractions_.pop_back();
 }
 
 void AbstractComplex::undo(const Change& change) {
@@ -245,38 +197,15 @@ void AbstractComplex::undo(const Change& change) {
     case Change::Kind::label:
       texts_.pop_back();
       labels_.pop_back();
-      vertices_.pop_back();
-      break;
-    case Change::Kind::cell: {
-      const auto number = static_cast<std::uint32_t>(cells_.size() - 1);
-      leave(number);
-      while (vertex_.size() > cells_[number].first) {
-        unlink(static_cast<std::uint32_t>(vertex_.size() - 1));
-        vertex_.pop_back();
-        incidences_.pop_back();
-      }
-      number_[cells_[number].id] = none;
-      cells_.pop_back();
-      break;
-    }
-    case Change::Kind::removal:
-      for (std::uint32_t i = cells_[change.what].first; i < end_of(change.what); ++i) {
-        link(i);
-      }
-      enter(change.what);
-      break;
-    case Change::Kind::replacement:
-      set_vertex(change.what, change.before);
-      break;
-    case Change::Kind::joint: {
-      const Joint& joint = joints_.back();
-      labels_[joint.child].parent = joint.child;
-      labels_[joint.root].below -= labels_[joint.child].below;
-      labels_[joint.root].vertex = joint.before;
-      vertices_[joint.kept].label = joint.label_before;
-      joints_.pop_back();
-      break;
-    }
+      return label_of_.pop_back();
+    case Change::Kind::inclusion:
+      return undo_inclusion(change.place);
+    case Change::Kind::exclusion:
+      return simplices_.include_again(change.place.dimension, change.place.slot);
+    case Change::Kind::renaming:
+      return put_vertex(change.place, change.at, change.before);
+    case Change::Kind::contraction:
+      return undo_contraction();
   }
 }
 

@@ -8,27 +8,22 @@
 #include <span>
 #include <vector>
 
+#include "ops/simplicial/simplex_index.hpp"
+#include "ops/simplicial/tower_rules.hpp"
 #include "sparse/hash_index.hpp"
 #include "sparse/result.hpp"
 
 namespace sesame::ops {
-
-/// The name of a vertex in a tower.
-using Label = std::uint64_t;
 
 /// Simplices have a *slot*, a number that is unique among the current ones of their dimension; slots are used again.
 /// A simplex is oriented by the order of its vertices' slots, so its facet k, the one without vertex k, has coefficient
 /// (-1)^k in its boundary.
 class TowerComplex {
  public:
-  using Slot = std::uint32_t;
+  using Slot = SimplexIndex::Slot;
+  using Fate = SimplexIndex::Fate;
 
-  /// What becomes of a simplex when a vertex is contracted into another one.
-  enum class Fate : std::uint8_t {
-    renamed,   ///< it has the other vertex instead, and stays
-    merged,    ///< into the simplex that it would become, which is there
-    squashed,  ///< it had both vertices
-  };
+  /// What a contraction makes of a simplex.
   struct Change {
     Slot slot;
     Slot survivor;  ///< when merged
@@ -40,32 +35,25 @@ class TowerComplex {
   using Changes = std::vector<std::vector<Change>>;
 
   /// Simplices have at most this dimension.
-  static constexpr int largest_dimension = 63;
-
-  /// No more faces than that are found missing.
-  static constexpr std::size_t most_missing = std::size_t{1} << 20;
+  static constexpr int largest_dimension = TowerRules::most_vertices - 1;
 
   /// Includes a simplex, whose facets must be there. Returns its slot; `facets` are those of this simplex then.
-  /// Errors: unknown_name when a facet is missing; bad_input when a label is repeated, the simplex is there or too
-  /// large. Nothing has changed then. Cost: O(dimension^2).
+  /// Errors: see TowerRules::check_inclusion. Nothing has changed then. Cost: O(dimension^2).
   Result<Slot> include(std::span<const Label> labels);
   /// The facets of the simplex last included, facet k being the one without vertex k. None for a vertex.
   [[nodiscard]] std::span<const Slot> facets() const { return {facets_.data(), facets_size_}; }
 
-  /// Whether the simplex with these labels, in any order, is there.
-  [[nodiscard]] bool contains(std::span<const Label> labels) const;
-  /// The faces of a simplex that are not there, by their labels, which ascend; by dimension, then lexicographically.
-  /// The simplex itself is not among them. Errors: bad_input when a label is repeated, or more than `most_missing`
-  /// faces are missing.
-  [[nodiscard]] Result<std::vector<std::vector<Label>>> missing_faces(std::span<const Label> labels) const;
-
   /// Works out the contraction of u into v, which have to be two vertices of the complex. It is carried out by
-  /// `contract`, with nothing else in between. Errors: bad_input when one is not there, or both are the same.
+  /// `contract`, with nothing else in between. Errors: see TowerRules::check_contraction.
   /// Cost: the smaller of the two stars, times the dimension.
   Result<const Changes*> plan_contraction(Label u, Label v);
   /// Carries out the contraction worked out last; the merged vertex is called v.
   void contract();
 
+  /// Which simplices are there, and what is wrong with an operation, by labels. Not longer than the complex.
+  [[nodiscard]] TowerRules rules() const {
+    return {simplices_, [this](Label label) { return find_vertex(label); }};
+  }
   /// The facet of a current simplex without its vertex k.
   [[nodiscard]] Slot facet(int dimension, Slot slot, std::size_t k) const;
   /// The labels of a current simplex, in the order that orients it.
@@ -77,73 +65,47 @@ class TowerComplex {
   /// Calls visit(slot) for each simplex of a dimension. Cost: the most that there ever were at once.
   template <class Visit>
   void for_each(int dimension, Visit&& visit) const;
-  /// The terms looked at by contractions so far: what they have cost.
-  [[nodiscard]] std::uint64_t touched() const { return touched_; }
+  /// The incidences looked at by contractions so far: what they have cost.
+  [[nodiscard]] std::uint64_t touched() const { return simplices_.touched(); }
 
  private:
-  using Vertex = std::uint32_t;  ///< the slot of a vertex
-  static constexpr std::uint32_t nothing = sparse::HashIndex::nothing;
+  using Vertex = SimplexIndex::Vertex;  ///< the slot of a vertex
+  static constexpr std::uint32_t nothing = SimplexIndex::nothing;
 
-  /// The simplices of a dimension >= 1.
-  struct Layer {
-    std::size_t stride;            ///< vertices of a simplex
-    std::vector<Vertex> vertices;  ///< of each slot, ascending; the first is `nothing` when the slot is free
-    std::vector<Slot> free;
-    sparse::HashIndex index;
-    // Stars as doubly linked lists, once there has been a contraction: a link for each vertex of each slot.
-    std::vector<std::uint32_t> next, previous;  ///< links, or `nothing`
-    std::vector<std::uint32_t> first;           ///< per vertex
-  };
-
-  [[nodiscard]] static std::uint64_t word(Vertex v) { return sparse::spread_bits(v); }
-  [[nodiscard]] const Vertex* vertices_of(const Layer& layer, Slot slot) const {
-    return layer.vertices.data() + layer.stride * slot;
-  }
-  [[nodiscard]] std::uint64_t hash_of(const Layer& layer, Slot slot) const;
   [[nodiscard]] Vertex find_vertex(Label label) const;
-  [[nodiscard]] Slot find_without(const Layer& layer, const Vertex* vertices, std::size_t k, std::uint64_t hash) const;
   Result<Slot> include_vertex(Label label);
-  Error missing(std::span<const Label> labels, std::size_t without) const;
-  [[nodiscard]] Layer& layer_for(std::size_t dimension);
-  Slot add_simplex(Layer& layer, std::uint64_t hash);
-  void build_stars();
-  void link(Layer& layer, Slot slot);
-  void unlink(Layer& layer, Slot slot);
-  [[nodiscard]] Change change_of(const Layer& layer, Slot slot);
-  void carry_out(Layer& layer, const Change& change);
-  void count_down(std::size_t dimension);
+  bool find_vertices(std::span<const Label> labels);
+  bool find_facets(const SimplexIndex::Key& key);
+  [[nodiscard]] std::size_t put_kept(std::span<const Vertex> vertices, std::size_t moved_at);
+  [[nodiscard]] Change change_of(std::size_t dimension, Slot slot);
+  void carry_out(std::size_t dimension, const Change& change);
+  [[nodiscard]] Slot take_slot(std::size_t dimension);
+  void free_slot(std::size_t dimension, Slot slot);
 
+  SimplexIndex simplices_;       ///< of dimension 1, 2, ...
   std::vector<Label> label_of_;  ///< per vertex
-  std::vector<bool> is_vertex_;
-  std::vector<Vertex> free_vertices_;
-  sparse::HashIndex labels_;
-  std::vector<Layer> layers_;  ///< of dimension 1, 2, ...
+  sparse::HashIndex vertices_of_labels_;
+  std::vector<std::vector<Slot>> free_;  ///< slots, per dimension
   std::vector<std::uint64_t> counts_;
-  bool has_stars_ = false;
-  std::vector<std::uint32_t> star_size_;  ///< per vertex, once there are stars: simplices of dimension >= 1
 
-  std::array<Vertex, largest_dimension + 1> vertices_{};  ///< of the simplex that is being looked up
+  std::array<Vertex, largest_dimension + 1> vertices_{};  ///< of the simplex that is being looked up, ascending
   std::array<Slot, largest_dimension + 1> facets_{};
   std::size_t facets_size_ = 0;
   Changes changes_;
   Vertex moved_ = nothing, kept_ = nothing;
   Label merged_label_ = 0;
-  std::uint64_t touched_ = 0;
 };
 
 template <class Visit>
 void TowerComplex::for_each(int dimension, Visit&& visit) const {
-  if (dimension == 0) {
-    for (Vertex v = 0; v < label_of_.size(); ++v) {
-      if (is_vertex_[v]) {
-        visit(v);
-      }
+  std::vector<bool> is_free(slots(dimension), false);
+  if (!is_free.empty()) {
+    for (const Slot slot : free_[static_cast<std::size_t>(dimension)]) {
+      is_free[slot] = true;
     }
-    return;
   }
-  const Layer& layer = layers_[static_cast<std::size_t>(dimension - 1)];
-  for (Slot slot = 0; slot * layer.stride < layer.vertices.size(); ++slot) {
-    if (*vertices_of(layer, slot) != nothing) {
+  for (Slot slot = 0; slot < slots(dimension); ++slot) {
+    if (!is_free[slot]) {
       visit(slot);
     }
   }

@@ -64,13 +64,28 @@ std::string EngineTower::name(std::uint64_t label) const {
   return uses == 1 ? std::to_string(label) : fmt::format("{}#{}", label, uses);
 }
 
+ops::VertexId EngineTower::vertex(std::uint64_t label) const {
+  if (!uses_.contains(label)) {
+    return ops::none;
+  }
+  const ops::AbstractComplex& complex = engine_.structure().abstract();
+  const ops::LabelId known = complex.label(name(label));
+  return known == ops::none || complex.is_contracted(known) ? ops::none : complex.vertex(known);
+}
+
+ops::TowerRules EngineTower::rules() const {
+  return {engine_.structure().abstract().simplices(), [this](std::uint64_t label) { return vertex(label); }};
+}
+
 Status EngineTower::apply(const TowerOperation& operation) {
-  const Status status = complex_.apply(operation);
-  if (!status) {
-    return status;
+  const bool is_inclusion = operation.kind == TowerOperation::Kind::insert;
+  if (const Status status = is_inclusion ? rules().check_inclusion(operation.labels)
+                                         : rules().check_contraction(operation.labels[0], operation.labels[1]);
+      !status) {
+    return told(status.error());
   }
   ops::Operation step;
-  if (operation.kind == TowerOperation::Kind::insert) {
+  if (is_inclusion) {
     if (operation.dimension == 0) {
       ++uses_[operation.labels[0]];
     }

@@ -50,15 +50,18 @@ class EngineTower {
  public:
   explicit EngineTower(const sparse::AnyRing& ring) : engine_{ring} {}
 
-  /// Applies the next operation, or leaves everything as it was. Errors: bad_input, without the place.
+  /// Applies the next operation, or leaves everything as it was. Errors, without the place: as those of a TowerReplay.
   Status apply(const TowerOperation& operation);
-  [[nodiscard]] const ops::TowerComplex& complex() const { return complex_.complex(); }
+  /// What is there, by labels, and what is wrong with an operation. Not longer than the tower.
+  [[nodiscard]] ops::TowerRules rules() const;
   [[nodiscard]] engine::Engine& engine() { return engine_; }
 
  private:
+  /// What the engine calls the vertex that a label names, or named last. Requires: it has named one.
   [[nodiscard]] std::string name(std::uint64_t label) const;
+  /// The vertex that a label names, or none.
+  [[nodiscard]] ops::VertexId vertex(std::uint64_t label) const;
 
-  TowerReplay complex_{{}};  ///< says what is wrong with an operation, as it does over a field
   engine::Engine engine_;
   /// How often a label has named a new vertex: the engine wants another name each time.
   std::unordered_map<std::uint64_t, std::uint64_t> uses_;

@@ -5,14 +5,11 @@
 #include "replay/text/log.hpp"
 
 namespace sesame::replay {
-namespace {
 
 Error told(const Error& error) {
   tower_log().debug("an operation did not happen: {}", error.what);
   return error;
 }
-
-}  // namespace
 
 using ops::Label;
 using ops::TowerComplex;

@@ -27,6 +27,9 @@ struct FaceAdder {
   std::uint64_t already = 0;  ///< simplices that were there
 };
 
+/// The same error, after the log has been told that an operation did not happen.
+Error told(const Error& error);
+
 /// A tower under way.
 class TowerReplay {
  public:
@@ -38,7 +41,8 @@ class TowerReplay {
   /// a simplex is missing; bad_input.
   Status apply(const TowerOperation& operation);
 
-  [[nodiscard]] const ops::TowerComplex& complex() const { return complex_; }
+  /// What is there, by labels, and what is wrong with an operation.
+  [[nodiscard]] ops::TowerRules rules() const { return complex_.rules(); }
   [[nodiscard]] std::uint64_t operations() const { return operations_; }
   /// The number of cells of each dimension, up to the largest that has one.
   [[nodiscard]] std::span<const std::uint64_t> cells() const {
@@ -62,11 +66,11 @@ Status FaceAdder::apply(Tower& tower, const TowerOperation& operation) {
   if (!adds_faces || operation.kind != TowerOperation::Kind::insert) {
     return tower.apply(operation);
   }
-  if (tower.complex().contains(operation.labels)) {
+  if (tower.rules().contains(operation.labels)) {
     ++already;
     return Done{};
   }
-  const Result<std::vector<std::vector<ops::Label>>> faces = tower.complex().missing_faces(operation.labels);
+  const Result<std::vector<std::vector<ops::Label>>> faces = tower.rules().missing_faces(operation.labels);
   if (!faces) {
     return faces.error();
   }

@@ -15,7 +15,7 @@ using Vertices = std::vector<VertexId>;
 std::set<std::set<std::string>> simplices_of(const AbstractComplex& complex) {
   std::set<std::set<std::string>> simplices;
   for (LabelId label = 0; label < complex.labels(); ++label) {
-    if (complex.is_collapsed(label)) {
+    if (complex.is_contracted(label)) {
       continue;
     }
     const std::vector<CellId> star = complex.star(complex.vertex(label));
@@ -50,7 +50,7 @@ void apply(AbstractComplex& complex, CellId& next_cell, const Insert& op) {
       }
     }
     if (complex.find(vertices) == none) {
-      complex.add(next_cell++, vertices);
+      complex.include(next_cell++, vertices);
     }
   }
 }
@@ -63,12 +63,12 @@ void apply(AbstractComplex& complex, const Collapse& op) {
     std::replace(vertices.begin(), vertices.end(), gone, kept);
     const bool is_squashed = std::count(vertices.begin(), vertices.end(), kept) > 1;
     if (is_squashed || complex.find(vertices) != none) {
-      complex.remove(cell);
+      complex.exclude(cell);
     } else {
-      complex.replace(cell, gone, kept);
+      complex.rename(cell, gone, kept);
     }
   }
-  complex.join_labels(complex.label(op.from), complex.label(op.to), kept);
+  complex.contract_labels(complex.label(op.from), complex.label(op.to), kept);
 }
 
 }  // namespace
@@ -127,7 +127,7 @@ TEST_CASE("random changes do to stars and names what they do to sets of labels, 
     }
     REQUIRE(simplices_of(complex) == steps.complex().simplices);
     for (const std::string& label : steps.complex().dead) {
-      CHECK(complex.is_collapsed(complex.label(label)));
+      CHECK(complex.is_contracted(complex.label(label)));
     }
   }
   complex.truncate(0);
@@ -140,9 +140,9 @@ TEST_CASE("names that are no list of known labels, or repeat a vertex, denote no
   AbstractComplex complex;
   const LabelId a = complex.add_label("a");
   const LabelId b = complex.add_label("b");
-  complex.add(0, Vertices{a});
-  complex.add(1, Vertices{b});
-  complex.add(2, Vertices{b, a});
+  complex.include(0, Vertices{a});
+  complex.include(1, Vertices{b});
+  complex.include(2, Vertices{b, a});
   CHECK(complex.find_named("{a,b}").value().cell == 2);
   CHECK(complex.find_named("{a,b}").value().places == std::vector<std::uint8_t>{1, 0});
   CHECK(complex.find_named("{b,a}").value().places == std::vector<std::uint8_t>{0, 1});

@@ -439,9 +439,9 @@ TEST_CASE("the work of a collapse is that of the smaller star, in both direction
     Workshop shop;
     insert_fan(shop, "big", 0, size);  // a star of 2 size + 2 cells
     insert_fan(shop, "small", size + 1000, 2);
-    const std::uint64_t before = shop.structure().abstract().incidences_touched();
+    const std::uint64_t before = shop.structure().abstract().simplices().touched();
     carry_out(shop, small_goes ? collapse("small", "big") : collapse("big", "small"));
-    work.push_back(shop.structure().abstract().incidences_touched() - before);
+    work.push_back(shop.structure().abstract().simplices().touched() - before);
     CHECK(shop.last_plan().merges.size() == 1);
     CHECK(shop.last_plan().abstract->renamed.size() <= 6);
     const VertexId kept = shop.structure().abstract().vertex(shop.structure().abstract().label("big"));

@@ -69,11 +69,11 @@ TEST_CASE("the faces that a simplex lacks are found, and make it one that can be
     }
     std::shuffle(labels.begin(), labels.end(), random);
     const PlainComplex::Simplex simplex(labels.begin(), labels.end());
-    REQUIRE(complex.contains(labels) == plain.has(simplex));
+    REQUIRE(complex.rules().contains(labels) == plain.has(simplex));
     if (labels.empty() || plain.has(simplex)) {
       continue;
     }
-    const auto faces = complex.missing_faces(labels);
+    const auto faces = complex.rules().missing_faces(labels);
     REQUIRE(faces);
     for (const std::vector<Label>& face : *faces) {
       REQUIRE(plain.can_include({face.begin(), face.end()}));
@@ -81,7 +81,7 @@ TEST_CASE("the faces that a simplex lacks are found, and make it one that can be
       plain.apply({false, face});
     }
     REQUIRE(plain.can_include(simplex));
-    CHECK(complex.missing_faces(labels).value().empty());
+    CHECK(complex.rules().missing_faces(labels).value().empty());
     REQUIRE(complex.include(labels));
     plain.apply({false, labels});
   }
@@ -92,10 +92,10 @@ TEST_CASE("a simplex that lacks too many faces, or has a vertex twice, is refuse
   TowerComplex complex;
   std::vector<Label> labels(60);
   std::iota(labels.begin(), labels.end(), Label{0});
-  CHECK_FALSE(complex.contains(labels));
-  CHECK_THAT(complex.missing_faces(labels).error().what, Catch::Contains("lacks more than 1048576 faces"));
+  CHECK_FALSE(complex.rules().contains(labels));
+  CHECK_THAT(complex.rules().missing_faces(labels).error().what, Catch::Contains("lacks more than 1048576 faces"));
   labels = {3, 1, 3};
-  CHECK(complex.missing_faces(labels).error().what == "vertex 3 is repeated in {3 1 3}");
+  CHECK(complex.rules().missing_faces(labels).error().what == "vertex 3 is repeated in {3 1 3}");
   labels = {0, 1};
   CHECK(complex.include(labels).error().code == Errc::unknown_name);
 }

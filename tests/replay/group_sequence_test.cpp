@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/random_towers.hpp"
 
 using namespace sesame;
 using replay::GroupSequence;
@@ -45,3 +46,36 @@ TEST_CASE("groups that do not change are written once, as lines too", "[replay]"
 }
 
 TEST_CASE("a sequence without operations is empty", "[replay]") { CHECK(json({}) == "[]"); }
+
+TEST_CASE("over Z what is wrong with an operation is said as over a field, and changes nothing", "[replay][tower]") {
+  const std::uint32_t seed = GENERATE(range(0u, 8u));
+  CAPTURE(seed);
+  using Kind = replay::TowerOperation::Kind;
+  replay::EngineTower over_z(sparse::Integers{});
+  replay::TowerReplay over_a_field({});
+  std::mt19937 random(seed);
+  const auto operation_of = [](const tests::TowerStep& step) {
+    return replay::TowerOperation{step.is_contraction ? Kind::contract : Kind::insert, 0.0,
+                                  static_cast<int>(step.labels.size()) - 1, step.labels};
+  };
+  for (const tests::TowerStep& step : tests::random_tower(seed, 60, 8, 1 + seed % 4)) {
+    for (int trial = 0; trial < 5; ++trial) {
+      tests::TowerStep wrong{random() % 4 == 0, {random() % 9, random() % 9}};
+      if (!wrong.is_contraction && random() % 2 == 0) {
+        wrong.labels.push_back(wrong.labels[0]);
+      }
+      const Status refused = wrong.is_contraction
+                                 ? over_a_field.rules().check_contraction(wrong.labels[0], wrong.labels[1])
+                                 : over_a_field.rules().check_inclusion(wrong.labels);
+      if (!refused) {
+        const std::size_t done = over_z.engine().log().size();
+        CHECK(over_a_field.apply(operation_of(wrong)).error().what == refused.error().what);
+        CHECK(over_z.apply(operation_of(wrong)).error().what == refused.error().what);
+        CHECK(over_z.engine().log().size() == done);
+      }
+    }
+    REQUIRE(over_z.apply(operation_of(step)));
+    REQUIRE(over_a_field.apply(operation_of(step)));
+    REQUIRE(std::ranges::equal(over_z.engine().cells(), over_a_field.cells()));
+  }
+}

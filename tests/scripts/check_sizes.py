@@ -15,7 +15,6 @@ LINES, FUNCTIONS = 400, 30
 FORMAT = "one format, whose parts say nothing without one another"
 LARGE_FILES = {
     "engine/towers/cycle_tracker.cpp": (409, "one algorithm"),
-    "ops/simplicial/tower_complex.cpp": (432, "one vertex index with AbstractComplex would serve both"),
     "tools/bench/eager_equivalence.cpp": (437, "the published method on columns of its own; reductions/ should carry it"),
     "tools/bench/scenarios.cpp": (513, "a list"),
     "tools/commands/tower_command.cpp": (606, "the loops over fields, Z and scripts have yet to part"),
