@@ -1,0 +1,154 @@
+/// \file
+/// Complexes that grow, and plain twins of rewriting, for the tests of the right reduction.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/right/rules.hpp"
+#include "sparse/column_store.hpp"
+#include "tests/support/random_complexes.hpp"
+
+namespace sesame::tests {
+
+/// A complex, all degrees in one column store: each generator comes after those of its boundary.
+template <Ring R>
+struct GrowingComplex {
+  sparse::ColumnStore<R> boundary;
+  std::vector<int> degrees;
+
+  explicit GrowingComplex(const R& ring) : boundary(ring, 0, 0) {}
+  [[nodiscard]] Terms<R> d(const Terms<R>& chain) const {
+    Terms<R> image;
+    for (const auto& [x, coefficient] : chain) {
+      sparse::add_multiple<R>(boundary.ring(), image, coefficient, boundary.column(x));
+    }
+    return image;
+  }
+  Index append(int degree, const Terms<R>& column) {
+    boundary.append_rows(1);
+    boundary.append_column(column);
+    degrees.push_back(degree);
+    return boundary.columns() - 1;
+  }
+};
+
+/// The generators of a complex in a random order in which each comes after those of its boundary.
+template <Ring R>
+GrowingComplex<R> in_random_order(Random& random, const ChainComplex<R>& complex) {
+  GrowingComplex<R> growing(complex.ring());
+  std::map<std::pair<int, Index>, Index> place;
+  std::vector<std::pair<int, Index>> waiting;
+  for (int p = 0; p <= complex.top(); ++p) {
+    for (Index x = 0; x < complex.size(p); ++x) {
+      waiting.emplace_back(p, x);
+    }
+  }
+  while (!waiting.empty()) {
+    const auto at = waiting.begin() + random.in(0, static_cast<int>(waiting.size()) - 1);
+    const auto [p, x] = *at;
+    Terms<R> column = complex.boundary(p).column(x);
+    bool is_ready = true;
+    for (auto& term : column) {
+      const auto row = place.find({p - 1, term.index});
+      is_ready = is_ready && row != place.end();
+      term.index = is_ready ? row->second : 0;
+    }
+    if (is_ready) {
+      sparse::normalize(complex.ring(), column);
+      place[{p, x}] = growing.append(p, column);
+      waiting.erase(at);
+    }
+  }
+  return growing;
+}
+
+/// A chain of symbols rewritten by all rules as they were made, one after the other.
+template <Ring R>
+Terms<R> rewritten(const R& ring, const engine::Rules<R>& rules, const Terms<R>& symbols) {
+  std::map<engine::Symbol, typename R::Element> sum;
+  const auto add = [&](engine::Symbol x, const typename R::Element& factor, const typename R::Element& coefficient) {
+    ring.add_product(sum.try_emplace(x, ring.zero()).first->second, factor, coefficient);
+  };
+  for (const auto& [x, coefficient] : symbols) {
+    add(x, coefficient, ring.one());
+  }
+  for (engine::RuleId id = 0; id < rules.size(); ++id) {
+    const auto& rule = rules[id];
+    if (rules.removed_by(rule.a) != id) {
+      continue;  // it was consumed
+    }
+    sum.erase(rule.b);
+    if (const auto node = sum.extract(rule.a)) {
+      for (const auto& [y, factor] : rules.value(id)) {
+        add(y, node.mapped(), factor);
+      }
+    }
+  }
+  Terms<R> image;
+  for (const auto& [x, coefficient] : sum) {
+    image.push_back({x, coefficient});
+  }
+  sparse::normalize(ring, image);
+  return image;
+}
+
+/// A chain of generators of B in symbols.
+template <Ring R>
+Terms<R> in_symbols(const R& ring, const engine::Rules<R>& rules, Terms<R> chain) {
+  for (auto& term : chain) {
+    term.index = rules.symbol_of(term.index);
+  }
+  sparse::normalize(ring, chain);
+  return chain;
+}
+
+template <Ring R>
+Terms<R> sum_of(const R& ring, Terms<R> a, const typename R::Element& factor, const Terms<R>& b) {
+  sparse::add_multiple<R>(ring, a, factor, b);
+  return a;
+}
+
+/// The laws of a reduction B => S, on generators of B and on the `small` symbols: f g = 1, d g = g dS,
+/// g f + d h + h d = 1, f h = 0, h g = 0, h h = 0. Chains of B are in generators. Returns the first that fails.
+template <Ring R, class F, class G, class H, class SmallBoundary>
+std::string broken_law(const GrowingComplex<R>& complex, const std::vector<engine::Symbol>& small, F f, G g, H h,
+                       SmallBoundary ds) {
+  const R& ring = complex.boundary.ring();
+  const auto minus_one = ring.negate(ring.one());
+  for (const engine::Symbol x : small) {
+    const Terms<R> unit{{x, ring.one()}};
+    const Terms<R> lift = g(unit);
+    const std::string where = " at the symbol " + std::to_string(x);
+    if (f(lift) != unit) {
+      return "f g = 1" + where;
+    }
+    if (complex.d(lift) != g(ds(x))) {
+      return "d g = g d" + where;
+    }
+    if (!h(lift).empty()) {
+      return "h g = 0" + where;
+    }
+  }
+  for (Index b = 0; b < complex.boundary.columns(); ++b) {
+    const Terms<R> unit{{b, ring.one()}};
+    const Terms<R> homotopy = h(unit);
+    const std::string where = " at the generator " + std::to_string(b);
+    Terms<R> sum = sum_of(ring, g(f(unit)), ring.one(), complex.d(homotopy));
+    sum = sum_of(ring, std::move(sum), ring.one(), h(complex.boundary.column(b)));
+    if (!sum_of(ring, std::move(sum), minus_one, unit).empty()) {
+      return "g f + d h + h d = 1" + where;
+    }
+    if (!f(homotopy).empty()) {
+      return "f h = 0" + where;
+    }
+    if (!h(homotopy).empty()) {
+      return "h h = 0" + where;
+    }
+  }
+  return "";
+}
+
+}  // namespace sesame::tests
