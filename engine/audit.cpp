@@ -186,7 +186,7 @@ std::optional<std::string> first_defect(LiveEquivalence<R>& live, ops::StepKind 
   constexpr std::uint64_t most = 1'000'000;
   const auto counts = structure.counts();
   if (const auto cells = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
-      structure.families() > 0 && cells > most) {
+      structure.lazy().families() > 0 && cells > most) {
     return "the object has " + std::to_string(cells) + " cells, most of them never written out: laws are checked on " +
            "objects of up to " + std::to_string(most) + " when there are products or large cones";
   }

@@ -13,7 +13,8 @@ template <Ring R>
 Terms<R> Chains<R>::g(const CellChain& chain) const {
   Terms<R> out;
   for (const auto& [coefficient, cell] : chain.terms) {
-    expects(structure_.is_current(cell) && !structure_.is_consumed(cell) && structure_.dimension(cell) == chain.degree,
+    expects(structure_.is_current(cell) && !structure_.lazy().is_consumed(cell) &&
+                structure_.dimension(cell) == chain.degree,
             "a chain is made of current cells of its degree");
     left_.add_g(cell, in_own_orientation(cell, coefficient), out);
   }
@@ -37,11 +38,11 @@ template <Ring R>
 CellChain Chains<R>::boundary(const CellChain& chain) const {
   Terms<R> out;
   for (const auto& [coefficient, cell] : chain.terms) {
-    const auto faces = structure_.faces(cell);
+    const auto faces = structure_.faces().of(cell);
     const auto element = in_own_orientation(cell, coefficient);
     for (std::uint32_t k = 0; k < faces.size(); ++k) {
-      if (const auto [face, sign] = structure_.find_oriented(faces[k]); face != ops::none) {
-        out.push_back({face, sign * structure_.sign_of_face(cell, k) > 0 ? element : ring_.negate(element)});
+      if (const auto [face, sign] = structure_.forest().find_oriented(faces[k]); face != ops::none) {
+        out.push_back({face, sign * structure_.faces().sign(cell, k) > 0 ? element : ring_.negate(element)});
       }
     }
   }
@@ -65,18 +66,18 @@ Terms<R> Chains<R>::boundary(std::span<const Term<R>> symbols) const {
 /// The coefficient of a current cell as it is oriented itself, where it is given as its canonical name says.
 template <Ring R>
 typename R::Element Chains<R>::in_own_orientation(CellId cell, const Rational& coefficient) const {
-  return from_rational(ring_, structure_.sign_of_name(cell) > 0 ? coefficient : -coefficient);
+  return from_rational(ring_, structure_.directory().sign_of_name(cell) > 0 ? coefficient : -coefficient);
 }
 
 template <Ring R>
 CellChain Chains<R>::to_chain(int degree, const Terms<R>& cells) const {
   CellChain chain{degree, {}};
   for (const Term<R>& term : cells) {
-    const bool agrees = structure_.sign_of_name(CellId{term.index}) > 0;
+    const bool agrees = structure_.directory().sign_of_name(CellId{term.index}) > 0;
     chain.terms.push_back({to_rational(ring_, agrees ? term.coefficient : ring_.negate(term.coefficient)), term.index});
   }
   std::sort(chain.terms.begin(), chain.terms.end(), [this](const CellChain::Term& a, const CellChain::Term& b) {
-    return structure_.is_older(structure_.oldest(a.cell), structure_.oldest(b.cell));
+    return structure_.lazy().is_older(structure_.forest().oldest(a.cell), structure_.forest().oldest(b.cell));
   });
   return chain;
 }

@@ -302,7 +302,7 @@ void Engine::remember() {
 
 void Engine::visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit) {
   HomologyTracker& tracker = equivalences_.now();
-  if (structure().families() == 0) {
+  if (structure().lazy().families() == 0) {
     tracker.visit_generators(degree, most_terms, visit);
     return;
   }
@@ -345,13 +345,13 @@ Result<CellChain> Engine::chain(const std::vector<std::pair<Integer, std::string
                                         "\" has dimension " + std::to_string(dimension)};
     }
     if (!value->is_degenerate()) {  // which counts as 0
-      const bool agrees = structure().maps().sign(value->order) * structure().sign_of_name(value->cell) > 0;
+      const bool agrees = structure().maps().sign(value->order) * structure().directory().sign_of_name(value->cell) > 0;
       chain.terms.push_back({agrees ? coefficient : -coefficient, value->cell});
     }
   }
   add_up(chain.terms);
   std::sort(chain.terms.begin(), chain.terms.end(), [this](const CellChain::Term& a, const CellChain::Term& b) {
-    return structure().is_older(structure().oldest(a.cell), structure().oldest(b.cell));
+    return structure().lazy().is_older(structure().forest().oldest(a.cell), structure().forest().oldest(b.cell));
   });
   return chain;
 }

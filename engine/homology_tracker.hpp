@@ -20,7 +20,7 @@ using sparse::Integer;
 using sparse::Rational;
 
 /// A chain of current cells, by the age of the cells' canonical names; coefficients are integers but over Q (in [0, p)
-/// over Z/p), for cells with the orientations that these stand for: Structure::sign_of_name.
+/// over Z/p), for cells with the orientations that these stand for: ops::Directory::sign_of_name.
 struct CellChain {
   struct Term {
     Rational coefficient;

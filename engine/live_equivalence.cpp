@@ -15,7 +15,7 @@ namespace {
 
 /// The cells of the object by dimension and age, lazy ones written out.
 std::vector<CellId> cells_of_object(const Structure& structure) {
-  structure.make_all_lazy_cells();
+  structure.lazy().make_all();
   const ops::CellBasis basis = ops::cells_at(structure, ops::now(structure));
   std::vector<CellId> cells;
   for (const std::vector<CellId>& of_degree : basis.cells()) {
@@ -53,7 +53,7 @@ std::unique_ptr<HomologyTracker> LiveEquivalence<R>::afresh() const {
 /// The cells of the object, by dimension and age.
 template <Ring R>
 std::vector<CellId> LiveEquivalence<R>::current_cells() const {
-  if (structure_.families() > 0) {
+  if (structure_.lazy().families() > 0) {
     return cells_of_object(structure_);
   }
   std::vector<CellId> cells;
@@ -64,12 +64,12 @@ std::vector<CellId> LiveEquivalence<R>::current_cells() const {
     }
   };
   std::for_each(window_.cells().begin(), window_.cells().end(), add);
-  for (CellId c = window_.begin().created; c < structure_.created(); ++c) {
+  for (CellId c = window_.begin().created; c < structure_.cells().size(); ++c) {
     add(c);
   }
   std::sort(cells.begin(), cells.end(), [this](CellId a, CellId b) {
-    return std::pair{structure_.dimension(a), structure_.oldest(a)} <
-           std::pair{structure_.dimension(b), structure_.oldest(b)};
+    return std::pair{structure_.dimension(a), structure_.forest().oldest(a)} <
+           std::pair{structure_.dimension(b), structure_.forest().oldest(b)};
   });
   return cells;
 }

@@ -6,7 +6,7 @@
 
 namespace sesame::ops {
 
-/// A cell as it was created; ids count creations from 0. The *current* cell that it is now is `Structure::find(id)`.
+/// A cell as it was created; ids count creations from 0. The *current* cell that it is now is `Forest::find(id)`.
 using CellId = std::uint32_t;
 /// A removal of a cell in favour of another, counted from 0 in the order in which they happened.
 using LinkId = std::uint32_t;

@@ -30,13 +30,14 @@ BigComplex<R>::BigComplex(R ring, const Window& window)
 template <Ring R>
 std::optional<Index> BigComplex<R>::append_cell(CellId cell) {
   sparse::expects(cell == generators_.cells(), "cells are appended in the order of their creation");
-  if (window_.is_lazy(cell) || (structure_.parent(cell) == ops::none && structure_.link_of(cell) == ops::none)) {
+  if (window_.is_lazy(cell) ||
+      (structure_.forest().parent(cell) == ops::none && structure_.forest().link_of(cell) == ops::none)) {
     generators_.skip_cell();
     return std::nullopt;
   }
   begin_column();
   window_.for_each_first_face(cell, [this](CellId face, int sign) {
-    if (structure_.parent(face) != ops::none) {
+    if (structure_.forest().parent(face) != ops::none) {
       add_to_column(face, sign);
     }
   });
@@ -49,9 +50,9 @@ template <Ring R>
 Index BigComplex<R>::append_removal(LinkId link) {
   sparse::expects(link == generators_.links(), "removals are appended in the order in which they happened");
   begin_column();
-  const CellId removed = structure_.removed(link);
-  if (const CellId survivor = structure_.parent(removed); survivor != ops::none) {
-    add_to_column(survivor, structure_.sign_of(link));
+  const CellId removed = structure_.forest().removed(link);
+  if (const CellId survivor = structure_.forest().parent(removed); survivor != ops::none) {
+    add_to_column(survivor, structure_.forest().sign_of(link));
   }
   add_to_column(removed, -1);
   const Index generator = generators_.append_removal(link);
@@ -75,15 +76,15 @@ Index BigComplex<R>::append_copy(CellId copy) {
   begin_column();
   const CellId source = structure_.splits().copy(copy)->source;
   const auto add = [&](CellId face, int sign) {
-    if (face >= first && face < structure_.created() && structure_.splits().copy(face) != nullptr) {
+    if (face >= first && face < structure_.cells().size() && structure_.splits().copy(face) != nullptr) {
       column_.push_back({generators_.of(face), ring_.from(sign)});
     }
   };
-  for (std::uint32_t k = 0; k < structure_.type(copy).faces.size(); ++k) {
-    add(structure_.faces_as_created(copy)[k], structure_.face_sign(copy, k));
-    add(structure_.faces(source)[k], -structure_.sign_of_face(source, k));
+  for (std::uint32_t k = 0; k < structure_.cells().type(copy).faces.size(); ++k) {
+    add(structure_.cells().faces(copy)[k], structure_.faces().sign_as_created(copy, k));
+    add(structure_.faces().of(source)[k], -structure_.faces().sign(source, k));
   }
-  for (const Structure::Copy* of = window_.copy(copy); of != nullptr; of = window_.copy(of->source)) {
+  for (const ops::SplitHistory::Copy* of = window_.copy(copy); of != nullptr; of = window_.copy(of->source)) {
     if (!window_.is_lazy(of->source)) {
       follow(of->source);
     }
@@ -130,7 +131,7 @@ void BigComplex<R>::append_column(Index generator) {
 // --------------------------------------------------------------------------------------------------- de-identification
 
 template <Ring R>
-std::vector<Index> BigComplex<R>::split(Index first, std::span<const Structure::MadeMove> moves) {
+std::vector<Index> BigComplex<R>::split(Index first, std::span<const ops::SplitHistory::MadeMove> moves) {
   Changes changes = gains_of_moves(first, moves);
   shift_basis(first, moves, changes);
   std::vector<Index> changed;
@@ -150,10 +151,11 @@ std::vector<Index> BigComplex<R>::split(Index first, std::span<const Structure::
 
 /// What boundaries gain by moves in the basis as it was.
 template <Ring R>
-typename BigComplex<R>::Changes BigComplex<R>::gains_of_moves(Index first, std::span<const Structure::MadeMove> moves) {
+typename BigComplex<R>::Changes BigComplex<R>::gains_of_moves(Index first,
+                                                              std::span<const ops::SplitHistory::MadeMove> moves) {
   std::map<CellId, Terms<R>> gains;  // per cell: what its boundary gains
-  for (const Structure::MadeMove& move : moves) {
-    const int sign = structure_.sign_of_face(move.cell, move.slot);
+  for (const ops::SplitHistory::MadeMove& move : moves) {
+    const int sign = structure_.faces().sign(move.cell, move.slot);
     gains[move.cell].push_back({generators_.of(move.after), ring_.from(sign)});
   }
   Changes changes;
@@ -181,7 +183,7 @@ void BigComplex<R>::add_gains(CellId cell, const Terms<R>& gain, Index first, Ch
     }
   };
   window_.for_each_member(cell, [&](CellId node) {
-    const int sign = structure_.find_oriented(node).sign;
+    const int sign = structure_.forest().find_oriented(node).sign;
     if (window_.is_lazy(node)) {
       sparse::add_multiple<R>(ring_, of_lazy[node], ring_.from(sign), gain);
     } else {
@@ -193,10 +195,10 @@ void BigComplex<R>::add_gains(CellId cell, const Terms<R>& gain, Index first, Ch
 
 /// Changes the basis where that saves changing boundaries.
 template <Ring R>
-void BigComplex<R>::shift_basis(Index first, std::span<const Structure::MadeMove> moves, Changes& changes) {
+void BigComplex<R>::shift_basis(Index first, std::span<const ops::SplitHistory::MadeMove> moves, Changes& changes) {
   MoveSet made;
   std::set<std::pair<CellId, CellId>> candidates;
-  for (const Structure::MadeMove& move : moves) {
+  for (const ops::SplitHistory::MadeMove& move : moves) {
     made.emplace(move.cell, move.slot, move.after);
     if (const CellId before = window_.known(move.before); !window_.is_lazy(before)) {
       candidates.emplace(before, move.after);
@@ -218,7 +220,7 @@ bool BigComplex<R>::moves_wholly(CellId node, CellId copy, const MoveSet& moves)
   // A place that is glued and split again and again collects generators, or else terms in old boundaries: measured over
   // 100 to 6,000 times at one place, this is where the two cost least together.
   constexpr std::size_t most_generators = 24;
-  if (structure_.find_oriented(node).sign < 0) {
+  if (structure_.forest().find_oriented(node).sign < 0) {
     return false;  // the generators would become G - e
   }
   const std::size_t most_places = most_others + 4 * moves.size();
@@ -233,7 +235,7 @@ bool BigComplex<R>::moves_wholly(CellId node, CellId copy, const MoveSet& moves)
       return true;
     }
     // An incidence that moved away before does not count.
-    return structure_.is_current(owner) && window_.known(structure_.faces(owner)[slot]) != node;
+    return structure_.is_current(owner) && window_.known(structure_.faces().of(owner)[slot]) != node;
   });
 }
 
@@ -268,7 +270,7 @@ std::vector<Index> BigComplex<R>::columns_with(Index generator) const {
       columns.push_back(generators_.of_link(link));
     }
   };
-  add_link(structure_.link_of(node));
+  add_link(structure_.forest().link_of(node));
   window_.for_each_child_link(node, add_link);
   if (const auto followed = columns_followed_.find(generator); followed != columns_followed_.end()) {
     columns.insert(columns.end(), followed->second.begin(), followed->second.end());

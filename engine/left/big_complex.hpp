@@ -77,7 +77,7 @@ class BigComplex {
   Index append_copy(CellId copy);
   /// The boundaries of old generators gain what the moves of a de-identification give them, in the generators from
   /// `first` on, those of the copies. Returns the generators whose boundaries have changed.
-  std::vector<Index> split(Index first, std::span<const Structure::MadeMove> moves);
+  std::vector<Index> split(Index first, std::span<const ops::SplitHistory::MadeMove> moves);
 
   /// Begins to remember the columns that get an entry at the generator of a cell: it may come up where none of those
   /// who have the cell as a face or were removed next to it are appended.
@@ -101,10 +101,10 @@ class BigComplex {
   void begin_column();
   void add_to_column(CellId cell, int sign);
   void append_column(Index generator);
-  [[nodiscard]] Changes gains_of_moves(Index first, std::span<const Structure::MadeMove> moves);
+  [[nodiscard]] Changes gains_of_moves(Index first, std::span<const ops::SplitHistory::MadeMove> moves);
   void add_gains(CellId cell, const Terms<R>& gain, Index first, Changes& changes,
                  typename Families<R>::Gains& of_lazy) const;
-  void shift_basis(Index first, std::span<const Structure::MadeMove> moves, Changes& changes);
+  void shift_basis(Index first, std::span<const ops::SplitHistory::MadeMove> moves, Changes& changes);
   [[nodiscard]] bool moves_wholly(CellId node, CellId copy, const MoveSet& moves) const;
   void add_changes_of_shift(CellId node, CellId copy, Index first, Changes& changes) const;
   [[nodiscard]] std::vector<Index> columns_with(Index generator) const;

@@ -7,7 +7,7 @@ namespace sesame::engine {
 template <Ring R>
 void ConeMaps<R>::add_F(CellId cell, const Element& factor, Terms<R>& out) const {
   if (is_of_base(cell) && structure_.dimension(cell) == 0) {
-    left_.add_g(structure_.family(id_).apex, factor, out);
+    left_.add_g(structure_.lazy().family(id_).apex, factor, out);
   }
 }
 
@@ -25,7 +25,7 @@ std::uint64_t ConeMaps<R>::terms_of_G(Index /*generator*/) const {
 template <Ring R>
 void ConeMaps<R>::add_K(CellId cell, const Element& factor, Terms<R>& out) const {
   if (is_of_base(cell)) {
-    const CellId coned = structure_.lazy_cell(id_, ops::LazyPart::coned, structure_.lazy_of(cell)->key.left);
+    const CellId coned = structure_.lazy().cell(id_, ops::LazyPart::coned, structure_.lazy().of(cell)->key.left);
     out.push_back({coned, structure_.dimension(cell) % 2 == 0 ? ring_.negate(factor) : factor});
   }
 }

@@ -29,7 +29,9 @@ class ConeMaps final : public FamilyMaps<R> {
   [[nodiscard]] Terms<R> transposed_G(CellId /*cell*/) const override { return {}; }
 
  private:
-  [[nodiscard]] bool is_of_base(CellId cell) const { return structure_.lazy_of(cell)->key.part == ops::LazyPart::base; }
+  [[nodiscard]] bool is_of_base(CellId cell) const {
+    return structure_.lazy().of(cell)->key.part == ops::LazyPart::base;
+  }
 
   R ring_;
   const Structure& structure_;

@@ -67,9 +67,9 @@ class Families {
   using Place = std::pair<ops::FamilyId, int>;  ///< cells of one family and dimension
   using GainsByPlace = std::map<Place, Gains>;
 
-  [[nodiscard]] const FamilyMaps<R>& maps_of(CellId cell) const { return maps(structure_.lazy_of(cell)->key.family); }
+  [[nodiscard]] const FamilyMaps<R>& maps_of(CellId cell) const { return maps(structure_.lazy().of(cell)->key.family); }
   [[nodiscard]] Place place_of(CellId cell) const {
-    return {structure_.lazy_of(cell)->key.family, structure_.dimension(cell)};
+    return {structure_.lazy().of(cell)->key.family, structure_.dimension(cell)};
   }
   [[nodiscard]] std::span<const sparse::Term<R>> attached_to(Index generator) const;
   void subtract_gains_of_K(const GainsByPlace& gains, CellId cell, const Element& factor, Terms<R>& out) const;

@@ -54,7 +54,7 @@ class Generators {
   void skip_cell() { of_cell_.push_back(ops::none); }
   Index append_removal(LinkId link) {
     of_link_.push_back(size());
-    return append(removal_bit | link, structure_.dimension(structure_.removed(link)) + 1);
+    return append(removal_bit | link, structure_.dimension(structure_.forest().removed(link)) + 1);
   }
   Index append_of_family(ops::FamilyId family, int degree) { return append(family_bit | family, degree); }
 

@@ -23,7 +23,7 @@ void LeftMaps<R>::add_g(CellId cell, const Element& factor, Terms<R>& out) const
   out.push_back({generators_.of(cell), factor});  // without copies there are no changes of basis
   window_.for_each_first_face(cell, [&](CellId face, int sign) {
     if (!structure_.is_current(face)) {
-      add_path(face, structure_.links(), sign > 0 ? factor : ring_.negate(factor), out);
+      add_path(face, structure_.forest().links(), sign > 0 ? factor : ring_.negate(factor), out);
     }
   });
 }
@@ -35,7 +35,7 @@ void LeftMaps<R>::add_g_at(CellId cell, const ops::Moment& moment, const Element
     families_.add_F(cell, factor, out);
   } else {
     shifts_.add_as_created(generators_.of(cell), factor, out);
-    if (const Structure::Copy* copy = window_.copy(cell)) {
+    if (const ops::SplitHistory::Copy* copy = window_.copy(cell)) {
       add_g_at(copy->source, copy->moment, factor, out);
     }
   }
@@ -48,14 +48,14 @@ template <Ring R>
 void LeftMaps<R>::add_path(CellId x, LinkId links, const Element& factor, Terms<R>& out) const {
   int sign = 1;
   while (x != ops::none) {
-    const LinkId link = structure_.link_of(x);
+    const LinkId link = structure_.forest().link_of(x);
     if (link >= links) {  // none is more than any: it is current, or degenerate from the start
       return;
     }
     ++links_followed_;
     out.push_back({generators_.of_link(link), sign > 0 ? factor : ring_.negate(factor)});
-    sign *= structure_.sign_of(link);
-    x = structure_.parent(x);
+    sign *= structure_.forest().sign_of(link);
+    x = structure_.forest().parent(x);
   }
 }
 
@@ -64,7 +64,7 @@ void LeftMaps<R>::add_lazy_part(CellId cell, const Element& factor, Terms<R>& ou
   if (window_.families() == 0) {
     return;
   }
-  while (const Structure::Copy* copy = window_.copy(cell)) {
+  while (const ops::SplitHistory::Copy* copy = window_.copy(cell)) {
     cell = copy->source;
   }
   if (window_.is_lazy(cell)) {
@@ -114,7 +114,7 @@ void LeftMaps<R>::add_f(Index generator, const Element& factor, Terms<R>& out) c
   }
   const auto add_difference = [&](CellId node) {
     add_cell(node, factor, out);
-    if (const Structure::Copy* copy = window_.copy(node)) {
+    if (const ops::SplitHistory::Copy* copy = window_.copy(node)) {
       add_cell(copy->source, ring_.negate(factor), out);
     }
   };
@@ -134,7 +134,7 @@ void LeftMaps<R>::add_as_now(std::span<const sparse::Term<R>> nodes, Terms<R>& o
 
 template <Ring R>
 void LeftMaps<R>::add_cell(CellId node, const Element& factor, Terms<R>& out) const {
-  if (const auto [cell, sign] = structure_.find_oriented(node); cell != ops::none) {
+  if (const auto [cell, sign] = structure_.forest().find_oriented(node); cell != ops::none) {
     out.push_back({cell, sign > 0 ? factor : ring_.negate(factor)});
   }
 }
@@ -170,9 +170,9 @@ Terms<R> LeftMaps<R>::h(Index generator) const {
     return path;
   }
   const auto add = [&](CellId node) {
-    add_path(node, structure_.links(), ring_.negate(ring_.one()), path);
-    if (const Structure::Copy* copy = window_.copy(node)) {
-      add_path(copy->source, structure_.links(), ring_.one(), path);
+    add_path(node, structure_.forest().links(), ring_.negate(ring_.one()), path);
+    if (const ops::SplitHistory::Copy* copy = window_.copy(node)) {
+      add_path(copy->source, structure_.forest().links(), ring_.one(), path);
     }
   };
   add(generators_.cell(generator));

@@ -77,7 +77,7 @@ template <Ring R>
 void append_family(ops::FamilyId id, const Structure& structure, FrozenMaps<R>& frozen, BigComplex<R>& big,
                    Rewriter<R>& rewriter) {
   const R& ring = big.ring();
-  const ops::LazyFamily& family = structure.family(id);
+  const ops::LazyFamily& family = structure.lazy().family(id);
   if (family.kind == ops::FamilyKind::cone) {
     for (const ops::BodyId body : family.bodies) {
       rewriter.consume(symbols_of(body, big, rewriter));

@@ -44,7 +44,7 @@ Value SimplicialProductMaps<R>::restrict(Value v, const reductions::Vertices& ma
   const int n = structure_.types().info(v.type).dimension;
   for (int vertex = n; vertex >= 0; --vertex) {
     if (!std::binary_search(map.begin(), map.end(), static_cast<std::uint8_t>(vertex))) {
-      v = structure_.face(v, static_cast<std::uint32_t>(vertex));
+      v = structure_.values().face(v, static_cast<std::uint32_t>(vertex));
     }
   }
   const ops::Degeneracy steps = collapsed_steps(map);
@@ -58,7 +58,7 @@ void SimplicialProductMaps<R>::add_simplex(const reductions::SignedPair& maps, c
   const Value a = restrict(left, maps.first);
   const Value b = restrict(right, maps.second);
   if ((a.collapsed & b.collapsed) == 0) {
-    const CellId cell = structure_.lazy_cell(this->id_, LazyPart::pair, a, b);
+    const CellId cell = structure_.lazy().cell(this->id_, LazyPart::pair, a, b);
     out.push_back({cell, maps.sign > 0 ? factor : ring_.negate(factor)});
   }
 }
@@ -87,7 +87,7 @@ std::uint64_t SimplicialProductMaps<R>::terms_of_K(CellId cell) const {
 template <Ring R>
 void SimplicialProductMaps<R>::add_pairs(const Terms<R>& left, const Terms<R>& right, const Element& factor,
                                          Terms<R>& out) const {
-  const auto as_value = [this](CellId c) { return Value{c, structure_.type_id(c), 0}; };
+  const auto as_value = [this](CellId c) { return Value{c, structure_.cells().type_id(c), 0}; };
   for (const auto& [a, coefficient_a] : left) {
     const Element scaled = ring_.multiply(factor, coefficient_a);
     for (const auto& [b, coefficient_b] : right) {

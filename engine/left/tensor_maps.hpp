@@ -42,7 +42,7 @@ class TensorMaps : public FamilyMaps<R> {
   void add_K_of_pair(CellId a, CellId b, const Element& factor, Terms<R>& out) const;
   [[nodiscard]] std::uint64_t terms_of_K_of_pair(CellId a, CellId b) const;
 
-  [[nodiscard]] const ops::LazyKey& key(CellId cell) const { return structure_.lazy_of(cell)->key; }
+  [[nodiscard]] const ops::LazyKey& key(CellId cell) const { return structure_.lazy().of(cell)->key; }
   [[nodiscard]] Element coefficient_at(const Terms<R>& chain, CellId cell) const;
 
   R ring_;

@@ -14,11 +14,11 @@ Window::Window(const Structure& structure, std::vector<CellId> cells)
   first_coface_.assign(cells_.size() + 1, 0);
   for (std::uint32_t at = 0; at < cells_.size(); ++at) {
     const CellId cell = cells_[at];
-    const auto nodes = structure.faces(cell);
+    const auto nodes = structure.faces().of(cell);
     for (std::uint32_t k = 0; k < nodes.size(); ++k) {
-      const auto [face, sign] = structure.find_oriented(nodes[k]);
+      const auto [face, sign] = structure.forest().find_oriented(nodes[k]);
       faces_.push_back(face);
-      signs_.push_back(static_cast<std::int8_t>(sign * structure.sign_of_face(cell, k)));
+      signs_.push_back(static_cast<std::int8_t>(sign * structure.faces().sign(cell, k)));
       if (face != ops::none) {
         const auto place = places_.find(face);
         sparse::expects(place != places_.end(), "each cell comes after its faces");
@@ -41,7 +41,7 @@ Window::Window(const Structure& structure, std::vector<CellId> cells)
 }
 
 std::vector<std::pair<CellId, std::uint32_t>> Window::places_of(CellId node, std::size_t most) const {
-  std::vector<std::pair<CellId, std::uint32_t>> places = structure_->places_of(node, begin_, most);
+  std::vector<std::pair<CellId, std::uint32_t>> places = structure_->faces().places_of(node, begin_, most);
   if (is_first(node)) {
     const std::uint32_t at = place(node);
     const auto first = cofaces_.begin() + first_coface_[at];

@@ -23,8 +23,8 @@ using ops::Structure;
 /// Cost of every query that is not said: that of the same query of the structure, restricted to the window.
 class Window {
  public:
-  using Copy = Structure::Copy;
-  using MadeMove = Structure::MadeMove;
+  using Copy = ops::SplitHistory::Copy;
+  using MadeMove = ops::SplitHistory::MadeMove;
 
   /// All of the history.
   explicit Window(const Structure& structure) : structure_{&structure} {}
@@ -44,7 +44,7 @@ class Window {
 
   /// The node that the window knows for any node: of those made before, the cell that it was at the beginning, or none.
   [[nodiscard]] CellId known(CellId node) const {
-    return is_first(node) ? structure_->find_at(node, begin_.links) : node;
+    return is_first(node) ? structure_->forest().find_at(node, begin_.links) : node;
   }
 
   /// Calls visit(node, sign) for each face of a cell as it was when it was made or the window began, with its sign in
@@ -60,27 +60,27 @@ class Window {
       }
       return;
     }
-    const auto faces = structure_->faces_as_created(c);
+    const auto faces = structure_->cells().faces(c);
     for (std::uint32_t k = 0; k < faces.size(); ++k) {
-      visit(faces[k], structure_->face_sign(c, k));
+      visit(faces[k], structure_->faces().sign_as_created(c, k));
     }
   }
   /// Calls visit(node, sign, links) for what the faces of a cell were in the window, up to a moment: each node with the
   /// number of links at which it was given up for the next.
   template <class Visit>
   void for_each_face_of_history(CellId c, const ops::Moment& moment, Visit&& visit) const {
-    const auto arity = static_cast<std::uint32_t>(structure_->type(c).faces.size());
+    const auto arity = static_cast<std::uint32_t>(structure_->cells().type(c).faces.size());
     const bool is_first = this->is_first(c);
     const std::uint32_t first = is_first ? first_face_[place(c)] : 0;
     for (std::uint32_t k = 0; k < arity; ++k) {
-      CellId node = is_first ? faces_[first + k] : structure_->faces_as_created(c)[k];
-      int sign = is_first ? signs_[first + k] : structure_->face_sign(c, k);
+      CellId node = is_first ? faces_[first + k] : structure_->cells().faces(c)[k];
+      int sign = is_first ? signs_[first + k] : structure_->faces().sign_as_created(c, k);
       structure_->splits().for_each_move_of(c, k, begin_.moves, moment.moves, [&](const MadeMove& made) {
         if (node != ops::none) {
           visit(node, sign, made.links);
         }
         node = made.after;
-        sign = structure_->sign_after(made);
+        sign = structure_->faces().sign_after(made);
       });
       if (node != ops::none) {
         visit(node, sign, moment.links);
@@ -105,7 +105,7 @@ class Window {
   /// Calls visit(link) for each removal in favour of a node itself.
   template <class Visit>
   void for_each_child_link(CellId node, Visit&& visit) const {
-    structure_->for_each_child_link(node, begin_.links, visit);
+    structure_->forest().for_each_child_link(node, begin_.links, visit);
   }
   /// Calls visit(node) for each node that a current cell stands for. Cost: their number.
   template <class Visit>
@@ -115,15 +115,15 @@ class Window {
       const CellId node = pending.back();
       pending.pop_back();
       visit(node);
-      for_each_child_link(node, [&](LinkId link) { pending.push_back(structure_->removed(link)); });
+      for_each_child_link(node, [&](LinkId link) { pending.push_back(structure_->forest().removed(link)); });
     }
   }
   /// The places where a node was given as a face: at the beginning, at the creation of cells, and by moves. As (cell as
   /// created, number). Stops when there are more than `most`.
   [[nodiscard]] std::vector<std::pair<CellId, std::uint32_t>> places_of(CellId node, std::size_t most = SIZE_MAX) const;
 
-  [[nodiscard]] ops::FamilyId families() const { return structure_->families() - begin_.families; }
-  [[nodiscard]] bool is_lazy(CellId c) const { return !is_first(c) && structure_->is_lazy(c); }
+  [[nodiscard]] ops::FamilyId families() const { return structure_->lazy().families() - begin_.families; }
+  [[nodiscard]] bool is_lazy(CellId c) const { return !is_first(c) && structure_->lazy().is_lazy(c); }
 
  private:
   const Structure* structure_;

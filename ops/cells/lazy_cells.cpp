@@ -1,65 +1,13 @@
-// The cells of lazy families: what they are made of, who has them as faces, how old they are.
-#include "ops/cells/structure.hpp"
+#include "ops/cells/lazy_cells.hpp"
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <utility>
 
 namespace sesame::ops {
 
-/// The cells of a lazy cone that have the apex as a face: over vertices, and over all when the far end is squashed.
-void Structure::add_cofaces_of_apex(FamilyId id, std::vector<CellId>& out) const {
-  const LazyFamily& family = families_[id];
-  for (const BodyId body : family.bodies) {
-    for (const CellId c : cells_of(body)) {
-      if (family.by_edges || dimension(c) == 0) {
-        out.push_back(lazy_cell(id, LazyPart::coned, {c, nodes_->type[c], 0}));
-      }
-    }
-  }
-}
-
-/// Candidates for the cofaces, within its family, of a lazy cell.
-void Structure::add_lazy_cofaces(const LazyKey& key, CellId cell, std::vector<CellId>& out) const {
-  const LazyFamily& family = families_[key.family];
-  const auto as_value = [this](CellId c) { return Value{c, nodes_->type[c], 0}; };
-  if (family.kind == FamilyKind::cone) {
-    for (const CellId coface : cofaces(key.left.cell)) {
-      out.push_back(lazy_cell(key.family, key.part, as_value(coface)));
-    }
-    if (key.part == LazyPart::base) {
-      out.push_back(lazy_cell(key.family, LazyPart::coned, key.left));
-    }
-    return;
-  }
-  if (family.kind == FamilyKind::product) {
-    for (const CellId coface : cofaces(key.left.cell)) {
-      out.push_back(lazy_cell(key.family, LazyPart::pair, as_value(coface), key.right));
-    }
-    for (const CellId coface : cofaces(key.right.cell)) {
-      out.push_back(lazy_cell(key.family, LazyPart::pair, key.left, as_value(coface)));
-    }
-    return;
-  }
-  std::vector<CellId> lefts = cofaces(key.left.cell);
-  std::vector<CellId> rights = cofaces(key.right.cell);
-  lefts.push_back(key.left.cell);
-  rights.push_back(key.right.cell);
-  for (const CellId left : lefts) {
-    for (const CellId right : rights) {  // a face may be degenerate over the cell: any larger dimension
-      const int p = dimension(left);
-      const int q = dimension(right);
-      for (int n = dimension(cell) + 1; n <= p + q; ++n) {
-        for_each_pair_of_degeneracies(n, p, q, [&](Degeneracy l, Degeneracy r) {
-          const TypeId type = types_->simplex(n);
-          out.push_back(lazy_cell(key.family, LazyPart::pair, {left, type, l}, {right, type, r}));
-        });
-      }
-    }
-  }
-}
-
-Incidence Structure::lazy_face(FamilyId family, LazyPart part, const Value& left, const Value& right) const {
+Incidence LazyCells::face(FamilyId family, LazyPart part, const Value& left, const Value& right) const {
   const LazyFamily& f = families_[family];
   LazyKey key{family, part, left, right};
   Value made;  // the value that the cell has: collapsed directions of its own
@@ -67,81 +15,96 @@ Incidence Structure::lazy_face(FamilyId family, LazyPart part, const Value& left
     made.type = left.type;
     made.collapsed = left.collapsed & right.collapsed;
     const Degeneracy common = made.collapsed;
-    const TypeId type = types_->simplex(types_->info(left.type).dimension - std::popcount(common));
+    const TypeId type = types_.simplex(types_.info(left.type).dimension - std::popcount(common));
     key.left = {left.cell, type, without(left.collapsed, common)};
     key.right = {right.cell, type, without(right.collapsed, common)};
     made.cell = type;  // for now: the type of the cell underneath
   } else {
-    key.left = {left.cell, nodes_->type[left.cell], 0};
+    key.left = {left.cell, cells_.type_id(left.cell), 0};
     made = left;
     made.cell = key.left.type;
     if (part == LazyPart::pair) {
-      key.right = {right.cell, nodes_->type[right.cell], 0};
-      made = maps_->product(types_->product(key.left.type, key.right.type), left, right);
+      key.right = {right.cell, cells_.type_id(right.cell), 0};
+      made = maps_.product(types_.product(key.left.type, key.right.type), left, right);
     } else if (part == LazyPart::coned) {
-      made = maps_->coned(types_->coned(key.left.type, f.by_edges), left, f.by_edges);
+      made = maps_.coned(types_.coned(key.left.type, f.by_edges), left, f.by_edges);
     }
   }
   const TypeId type = std::exchange(made.cell, none);
-  if (const auto known = nodes_->lazy_index.find(key); known != nodes_->lazy_index.end()) {
+  if (const auto known = index_.find(key); known != index_.end()) {
     made.cell = known->second;
   } else {
-    made.cell = add_node(type, none, static_cast<std::uint32_t>(nodes_->lazy_cells.size()), f.body);
-    nodes_->lazy_cells.push_back({key});
-    nodes_->lazy_index.emplace(key, made.cell);
-    nodes_->lazy_made[family].push_back(made.cell);
-    note(EventKind::lazy, made.cell);
+    made.cell = cells_.add(type, none, static_cast<std::uint32_t>(lazy_cells_.size()), f.body);
+    forest_.add();
+    lazy_cells_.push_back({key});
+    index_.emplace(key, made.cell);
+    made_[family].push_back(made.cell);
+    journal_.append(EventKind::lazy, made.cell);
   }
-  return made.is_degenerate() ? incidence_of(normal_form(made)) : Incidence{made.cell, made.order};
+  return made.is_degenerate() ? values_.incidence_of(values_.normal_form(made)) : Incidence{made.cell, made.order};
 }
 
-std::vector<Incidence> Structure::faces_of_lazy(const LazyKey& key) const {
+const LazyCell& LazyCells::expanded(CellId lazy) const {
+  LazyCell& cell = lazy_cells_[cells_.lazy(lazy)];
+  if (!cell.is_expanded) {
+    for (const Incidence& face : faces_of(cell.key)) {
+      cell.faces.push_back(face.node);
+      cell.orders.push_back(face.order);
+    }
+    cell.is_expanded = true;
+    journal_.append(EventKind::expansion, static_cast<std::uint32_t>(expanded_.size()));
+    expanded_.push_back(lazy);
+  }
+  return cell;
+}
+
+std::vector<Incidence> LazyCells::faces_of(const LazyKey& key) const {
   const LazyFamily& family = families_[key.family];
-  const auto arity = [this](const Value& v) { return static_cast<std::uint32_t>(types_->info(v.type).faces.size()); };
+  const auto arity = [this](const Value& v) { return static_cast<std::uint32_t>(types_.info(v.type).faces.size()); };
   std::vector<Incidence> faces;
   switch (key.part) {
     case LazyPart::pair:
       if (family.kind == FamilyKind::simplicial_product) {
         for (std::uint32_t k = 0; k < arity(key.left); ++k) {
-          faces.push_back(lazy_face(key.family, key.part, face(key.left, k), face(key.right, k)));
+          faces.push_back(face(key.family, key.part, values_.face(key.left, k), values_.face(key.right, k)));
         }
         break;
       }
       for (std::uint32_t k = 0; k < arity(key.left); ++k) {
-        faces.push_back(lazy_face(key.family, key.part, face(key.left, k), key.right));
+        faces.push_back(face(key.family, key.part, values_.face(key.left, k), key.right));
       }
       for (std::uint32_t k = 0; k < arity(key.right); ++k) {
-        faces.push_back(lazy_face(key.family, key.part, key.left, face(key.right, k)));
+        faces.push_back(face(key.family, key.part, key.left, values_.face(key.right, k)));
       }
       break;
     case LazyPart::base:
       for (std::uint32_t k = 0; k < arity(key.left); ++k) {
-        faces.push_back(lazy_face(key.family, key.part, face(key.left, k)));
+        faces.push_back(face(key.family, key.part, values_.face(key.left, k)));
       }
       break;
     case LazyPart::coned:
       for (std::uint32_t k = 0; k < arity(key.left); ++k) {
-        faces.push_back(lazy_face(key.family, key.part, face(key.left, k)));
+        faces.push_back(face(key.family, key.part, values_.face(key.left, k)));
       }
-      if (const int p = dimension(key.left.cell); p == 0) {
+      if (const int p = cells_.dimension(key.left.cell); p == 0) {
         faces.push_back({family.apex});
       } else if (family.by_edges) {
-        faces.push_back(incidence_of(normal_form({family.apex, key.left.type, (Degeneracy{1} << p) - 1})));
+        faces.push_back(
+            values_.incidence_of(values_.normal_form({family.apex, key.left.type, (Degeneracy{1} << p) - 1})));
       }
-      faces.push_back(lazy_face(key.family, LazyPart::base, key.left));
+      faces.push_back(face(key.family, LazyPart::base, key.left));
       break;
   }
   return faces;
 }
 
-void Structure::make_all_cells_of(FamilyId id) const {
+void LazyCells::make_all_of(FamilyId id) const {
   const LazyFamily& family = families_[id];
-  const auto as_value = [this](CellId c) { return Value{c, nodes_->type[c], 0}; };
   if (family.kind == FamilyKind::cone) {
     for (const BodyId body : family.bodies) {
       for (const CellId c : cells_of(body)) {
-        (void)lazy_cell(id, LazyPart::base, as_value(c));
-        (void)lazy_cell(id, LazyPart::coned, as_value(c));
+        (void)cell(id, LazyPart::base, values_.plain(c));
+        (void)cell(id, LazyPart::coned, values_.plain(c));
       }
     }
     return;
@@ -151,38 +114,65 @@ void Structure::make_all_cells_of(FamilyId id) const {
   for (const CellId left : lefts) {
     for (const CellId right : rights) {
       if (family.kind == FamilyKind::product) {
-        (void)lazy_cell(id, LazyPart::pair, as_value(left), as_value(right));
+        (void)cell(id, LazyPart::pair, values_.plain(left), values_.plain(right));
         continue;
       }
-      const int p = dimension(left);
-      const int q = dimension(right);
+      const int p = cells_.dimension(left);
+      const int q = cells_.dimension(right);
       for (int n = std::max(p, q); n <= p + q; ++n) {
         for_each_pair_of_degeneracies(n, p, q, [&](Degeneracy l, Degeneracy r) {
-          const TypeId type = types_->simplex(n);
-          (void)lazy_cell(id, LazyPart::pair, {left, type, l}, {right, type, r});
+          const TypeId type = types_.simplex(n);
+          (void)cell(id, LazyPart::pair, {left, type, l}, {right, type, r});
         });
       }
     }
   }
 }
 
-void Structure::make_all_lazy_cells() const {
+void LazyCells::make_all() const {
   for (FamilyId f = 0; f < families(); ++f) {
-    make_all_cells_of(f);
+    make_all_of(f);
   }
 }
 
+std::vector<CellId> LazyCells::cells_of(BodyId body) const {
+  std::vector<CellId> cells;
+  const auto add = [&](CellId c) {
+    if (forest_.is_current(c)) {
+      cells.push_back(c);
+    }
+  };
+  std::vector<BodyId> pending{bodies_.find(body)};
+  while (!pending.empty()) {
+    const Bodies::Made& b = bodies_.made(pending.back());
+    pending.pop_back();
+    pending.insert(pending.end(), b.children.begin(), b.children.end());
+    for (const Bodies::Range& range : b.cells) {
+      for (CellId c = range.first; c < range.last; ++c) {
+        add(c);
+      }
+    }
+    if (b.family != none) {
+      make_all_of(b.family);
+      std::for_each(made_[b.family].begin(), made_[b.family].end(), add);
+    }
+  }
+  std::sort(cells.begin(), cells.end(),
+            [this](CellId a, CellId b) { return is_older(forest_.oldest(a), forest_.oldest(b)); });
+  return cells;
+}
+
 /// Negative when a is older, positive when b is.
-int Structure::compare_age(CellId a, CellId b) const {
-  const LazyCell* x = lazy_of(a);
-  const LazyCell* y = lazy_of(b);
+int LazyCells::compare_age(CellId a, CellId b) const {
+  const LazyCell* x = of(a);
+  const LazyCell* y = of(b);
   while (x != nullptr && x->key.part == LazyPart::base) {
-    a = oldest(x->key.left.cell);
-    x = lazy_of(a);
+    a = forest_.oldest(x->key.left.cell);
+    x = of(a);
   }
   while (y != nullptr && y->key.part == LazyPart::base) {
-    b = oldest(y->key.left.cell);
-    y = lazy_of(b);
+    b = forest_.oldest(y->key.left.cell);
+    y = of(b);
   }
   const auto compare = [](auto m, auto n) { return m < n ? -1 : m > n ? 1 : 0; };
   const auto created = [this](CellId c, const LazyCell* lazy) {
@@ -195,18 +185,43 @@ int Structure::compare_age(CellId a, CellId b) const {
     return order;
   }
   if (x->key.part == LazyPart::coned) {
-    if (const int order = compare(dimension(a), dimension(b)); order != 0) {
+    if (const int order = compare(cells_.dimension(a), cells_.dimension(b)); order != 0) {
       return order;
     }
   }
   if (x->key.left.cell != y->key.left.cell) {
-    return compare_age(oldest(x->key.left.cell), oldest(y->key.left.cell));
+    return compare_age(forest_.oldest(x->key.left.cell), forest_.oldest(y->key.left.cell));
   }
   if (x->key.right.cell != y->key.right.cell) {
-    return compare_age(oldest(x->key.right.cell), oldest(y->key.right.cell));
+    return compare_age(forest_.oldest(x->key.right.cell), forest_.oldest(y->key.right.cell));
   }
   const int order = compare(x->key.left.collapsed, y->key.left.collapsed);
   return order != 0 ? order : compare(x->key.right.collapsed, y->key.right.collapsed);
+}
+
+void LazyCells::add_family(const LazyFamily& family) {
+  families_.push_back(family);
+  made_.emplace_back();
+}
+
+void LazyCells::pop_family() {
+  made_.pop_back();
+  families_.pop_back();
+}
+
+void LazyCells::undo_last_cell() {
+  const LazyKey& key = lazy_cells_.back().key;
+  index_.erase(key);
+  made_[key.family].pop_back();
+  lazy_cells_.pop_back();
+}
+
+void LazyCells::undo_last_expansion() {
+  LazyCell& lazy = lazy_cells_[cells_.lazy(expanded_.back())];
+  lazy.faces.clear();
+  lazy.orders.clear();
+  lazy.is_expanded = false;
+  expanded_.pop_back();
 }
 
 }  // namespace sesame::ops

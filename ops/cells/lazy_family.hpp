@@ -57,7 +57,7 @@ struct LazyCell {
   bool is_expanded = false;
   std::vector<CellId> faces = {};    ///< when expanded
   std::vector<OrderId> orders = {};  ///< of the faces; empty when all are the same order
-  std::string name = {};             ///< when asked for
+  mutable std::string name = {};     ///< when asked for
 };
 
 struct LazyKeyHash {

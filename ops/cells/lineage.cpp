@@ -12,28 +12,29 @@ bool differ_in_order_only(const Value& one, const Value& other) {
 }  // namespace
 
 Instant Lineage::end_of(CellId node) const {
-  if (structure_.parent(node) != node) {
-    const LinkId link = structure_.link_of(node);
+  if (structure_.forest().parent(node) != node) {
+    const LinkId link = structure_.forest().link_of(node);
     return link == none ? 0 : instant_after(link);  // 0: degenerate from the start
   }
   const FamilyId family =
-      structure_.is_consumed(node) ? structure_.bodies().consumed_by(structure_.body_of(node)) : none;
-  return family != none && structure_.family(family).kind == FamilyKind::cone
-             ? instant_of(structure_.family(family).links, family + 1)
+      structure_.lazy().is_consumed(node) ? structure_.bodies().consumed_by(structure_.body_of(node)) : none;
+  return family != none && structure_.lazy().family(family).kind == FamilyKind::cone
+             ? instant_of(structure_.lazy().family(family).links, family + 1)
              : never;
 }
 
 void Lineage::advance(Value& at) const {
   const CellId node = at.cell;
-  const TypeId type = structure_.type_id(node);
-  const CellId parent = structure_.parent(node);
+  const TypeId type = structure_.cells().type_id(node);
+  const CellId parent = structure_.forest().parent(node);
   if (parent == node) {
     const FamilyId family = structure_.bodies().consumed_by(structure_.body_of(node));
-    at.cell = structure_.lazy_cell(family, LazyPart::base, {node, type, 0});
+    at.cell = structure_.lazy().cell(family, LazyPart::base, {node, type, 0});
   } else if (parent == none) {
-    at = structure_.maps().compose(at, structure_.squashed(node));
+    at = structure_.maps().compose(at, structure_.forest().squashed(node));
   } else {
-    at = structure_.maps().compose(at, {parent, type, 0, structure_.order_of(structure_.link_of(node))});
+    at = structure_.maps().compose(at,
+                                   {parent, type, 0, structure_.forest().order_of(structure_.forest().link_of(node))});
   }
 }
 
@@ -57,12 +58,12 @@ Lineage::Meeting Lineage::meeting(Value one, Value other) const {
     advance(next);
   }
   Instant instant = last == none ? 0 : end_of(last);
-  if (last != none && structure_.link_of(last) != none) {
-    instant = instant_after(structure_.links_before_step(structure_.link_of(last)));
+  if (last != none && structure_.forest().link_of(last) != none) {
+    instant = instant_after(structure_.forest().links_before_step(structure_.forest().link_of(last)));
     // What a step makes degenerate has no order left, however the step came to it.
     const auto goes_on = [&](const Value& at) {
-      const LinkId link = structure_.link_of(at.cell);
-      return link != none && instant_after(structure_.links_before_step(link)) == instant;
+      const LinkId link = structure_.forest().link_of(at.cell);
+      return link != none && instant_after(structure_.forest().links_before_step(link)) == instant;
     };
     while (goes_on(one) && goes_on(other)) {
       advance(one);
@@ -80,17 +81,17 @@ std::vector<CellId> Lineage::nodes_that_are(Value value) const {
   while (!pending.empty()) {
     const CellId root = pending.back();
     pending.pop_back();
-    Value of_root{root, structure_.type_id(root), 0};
+    Value of_root{root, structure_.cells().type_id(root), 0};
     advance_to_now(of_root);
-    structure_.for_each_member(root, [&](CellId member) {
+    structure_.forest().for_each_member(root, [&](CellId member) {
       if (differ_in_order_only(of_root, value)) {
         found.push_back(member);
       }
-      if (const LazyCell* lazy = structure_.lazy_of(member); lazy != nullptr && lazy->key.part == LazyPart::base) {
+      if (const LazyCell* lazy = structure_.lazy().of(member); lazy != nullptr && lazy->key.part == LazyPart::base) {
         pending.push_back(lazy->key.left.cell);
       }
       if (value.is_degenerate()) {
-        const auto over = structure_.squashed_onto(member);
+        const auto over = structure_.forest().squashed_onto(member);
         pending.insert(pending.end(), over.begin(), over.end());
       }
     });

@@ -23,8 +23,8 @@ class Lineage {
   void advance_until(Value& at, Instant instant) const;
   void advance_to_now(Value& at) const { advance_until(at, never - 1); }
   /// The first instant at which two values are one cell, or degenerate alike, in whatever orders; 0 when they are so
-  /// from the start. `order` is that of the one against the other: its vertex k is the other's vertex order(k). What the
-  /// step has made degenerate has no order: then it is the same, in the directions that are collapsed.
+  /// from the start. `order` is that of the one against the other: its vertex k is the other's vertex order(k). What
+  /// the step has made degenerate has no order: then it is the same, in the directions that are collapsed.
   struct Meeting {
     Instant instant = never;  ///< all that one step does happens at its first instant
     OrderId order = same_order;

@@ -11,16 +11,16 @@ namespace sesame::ops {
 std::optional<Value> NameReader::read() { return read({0, text_.size()}); }
 
 const NameTable::Name* NameReader::find(Part part) {
-  return hashes_ ? structure_.names().find(text(part), hashes_->value(part.begin, part.end))
-                 : structure_.names().find(text(part));
+  return hashes_ ? structure_.directory().names().find(text(part), hashes_->value(part.begin, part.end))
+                 : structure_.directory().names().find(text(part));
 }
 
 /// Whether a name with odd brackets is part of this one, or that would take long to find out.
 bool NameReader::contains_odd_name() const {
   constexpr std::size_t most = 64;
-  const auto odd = structure_.odd_names();
+  const auto odd = structure_.directory().odd_names();
   return odd.size() > most || std::any_of(odd.begin(), odd.end(), [this](std::uint32_t number) {
-           return text_.find(structure_.names()[number].text) != std::string_view::npos;
+           return text_.find(structure_.directory().names()[number].text) != std::string_view::npos;
          });
 }
 
@@ -28,7 +28,7 @@ std::optional<Value> NameReader::read(Part part) {
   if (!tries_all_bars_) {
     return read_once(part);
   }
-  const std::uint64_t looked_up = structure_.names().looked_up() - looked_up_before_;
+  const std::uint64_t looked_up = structure_.directory().names().looked_up() - looked_up_before_;
   if (++readings_ + looked_up > 16 * text_.size() + 500) {
     failure_ = Failure::ambiguous;
     return std::nullopt;
@@ -52,11 +52,11 @@ std::optional<Value> NameReader::read_once(Part part) {
   if (auto cell = read_standard(part)) {
     return cell;
   }
-  return structure_.cones() > 0 || structure_.families() > 0 ? read_derived(part) : std::nullopt;
+  return structure_.cones().size() > 0 || structure_.lazy().families() > 0 ? read_derived(part) : std::nullopt;
 }
 
 Value NameReader::given(const NameTable::Name& name) const {
-  return {name.cell, structure_.type_id(name.cell), 0, structure_.order_of_own_name(name.cell)};
+  return {name.cell, structure_.cells().type_id(name.cell), 0, structure_.directory().order_of_own_name(name.cell)};
 }
 
 /// t.2-0 or t.0-1-2 for the simplex t on 0, 1, 2; sorted lists of some of the vertices are names that were given.
@@ -66,11 +66,12 @@ std::optional<Value> NameReader::read_standard(Part part) {
   if (whole == nullptr || whole->cell == none || whole->body == none) {  // a complex, for one, has no cell of its name
     return std::nullopt;
   }
-  const auto list = read_vertices(split->vertices, structure_.type(whole->cell).type);
+  const auto list = read_vertices(split->vertices, structure_.cells().type(whole->cell).type);
   if (!list) {
     return std::nullopt;
   }
-  const NameTable::Name* cell = list->is_whole ? whole : structure_.names().find(whole->text + "." + list->sorted);
+  const NameTable::Name* cell =
+      list->is_whole ? whole : structure_.directory().names().find(whole->text + "." + list->sorted);
   if (cell == nullptr || cell->cell == none) {
     return std::nullopt;
   }
@@ -81,9 +82,9 @@ std::optional<Value> NameReader::read_derived(Part part) {
   TextHash hash;
   for (std::size_t k = part.begin; k < part.end; ++k) {
     if (ends_prefix(text(part), k - part.begin)) {
-      const NameTable::Name* name = structure_.names().find(text({part.begin, k}), hash.value());
-      const Cone* cone = name != nullptr && name->cell != none ? structure_.cone_from(name->cell) : nullptr;
-      const FamilyId product = name != nullptr ? structure_.product_named(*name) : none;
+      const NameTable::Name* name = structure_.directory().names().find(text({part.begin, k}), hash.value());
+      const Cone* cone = name != nullptr && name->cell != none ? structure_.cones().from(name->cell) : nullptr;
+      const FamilyId product = name != nullptr ? structure_.directory().product_named(*name) : none;
       if (cone != nullptr) {
         return text_[k] == '*' ? read_coned(*cone, {k + 1, part.end}) : std::nullopt;
       }
@@ -140,7 +141,7 @@ std::optional<Value> NameReader::read_pair(FamilyId product, Part inside) {
 }
 
 std::optional<Value> NameReader::read_pair(FamilyId product, Part left_part, Part right_part) {
-  const LazyFamily& family = structure_.family(product);
+  const LazyFamily& family = structure_.lazy().family(product);
   const bool is_simplicial = family.kind == FamilyKind::simplicial_product;
   const auto left = read_factor(left_part, family.bodies[0], is_simplicial);
   const auto right = left ? read_factor(right_part, family.bodies[1], is_simplicial) : std::nullopt;
@@ -150,11 +151,11 @@ std::optional<Value> NameReader::read_pair(FamilyId product, Part left_part, Par
   if (is_simplicial) {
     return left->type == right->type ? simplicial_pair(product, *left, *right) : std::nullopt;
   }
-  return value_of(structure_.lazy_face(product, LazyPart::pair, *left, *right));
+  return value_of(structure_.lazy().face(product, LazyPart::pair, *left, *right));
 }
 
 Value NameReader::value_of(const Incidence& incidence) const {
-  return {incidence.node, structure_.type_id(incidence.node), 0, incidence.order};
+  return {incidence.node, structure_.cells().type_id(incidence.node), 0, incidence.order};
 }
 
 /// A simplex of a simplicial product has vertices that increase on both sides. A name may have them in another order.
@@ -174,7 +175,7 @@ std::optional<Value> NameReader::simplicial_pair(FamilyId product, const Value& 
     return std::nullopt;
   }
   return maps.reordered(maps.inverse(order),
-                        value_of(structure_.lazy_face(product, LazyPart::pair, sorted_left, sorted_right)));
+                        value_of(structure_.lazy().face(product, LazyPart::pair, sorted_left, sorted_right)));
 }
 
 /// The name of a cell of a factor, in a simplicial product also with collapsed directions after it.
@@ -227,15 +228,15 @@ std::optional<Value> NameReader::coned(const Cone& cone, Value base) const {
   Instant when = 0;
   CellId oldest = none;
   for (const CellId node : lineage_.nodes_that_are(base)) {
-    Value itself{node, structure_.type_id(node), 0};
+    Value itself{node, structure_.cells().type_id(node), 0};
     const bool was_current = lineage_.end_of(node) > cone.made;
     if (!was_current || !cone_over(cone, itself)) {
       continue;
     }
     const Lineage::Meeting met = lineage_.meeting(plain, itself);
     const Instant instant = std::max(met.instant, cone.made);
-    const CellId called = structure_.oldest_at(node, cone.links);
-    if (!first || instant < when || (instant == when && structure_.is_older(called, oldest))) {
+    const CellId called = structure_.forest().oldest_at(node, cone.links);
+    if (!first || instant < when || (instant == when && structure_.lazy().is_older(called, oldest))) {
       itself.order = structure_.maps().compose(base.order, met.order);
       first = cone_over(cone, itself);
       when = instant;
@@ -254,25 +255,26 @@ std::optional<Value> NameReader::cone_over(const Cone& cone, const Value& value)
     }
     // The base has its vertices in the order of the name that it had.
     VertexMaps& maps = structure_.maps();
-    const auto last = static_cast<std::uint32_t>(structure_.faces_as_created(node).size() - 1);
-    const OrderId order = maps.inverse(structure_.order_as_created(node, last));
-    return maps.coned(node, maps.compose(value, {node, structure_.type_id(value.cell), 0, order}), cone.by_edges);
+    const auto last = static_cast<std::uint32_t>(structure_.cells().faces(node).size() - 1);
+    const OrderId order = maps.inverse(structure_.cells().order(node, last));
+    return maps.coned(node, maps.compose(value, {node, structure_.cells().type_id(value.cell), 0, order}),
+                      cone.by_edges);
   }
-  const std::vector<BodyId>& bodies = structure_.family(cone.family).bodies;
+  const std::vector<BodyId>& bodies = structure_.lazy().family(cone.family).bodies;
   if (!structure_.is_current(value.cell) ||
       std::find(bodies.begin(), bodies.end(), structure_.body_of(value.cell)) == bodies.end()) {
     return std::nullopt;
   }
-  return value_of(structure_.lazy_face(cone.family, LazyPart::coned, value));
+  return value_of(structure_.lazy().face(cone.family, LazyPart::coned, value));
 }
 
 /// A cell of a cone that is written out has the canonical name that its base had then: so nothing is stored to find it.
 CellId NameReader::written_cone_over(const Cone& cone, CellId base) const {
-  std::string name{structure_.own_name(cone.apex)};
-  name.append(1, '*').append(structure_.own_name(structure_.oldest_at(base, cone.links)));
-  const NameTable::Name* found = structure_.names().find(name);
+  std::string name{structure_.directory().own_name(cone.apex)};
+  name.append(1, '*').append(structure_.directory().own_name(structure_.forest().oldest_at(base, cone.links)));
+  const NameTable::Name* found = structure_.directory().names().find(name);
   return found != nullptr && found->cell != none && found->cell > cone.apex && found->cell < cone.end &&
-                 structure_.faces_as_created(found->cell).back() == base
+                 structure_.cells().faces(found->cell).back() == base
              ? found->cell
              : none;
 }

@@ -19,13 +19,13 @@ namespace sesame::ops {
 /// Names that were given come first. Others are put together: {a,b} from labels, t.2-0 from vertices of a standard
 /// simploid, v*c from any name of a cell that the cone from v was taken over, P.(a|b) from any names of two cells of
 /// the factors. A sign in a part is one of the whole. No two apexes or products have names of which one could begin the
-/// other's cells' names (Structure::is_ambiguous_prefix), so brackets that match leave no choice.
+/// other's cells' names (Directory::is_ambiguous_prefix), so brackets that match leave no choice.
 ///
 /// What v*c denotes it goes on denoting: it is the cone over the cell that c was when the cone was taken; or, if c was
 /// none that is coned, over the one that it met first.
 ///
 /// Cost: look-ups proportional to the length of the name, for each v*c of the last kind the nodes that c has become one
-/// with. When names with odd brackets have been given (Structure::odd_names) and one is part of this name, all bars are
+/// with. When names with odd brackets have been given (Directory::odd_names) and one is part of this name, all bars are
 /// tried, up to a limit.
 class NameReader {
  public:
@@ -34,7 +34,7 @@ class NameReader {
   static constexpr int most_nested = 256;
 
   NameReader(const Structure& structure, std::string_view name)
-      : structure_{structure}, text_{name}, looked_up_before_{structure.names().looked_up()} {}
+      : structure_{structure}, text_{name}, looked_up_before_{structure.directory().names().looked_up()} {}
 
   /// A value of the node that the name was given to, or that is what the name describes: not in normal form.
   [[nodiscard]] std::optional<Value> read();

@@ -11,24 +11,24 @@ namespace sesame::ops {
 using sparse::expects;
 
 void Structure::apply(const Plan& plan) {
-  const CellId first = created();
+  const CellId first = cells_.size();
   expects(plan.cells.empty() || plan.first == first, "a plan is carried out in the state that it was made for");
   BodyId new_body = none;
   if (plan.new_body || plan.family) {
     note(EventKind::body, bodies_.size());
     new_body = bodies_.add({plan.abstract.has_value(), true});
   }
-  const Instant made = instant_of(links(), families());
+  const Instant made = instant_of(forest_.links(), lazy_.families());
   for (const Plan::WrittenCone& cone : plan.cones) {
     note(EventKind::cone, cones_.size());
-    cones_.push_back({first + cone.apex, first + cone.end, made, links(), none, cone.by_edges});
+    cones_.add({first + cone.apex, first + cone.end, made, forest_.links(), none, cone.by_edges});
   }
   add_cells(plan, new_body);
   if (plan.family) {
     add_family(*plan.family, new_body);
   }
-  if (created() > first && plan.sources.empty()) {
-    bodies_.add_cells(new_body != none ? new_body : plan.into_body.value(), {first, created()});
+  if (cells_.size() > first && plan.sources.empty()) {
+    bodies_.add_cells(new_body != none ? new_body : plan.into_body.value(), {first, cells_.size()});
   }
   for (const BodyId joined : plan.joined_bodies) {
     join_bodies(plan.into_body.value(), joined);
@@ -37,7 +37,7 @@ void Structure::apply(const Plan& plan) {
     make_move(move);
   }
   if (!plan.merges.empty()) {
-    first_links_.push_back(links());
+    forest_.begin_step();
   }
   for (const Merge& merge : plan.merges) {
     link(merge);
@@ -52,7 +52,7 @@ void Structure::apply(const Plan& plan) {
   } else if (!abstract_.empty()) {
     leave_abstract(plan);
   }
-  if (has_orders_) {
+  if (maps().has_orders()) {
     note_orders(plan, first);
   }
 }
@@ -84,7 +84,7 @@ void Structure::change_abstract(const Plan& plan, CellId first) {
     abstract_.add_label(label);
   }
   std::span<const VertexId> vertices = change.vertices;
-  for (CellId c = first; c < created(); ++c) {
+  for (CellId c = first; c < cells_.size(); ++c) {
     const auto size = static_cast<std::size_t>(dimension(c)) + 1;
     abstract_.include(c, vertices.first(size));
     vertices = vertices.subspan(size);
@@ -131,29 +131,6 @@ void Structure::lower_kind(BodyId body, BodyKind kind) {
   }
 }
 
-CellId Structure::add_node(TypeId type, std::uint32_t name, std::uint32_t lazy, BodyId body) const {
-  Nodes& n = *nodes_;
-  const CellId id = created();
-  n.type.push_back(type);
-  n.first_face.push_back(n.faces.size());
-  n.first_incidence.push_back(none);
-  n.parent.push_back(id);
-  n.oldest.push_back(id);
-  n.size.push_back(1);
-  n.link_of.push_back(none);
-  n.last_child.push_back(none);
-  n.name.push_back(name);
-  n.lazy.push_back(lazy);
-  n.body.push_back(body);
-  return id;
-}
-
-void Structure::squash(CellId node, const Value& becomes) const {
-  nodes_->parent[node] = none;
-  nodes_->squashed.emplace(node, becomes);
-  nodes_->squashed_onto[becomes.cell].push_back(node);
-}
-
 void Structure::add_cells(const Plan& plan, BodyId new_body) {
   std::size_t name_begin = 0;
   auto next_degenerate = plan.degenerate.begin();
@@ -162,38 +139,32 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
   for (std::size_t k = 0; k < plan.cells.size(); ++k) {
     const Plan::NewCell& cell = plan.cells[k];
     if (next_degenerate != plan.degenerate.end() && next_degenerate->first == k) {
-      (void)incidence_of(next_degenerate->second);
+      (void)values_.incidence_of(next_degenerate->second);
       ++next_degenerate;
       continue;
     }
-    const TypeInfo& type = types_->info(cell.type);
+    const TypeInfo& type = types().info(cell.type);
     const CellId source = plan.sources.empty() ? none : plan.sources[k];
     const BodyId body = source != none ? body_of(source) : new_body != none ? new_body : plan.into_body.value();
-    const CellId id = add_node(cell.type, names_.size(), none, body);
-    for (std::size_t f = 0; f < type.faces.size(); ++f) {
-      const CellId face = plan.faces[cell.first_face + f];
-      const auto entry = static_cast<std::uint32_t>(nodes_->faces.size());
-      if (next_order != plan.face_orders.end() && next_order->first == cell.first_face + f) {
-        face_orders_.emplace(entry, next_order->second);
-        has_orders_ = true;
-        ++next_order;
-      }
-      nodes_->faces.push_back(face);
-      nodes_->next_incidence.push_back(std::exchange(nodes_->first_incidence[face], entry));
+    const CellId id = cells_.add(cell.type, directory_.names().size(), none, body);
+    forest_.add();
+    for (std::size_t f = cell.first_face; f < cell.first_face + type.faces.size(); ++f) {
+      const bool has_order = next_order != plan.face_orders.end() && next_order->first == f;
+      cells_.add_face(plan.faces[f], has_order ? next_order->second : same_order);
+      next_order += has_order ? 1 : 0;
     }
     const std::string_view name = std::string_view{plan.names}.substr(name_begin, cell.name_end - name_begin);
     if (plan.new_body && name == *plan.new_body) {  // the name of the whole, or of the first vertex, is the body's too
-      bodies_.set_name(new_body, names_.size());
-      add_name(name, id, new_body);
+      bodies_.set_name(new_body, directory_.names().size());
+      directory_.add(name, id, new_body);
     } else {
-      add_name(name, id, none);
+      directory_.add(name, id, none);
     }
     name_begin = cell.name_end;
     count(id, 1);
     if (source != none) {
       if (next_name != plan.name_orders.end() && next_name->first == k) {
-        name_orders_.emplace(id, next_name->second);
-        has_orders_ = true;
+        directory_.set_order(id, next_name->second);
         ++next_name;
       }
       bodies_.add_cells(body, {id, id + 1});
@@ -205,27 +176,27 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
     note(source == none ? EventKind::cell : EventKind::copy, id);
   }
   for (const auto& [name, cell] : plan.aliases) {
-    note(EventKind::name, names_.size());
-    add_name(name, cell, none);
+    note(EventKind::name, directory_.names().size());
+    directory_.add(name, cell, none);
   }
   if (plan.new_body && !bodies_.is_named(new_body)) {
-    note(EventKind::name, names_.size());
-    bodies_.set_name(new_body, names_.size());
-    add_name(*plan.new_body, none, new_body);
+    note(EventKind::name, directory_.names().size());
+    bodies_.set_name(new_body, directory_.names().size());
+    directory_.add(*plan.new_body, none, new_body);
   }
 }
 
 void Structure::add_family(const NewFamily& family, BodyId body) {
-  const auto id = families();
-  families_.push_back({family.kind, family.name, family.bodies, family.by_edges,
-                       family.kind == FamilyKind::cone ? created() - 1 : none, created(), links(), body,
-                       family.counts});
+  const FamilyId id = lazy_.families();
+  const bool is_cone = family.kind == FamilyKind::cone;
+  const CellId apex = is_cone ? cells_.size() - 1 : none;
+  lazy_.add_family({family.kind, family.name, family.bodies, family.by_edges, apex, cells_.size(), forest_.links(),
+                    body, family.counts});
   note(EventKind::family, id);
-  nodes_->lazy_made.emplace_back();
-  if (family.kind == FamilyKind::cone) {
-    cones_.push_back({created() - 1, created(), instant_of(links(), id), links(), id, family.by_edges});
+  if (is_cone) {
+    cones_.add({apex, cells_.size(), instant_of(forest_.links(), id), forest_.links(), id, family.by_edges});
   }
-  bodies_.become_family(body, id, family.bodies, family.counts, family.simploids, family.kind == FamilyKind::cone,
+  bodies_.become_family(body, id, family.bodies, family.counts, family.simploids, is_cone,
                         [this](std::span<const std::uint64_t> counts) { add_counts(counts, counts_, true); });
   add_counts(family.counts, counts_, false);
 }
@@ -234,42 +205,27 @@ void Structure::link(const Merge& merge) {
   const auto& [removed, survivor, becomes, order] = merge;
   expects(is_current(removed) && removed != survivor && (survivor == none || is_current(survivor)),
           "a merge joins two current cells");
-  Nodes& n = *nodes_;
-  note(EventKind::removal, links());
-  n.link_of[removed] = links();
+  note(EventKind::removal, forest_.links());
   count(removed, -1);
-  const bool reverses = maps_->sign(order) < 0;
-  reverses_.push_back(reverses);
-  reversals_ += reverses ? 1 : 0;
-  has_orders_ = has_orders_ || order != same_order || becomes.order != same_order;
-  if (order != same_order) {
-    link_orders_.emplace(links(), order);
-  }
   if (survivor == none) {
-    links_.push_back({removed, none, none});
-    squash(removed, becomes);
+    forest_.link_squashed(removed, becomes);
     return;
   }
-  links_.push_back({removed, n.oldest[survivor], n.last_child[survivor]});
-  n.last_child[survivor] = links() - 1;
-  n.parent[removed] = survivor;
-  n.size[survivor] += n.size[removed];
-  if (is_older(n.oldest[removed], n.oldest[survivor])) {
-    n.oldest[survivor] = n.oldest[removed];
-  }
+  const CellId theirs = forest_.oldest(removed);
+  const CellId ours = forest_.oldest(survivor);
+  forest_.link(removed, survivor, order, maps().sign(order), lazy_.is_older(theirs, ours) ? theirs : ours);
 }
 
 void Structure::make_move(const Move& move) {
-  splits_.add_move(move, links(), [&] {
+  splits_.add_move(move, forest_.links(), [&] {
     SplitHistory::MovedFaces moved;
-    const auto faces = faces_as_created(move.cell);
+    const auto faces = cells_.faces(move.cell);
     moved.faces.assign(faces.begin(), faces.end());
     for (std::uint32_t k = 0; k < faces.size(); ++k) {
-      moved.orders.push_back(order_as_created(move.cell, k));
+      moved.orders.push_back(cells_.order(move.cell, k));
     }
     return moved;
   });
-  has_orders_ = has_orders_ || move.order != same_order;
   note(EventKind::move, splits_.moves().size() - 1);
 }
 
@@ -285,7 +241,7 @@ void Structure::count(CellId c, int change) {
     counts_.resize(p + 1, 0);
   }
   counts_[p] += static_cast<std::uint64_t>(std::int64_t{change});
-  bodies_.count(body_of(c), p, is_simplex(type(c).type), change);
+  bodies_.count(body_of(c), p, is_simplex(cells_.type(c).type), change);
 }
 
 }  // namespace sesame::ops

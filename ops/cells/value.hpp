@@ -80,6 +80,8 @@ class VertexMaps {
   /// `by_edge` times an edge.
   [[nodiscard]] Value coned(CellId cell, const Value& v, bool by_edge);
 
+  /// Whether any other order but the same one has ever occurred.
+  [[nodiscard]] bool has_orders() const { return orders_.size() > 1; }
   /// The order that sends vertex k to entry k. Requires: a permutation that keeps to the components.
   [[nodiscard]] OrderId order(std::span<const std::uint8_t> permutation);
   /// The permutation of an order; empty for the same order.

@@ -51,8 +51,8 @@ class CollapsePlanner {
       map.push_back(static_cast<std::uint8_t>(at - (at > gone ? 1 : 0)));
     }
     VertexMaps& maps = structure_.maps();
-    const Value squashed = maps.value_of(none, structure_.type_id(cell), map);
-    const Value face = structure_.face_of_cell(cell, static_cast<std::uint32_t>(gone));
+    const Value squashed = maps.value_of(none, structure_.cells().type_id(cell), map);
+    const Value face = structure_.values().face_of_cell(cell, static_cast<std::uint32_t>(gone));
     merges_.push_back({cell, none, maps.compose(squashed, face)});
   }
 
@@ -63,9 +63,10 @@ class CollapsePlanner {
     VertexMaps& maps = structure_.maps();
     const OrderId order = maps.order(places_in(complex_.vertices(other), vertices));
     // The cell that stands for the most stays, as ever: so paths of the union-find forest are short.
-    const std::uint32_t m = structure_.members(cell);
-    const std::uint32_t n = structure_.members(other);
-    if (m != n ? m < n : structure_.is_older(structure_.oldest(other), structure_.oldest(cell))) {
+    const std::uint32_t m = structure_.forest().members(cell);
+    const std::uint32_t n = structure_.forest().members(other);
+    if (m != n ? m < n
+               : structure_.lazy().is_older(structure_.forest().oldest(other), structure_.forest().oldest(cell))) {
       merges_.push_back({cell, other, {}, order});
     } else {
       merges_.push_back({other, cell, {}, maps.inverse(order)});

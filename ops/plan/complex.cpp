@@ -18,7 +18,11 @@ namespace {
 class ComplexPlanner {
  public:
   ComplexPlanner(const MakeComplex& operation, const Structure& structure, const Limits& limits, Plan& plan)
-      : operation_{operation}, types_{structure.types()}, base_{structure.created()}, limits_{limits}, plan_{plan} {
+      : operation_{operation},
+        types_{structure.types()},
+        base_{structure.cells().size()},
+        limits_{limits},
+        plan_{plan} {
     plan_.first = base_;
   }
 

@@ -67,8 +67,8 @@ Result<std::vector<CellId>> closure(const std::vector<std::string>& names, const
     pending.pop_back();
     if (seen.insert(c).second) {
       cells.push_back(c);
-      for (const CellId face : structure.faces(c)) {
-        pending.push_back(structure.value(face).cell);
+      for (const CellId face : structure.faces().of(c)) {
+        pending.push_back(structure.values().of(face).cell);
       }
     }
   }
@@ -81,7 +81,7 @@ Result<std::vector<CellId>> coned_cells(const std::optional<std::vector<BodyId>>
   std::vector<CellId> coned;
   if (bodies) {
     for (const BodyId body : *bodies) {
-      const std::vector<CellId> of_body = structure.cells_of(body);
+      const std::vector<CellId> of_body = structure.lazy().cells_of(body);
       coned.insert(coned.end(), of_body.begin(), of_body.end());
     }
   } else {
@@ -94,7 +94,7 @@ Result<std::vector<CellId>> coned_cells(const std::optional<std::vector<BodyId>>
   std::sort(coned.begin(), coned.end(), [&](CellId a, CellId b) {
     const int p = structure.dimension(a);
     const int q = structure.dimension(b);
-    return p != q ? p < q : structure.is_older(structure.oldest(a), structure.oldest(b));
+    return p != q ? p < q : structure.lazy().is_older(structure.forest().oldest(a), structure.forest().oldest(b));
   });
   return coned;
 }
@@ -116,12 +116,12 @@ class ConePlanner {
   /// been added.
   void add(CellId c, const std::string& name) {
     std::vector<Incidence> faces;
-    const TypeId type = structure_.type_id(c);
+    const TypeId type = structure_.cells().type_id(c);
     const int p = structure_.dimension(c);
-    const auto arity = static_cast<std::uint32_t>(structure_.faces(c).size());
-    const Value named = structure_.named_value(c);
+    const auto arity = static_cast<std::uint32_t>(structure_.faces().of(c).size());
+    const Value named = structure_.directory().named_value(c);
     for (std::uint32_t k = 0; k < arity; ++k) {
-      faces.push_back(coned_value(structure_.face(named, k)));
+      faces.push_back(coned_value(structure_.values().face(named, k)));
     }
     if (p == 0) {
       faces.push_back({apex_});
@@ -211,11 +211,11 @@ Status plan_written_cones(std::span<const std::string> apexes, const std::vector
     return s;
   }
   const bool by_edges =
-      std::any_of(coned.begin(), coned.end(), [&](CellId c) { return !is_simplex(structure.type(c).type); });
+      std::any_of(coned.begin(), coned.end(), [&](CellId c) { return !is_simplex(structure.cells().type(c).type); });
   // All that may make lazy cells comes first, faces and names: the plan counts on ids.
   for (const CellId c : coned) {
-    (void)structure.faces(c);
-    if (Status s = check_standard(coned_type(structure.type(c).type, by_edges), structure, limits); !s) {
+    (void)structure.faces().of(c);
+    if (Status s = check_standard(coned_type(structure.cells().type(c).type, by_edges), structure, limits); !s) {
       return s;
     }
   }
@@ -223,7 +223,7 @@ Status plan_written_cones(std::span<const std::string> apexes, const std::vector
   if (!names) {
     return names.error();
   }
-  plan.first = structure.created();
+  plan.first = structure.cells().size();
   auto name = names->cbegin();
   for (const std::string& apex : apexes) {
     ConePlanner cone(apex, structure, by_edges, plan);
@@ -260,7 +260,7 @@ Status plan_lazy_cone(const std::string& apex, const std::vector<BodyId>& bodies
   if (Status s = check_family(cone, structure); !s) {
     return s;
   }
-  plan.first = structure.created();
+  plan.first = structure.cells().size();
   plan.names = apex;
   add_cell(structure.types().vertex(), 0, plan);
   plan.family = std::move(cone);

@@ -66,7 +66,7 @@ void Congruence::equate(Value one, Value other) {
     return;
   }
   if (one.is_degenerate() ||
-      (!other.is_degenerate() && one.cell != other.cell && structure_.is_older(one.cell, other.cell))) {
+      (!other.is_degenerate() && one.cell != other.cell && structure_.lazy().is_older(one.cell, other.cell))) {
     std::swap(one, other);
   }
   if (one.order != same_order) {  // written in the order of the cell
@@ -76,9 +76,9 @@ void Congruence::equate(Value one, Value other) {
   if (!send(one.cell, other)) {
     return;
   }
-  const auto arity = static_cast<std::uint32_t>(structure_.type(one.cell).faces.size());
+  const auto arity = static_cast<std::uint32_t>(structure_.cells().type(one.cell).faces.size());
   for (std::uint32_t k = 0; k < arity; ++k) {
-    pending_.emplace_back(structure_.face(one, k), structure_.face(other, k));
+    pending_.emplace_back(structure_.values().face(one, k), structure_.values().face(other, k));
   }
 }
 
@@ -105,7 +105,7 @@ Value Congruence::root(CellId c) {
     const auto at = entries_.find(cell);
     return at == entries_.end() || at->second.parent == cell || at->second.parent == none ? nullptr : &at->second;
   };
-  Value v{c, structure_.type_id(c), 0};
+  Value v{c, structure_.cells().type_id(c), 0};
   while (Entry* at = above(v.cell)) {
     if (const Entry* next = above(at->parent)) {  // paths are halved as they are gone
       *at = {next->parent, structure_.maps().compose(at->becomes, next->becomes)};
@@ -116,7 +116,7 @@ Value Congruence::root(CellId c) {
 }
 
 Value Congruence::value(Value v) {
-  v = structure_.normal_form(v);
+  v = structure_.values().normal_form(v);
   while (true) {
     v = structure_.maps().compose(v, root(v.cell));
     const auto at = entries_.find(v.cell);
@@ -136,8 +136,8 @@ void Congruence::add_restrictions(const Value& one, const Value& other) {
     Value b = other;
     for (std::size_t k = rank.size(); k-- > 0;) {  // the numbers of those before are not changed
       if (rank[k] != r && (rank[k] > r || left[k] > 0)) {
-        a = structure_.face(a, static_cast<std::uint32_t>(k));
-        b = structure_.face(b, static_cast<std::uint32_t>(k));
+        a = structure_.values().face(a, static_cast<std::uint32_t>(k));
+        b = structure_.values().face(b, static_cast<std::uint32_t>(k));
       }
     }
     pending_.emplace_back(a, b);
@@ -146,7 +146,7 @@ void Congruence::add_restrictions(const Value& one, const Value& other) {
 
 Status Congruence::settle_foldings() {
   for (auto at = foldings_.begin(); at != foldings_.end();) {
-    const Value cell{at->first, structure_.type_id(at->first), 0};
+    const Value cell{at->first, structure_.cells().type_id(at->first), 0};
     const Value one = value(cell);
     const Value other = value(structure_.maps().reordered(at->second, cell));
     if (one.is_degenerate() && !(one == other)) {
@@ -185,9 +185,9 @@ std::vector<Merge> Congruence::merges() {
 /// union-find forest stays logarithmic without compression, which undo could not take back.
 void Congruence::add_merges(std::vector<CellId>& of_class, CellId root_of_class, std::vector<Merge>& out) {
   std::sort(of_class.begin(), of_class.end(), [this](CellId a, CellId b) {
-    const std::uint32_t m = structure_.members(a);
-    const std::uint32_t n = structure_.members(b);
-    return m != n ? m > n : structure_.is_older(structure_.oldest(a), structure_.oldest(b));
+    const std::uint32_t m = structure_.forest().members(a);
+    const std::uint32_t n = structure_.forest().members(b);
+    return m != n ? m > n : structure_.lazy().is_older(structure_.forest().oldest(a), structure_.forest().oldest(b));
   });
   VertexMaps& maps = structure_.maps();
   const CellId survivor = of_class[0];

@@ -9,6 +9,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "ops/cells/cofaces.hpp"
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/step_names.hpp"
@@ -130,9 +131,9 @@ class SplitPlanner {
     const auto [at, is_new] = faces_.try_emplace(c);
     if (is_new) {
       changed_.push_back(c);
-      const auto arity = static_cast<std::uint32_t>(structure_.faces(source_of(c)).size());
+      const auto arity = static_cast<std::uint32_t>(structure_.faces().of(source_of(c)).size());
       for (std::uint32_t k = 0; k < arity; ++k) {
-        at->second.push_back(structure_.face_of_cell(source_of(c), k));
+        at->second.push_back(structure_.values().face_of_cell(source_of(c), k));
       }
     }
     return at->second;
@@ -141,7 +142,7 @@ class SplitPlanner {
   [[nodiscard]] Value face(const Value& v, std::uint32_t k) const {
     return structure_.maps().face(v, k, [this](CellId c, std::uint32_t number) {
       const auto changed = faces_.find(c);
-      return changed != faces_.end() ? changed->second[number] : structure_.face_of_cell(c, number);
+      return changed != faces_.end() ? changed->second[number] : structure_.values().face_of_cell(c, number);
     });
   }
 
@@ -153,7 +154,7 @@ class SplitPlanner {
       if (is_copy(c)) {
         continue;  // what has a copy as a face is among the changed cells
       }
-      for (const CellId coface : structure_.cofaces(c)) {
+      for (const CellId coface : cofaces(structure_, c)) {
         if (seen.insert(coface).second) {
           cells.push_back(coface);
         }
@@ -163,7 +164,7 @@ class SplitPlanner {
   }
 
   [[nodiscard]] Status check_laws(CellId c) const {
-    const TypeId type = structure_.type_id(source_of(c));
+    const TypeId type = structure_.cells().type_id(source_of(c));
     const Value cell{c, type, 0};
     for (const FaceLaw& law : structure_.types().info(type).laws) {
       const Value one = face(face(cell, law.first), law.second);
@@ -196,10 +197,10 @@ class SplitPlanner {
     for (const std::size_t k : order) {
       faces.emplace_back();
       for (const Value& v : faces_.at(first_copy + static_cast<CellId>(k))) {  // this may make nodes: so ids come later
-        faces.back().push_back(is_copy(v.cell) ? Incidence{v.cell, v.order} : structure_.incidence_of(v));
+        faces.back().push_back(is_copy(v.cell) ? Incidence{v.cell, v.order} : structure_.values().incidence_of(v));
       }
     }
-    plan.first = structure_.created();
+    plan.first = structure_.cells().size();
     std::vector<CellId> id(copies_.size());
     for (std::size_t k = 0; k < order.size(); ++k) {
       id[order[k]] = plan.first + static_cast<CellId>(k);
@@ -216,7 +217,7 @@ class SplitPlanner {
       if (copy.order != same_order) {
         plan.name_orders.emplace_back(static_cast<std::uint32_t>(k), copy.order);
       }
-      add_cell(structure_.type_id(copy.source), first_face, plan);
+      add_cell(structure_.cells().type_id(copy.source), first_face, plan);
     }
     for (const Move& move : moves_) {
       plan.moves.push_back({move.cell, move.slot, final_id(move.to), move.order});

@@ -106,7 +106,7 @@ Result<std::vector<Equation>> equations_of(const Degenerate& operation, const St
     return s.error();
   }
   const int component = operation.component.value_or(1) - 1;
-  const Value face = structure.face(*cell, face_number(type, component, operation.index));
+  const Value face = structure.values().face(*cell, face_number(type, component, operation.index));
   const Value squashed{none, cell->type, Degeneracy{1} << direction_number(type, component, operation.index)};
   return std::vector<Equation>{{*cell, structure.maps().compose(squashed, face)}};
 }

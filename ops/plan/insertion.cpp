@@ -106,7 +106,7 @@ class InsertPlanner {
   /// Requires: some cells are missing.
   void write(Plan& plan) {
     AbstractChange& change = plan.abstract.emplace();
-    plan.first = structure_.created();
+    plan.first = structure_.cells().size();
     CellId next = plan.first;
     for (auto& simplices : missing_) {
       for (auto& [simplex, cell] : simplices) {
@@ -241,7 +241,7 @@ Status plan_insertion(const Insert& operation, const Structure& structure, const
   if (planner.has_nothing_to_do()) {
     return Done{};
   }
-  const std::int64_t room = std::min(limits.cells_per_step, limits.cells - std::int64_t{structure.created()});
+  const std::int64_t room = std::min(limits.cells_per_step, limits.cells - std::int64_t{structure.made_by_steps()});
   if (!planner.add_faces(room)) {
     return Error{Errc::refused,
                  fmt::format("this step would make more than {} cells, as many as there is room for", room)};

@@ -42,7 +42,7 @@ Status check_triangulable(BodyId body, const std::string& name, const Structure&
                  fmt::format("cells of the body \"{}\" have their vertices in another order than their faces, which "
                              "comes of collapses and of gluing by vertex maps: a simplicial product goes by the order "
                              "of the vertices; a simploidal one takes all",
-                             structure.body_name(body))};
+                             structure.directory().name_of_body(body))};
   }
   return Done{};
 }

@@ -31,7 +31,7 @@ Status check_names(const std::string& name, TypeId type, const Structure& struct
 /// Comes after the last look at a name, which may make lazy cells: the plan counts on ids.
 void write(const std::string& name, TypeId type, const Structure& structure, Plan& plan) {
   const StandardCell& standard = structure.types().standard(type);
-  plan.first = structure.created();
+  plan.first = structure.cells().size();
   for (std::size_t k = 0; k < standard.cells.size(); ++k) {
     const StandardFace& cell = standard.cells[k];
     plan.names.append(name);

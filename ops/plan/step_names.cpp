@@ -47,8 +47,8 @@ Result<Value> resolve_cell(const std::string& name, const Structure& structure) 
     return Error{Errc::unknown_name, why_unreadable(name, reader.failure(), structure)};
   }
   Lineage(structure).advance_to_now(*named);
-  if (structure.is_consumed(named->cell)) {
-    const LazyFamily& product = structure.family(structure.bodies().consumed_by(structure.body_of(named->cell)));
+  if (structure.lazy().is_consumed(named->cell)) {
+    const LazyFamily& product = structure.lazy().family(structure.bodies().consumed_by(structure.body_of(named->cell)));
     return Error{
         Errc::unknown_name,
         fmt::format("the cell \"{}\" went into the product \"{}\", whose cells have names such as \"{}.(a|b)\"", name,
@@ -66,7 +66,7 @@ Result<BodyId> resolve_body(const std::string& name, const Structure& structure)
   }
   if (const FamilyId family = structure.bodies().consumed_by(*body); family != none) {
     return Error{Errc::unknown_name, fmt::format("the body \"{}\" went into the product \"{}\": it can be used no more",
-                                                 name, structure.family(family).name)};
+                                                 name, structure.lazy().family(family).name)};
   }
   return *body;
 }
@@ -83,7 +83,7 @@ Result<BodyId> abstract_body(LabelId label, const Structure& structure) {
     return Error{Errc::refused,
                  fmt::format("the body \"{}\" of the vertex \"{}\" was changed by another operation: insert and "
                              "collapse work on bodies that only they have made; undo that, or use new labels",
-                             structure.body_name(body), complex.text(label))};
+                             structure.directory().name_of_body(body), complex.text(label))};
   }
   return body;
 }
@@ -105,7 +105,7 @@ Status check_new_apex(const std::string& name, const Structure& structure) {
   if (Status s = check_new_name(name, structure); !s) {
     return s;
   }
-  if (structure.is_ambiguous_prefix(name)) {
+  if (structure.directory().is_ambiguous_prefix(name)) {
     return Error{Errc::bad_input,
                  fmt::format("the name \"{}\", or that of an apex or a product, goes on after the other with \"*\" or "
                              "\".(\", so that names of their cells could be mistaken for one another: choose another",
@@ -118,7 +118,7 @@ Status check_new_prefix(const std::string& name, const Structure& structure) {
   if (Status s = check_new_apex(name, structure); !s) {
     return s;
   }
-  if (structure.is_prefix_taken(name)) {
+  if (structure.directory().is_prefix_taken(name)) {
     return Error{Errc::bad_input,
                  fmt::format("names that begin with \"{0}*\" or \"{0}.(\", as those of the new cells would, can be "
                              "those of other cells: choose another",

@@ -47,8 +47,10 @@ Terms<R> unit(const R& ring, const CellBasis& basis, CellId c) {
 
 /// The node that a cell of the object is after a step: itself, but for the cells that a lazy cone was taken over.
 CellId after_step(const Structure& structure, CellId c, Moment after) {
-  const FamilyId family = structure.families() == 0 ? none : structure.bodies().consumed_by(structure.body_of(c));
-  return family < after.families ? structure.lazy_cell(family, LazyPart::base, {c, structure.type_id(c), 0}) : c;
+  const FamilyId family =
+      structure.lazy().families() == 0 ? none : structure.bodies().consumed_by(structure.body_of(c));
+  return family < after.families ? structure.lazy().cell(family, LazyPart::base, {c, structure.cells().type_id(c), 0})
+                                 : c;
 }
 
 template <Ring R>
@@ -123,14 +125,14 @@ StepSequence<R> removed_cells(const Structure& structure, Moment before, Moment 
   CellBasis all = kept;
   CellBasis removed;
   for (LinkId link = before.links; link < after.links; ++link) {
-    const CellId c = structure.removed(link);
+    const CellId c = structure.forest().removed(link);
     all.add(structure.dimension(c), c);
     removed.add(structure.dimension(c), c);
   }
   const auto minus_one = ring.negate(ring.one());
   /// The cell that c became, with its orientation, or 0 when that is degenerate.
   const auto became = [&](const CellBasis& basis, CellId c) {
-    const auto [survivor, sign] = structure.find_oriented_at(c, after.links);
+    const auto [survivor, sign] = structure.forest().find_oriented_at(c, after.links);
     return survivor == none ? Terms<R>{} : Terms<R>{{basis.index(survivor), ring.from(sign)}};
   };
   const auto i_of = [&](CellId c) {
@@ -183,8 +185,8 @@ std::vector<Index> CellBasis::sizes() const {
 
 CellBasis cells_at(const Structure& structure, Moment moment) {
   CellBasis basis;
-  structure.make_all_lazy_cells();
-  for (CellId c = 0; c < structure.created(); ++c) {
+  structure.lazy().make_all();
+  for (CellId c = 0; c < structure.cells().size(); ++c) {
     if (structure.was_current(c, moment)) {
       basis.add(structure.dimension(c), c);
     }
@@ -198,11 +200,11 @@ namespace {
 std::optional<std::string> broken_vertex_law(const Structure& structure, CellId cell) {
   const AbstractComplex& complex = structure.abstract();
   const auto vertices = complex.vertices(cell);
-  const auto faces = structure.faces(cell);
+  const auto faces = structure.faces().of(cell);
   for (std::uint32_t k = 0; k < faces.size(); ++k) {
     std::vector<VertexId> opposite(vertices.begin(), vertices.end());
     opposite.erase(opposite.begin() + k);
-    const Value face = structure.face_of_cell(cell, k);
+    const Value face = structure.values().face_of_cell(cell, k);
     if (face.is_degenerate() || face.cell != complex.find(opposite) ||
         face.order != structure.maps().order(places_in(complex.vertices(face.cell), opposite))) {
       return fmt::format("face {} of {} is not the simplex opposite to its vertex {}", k, structure.name(cell), k);
@@ -220,10 +222,10 @@ std::optional<std::string> first_broken_face_law(const Structure& structure, con
       if (auto broken = is_abstract ? broken_vertex_law(structure, c) : std::nullopt) {
         return broken;
       }
-      const Value cell = structure.value(c);
-      for (const FaceLaw& law : structure.type(c).laws) {
-        if (!(structure.face(structure.face(cell, law.first), law.second) ==
-              structure.face(structure.face(cell, law.other_first), law.other_second))) {
+      const Value cell = structure.values().of(c);
+      for (const FaceLaw& law : structure.cells().type(c).laws) {
+        if (!(structure.values().face(structure.values().face(cell, law.first), law.second) ==
+              structure.values().face(structure.values().face(cell, law.other_first), law.other_second))) {
           return fmt::format("face {} of face {} of {} is not its face {} of face {}", law.second, law.first,
                              structure.name(c), law.other_second, law.other_first);
         }
@@ -241,9 +243,9 @@ ChainComplex<R> chain_complex(const Structure& structure, const CellBasis& basis
     Matrix<R> boundary(ring, p == 0 ? 0 : sizes[p - 1], 0);
     for (const CellId cell : basis.cells()[p]) {
       Terms<R> terms;
-      const auto arity = static_cast<std::uint32_t>(structure.type(cell).faces.size());
+      const auto arity = static_cast<std::uint32_t>(structure.cells().type(cell).faces.size());
       for (std::uint32_t k = 0; k < arity; ++k) {
-        const auto [face, sign] = structure.oriented_face_at(cell, k, moment);
+        const auto [face, sign] = structure.faces().at(cell, k, moment);
         if (face != none && basis.contains(face)) {
           terms.push_back({basis.index(face), ring.from(sign)});
         }
@@ -262,7 +264,7 @@ std::optional<StepSequence<R>> step_sequence(const Structure& structure, StepKin
   switch (kind) {
     case StepKind::removal:
       for (CellId c = before.created; c < after.created; ++c) {  // only those that queries asked for
-        sparse::expects(structure.is_lazy(c) || structure.find_at(c, after.links) != c,
+        sparse::expects(structure.lazy().is_lazy(c) || structure.forest().find_at(c, after.links) != c,
                         "a step adds cells or removes cells, not both");
       }
       return removed_cells(structure, before, after, ring);

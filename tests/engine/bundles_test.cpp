@@ -145,11 +145,11 @@ struct Incidence {
 std::vector<Incidence> incidences_of_bottom(const Engine& engine) {
   const ops::Structure& structure = engine.structure();
   std::vector<Incidence> incidences;
-  std::vector<ops::CellId> cells = structure.cells_of(body_named(engine, "P"));
+  std::vector<ops::CellId> cells = structure.lazy().cells_of(body_named(engine, "P"));
   std::reverse(cells.begin(), cells.end());
   for (const ops::CellId c : cells) {
-    for (std::size_t slot = 0; slot < structure.faces(c).size(); ++slot) {
-      const std::string face{structure.name(structure.faces(c)[slot])};
+    for (std::size_t slot = 0; slot < structure.faces().of(c).size(); ++slot) {
+      const std::string face{structure.name(structure.faces().of(c)[slot])};
       if (face.find("|I.0") != std::string::npos) {
         incidences.push_back({std::string{structure.name(c)}, slot, face});
       }
@@ -319,7 +319,7 @@ TEST_CASE("mapping tori of spheres know the degree of the antipodal map", "[engi
   build(engine, edge("I"));
   carry_out(engine, product("P", "S", "I", simplicial));
   Pairs pairs;
-  for (const ops::CellId c : engine.structure().cells_of(body_named(engine, "P"))) {
+  for (const ops::CellId c : engine.structure().lazy().cells_of(body_named(engine, "P"))) {
     const std::string name{engine.structure().name(c)};
     if (const std::size_t end = name.find("|I.0"); end != std::string::npos) {
       std::string other = name;

@@ -90,7 +90,7 @@ TEST_CASE("the test bodies have the homology that they claim", "[engine]") {
       CHECK(live_groups(engine) == over(engine.ring(), body.groups));
       const std::vector<ops::CellId> cells = all_cells(engine);
       CHECK(body.has_only_simplices == std::all_of(cells.begin(), cells.end(), [&](ops::CellId c) {
-              return ops::is_simplex(engine.structure().type(c).type);
+              return ops::is_simplex(engine.structure().cells().type(c).type);
             }));
       CHECK(engine.first_defect().value_or("") == "");
     }
@@ -230,8 +230,9 @@ TEST_CASE("steps of every kind on a product keep every law, and can be taken bac
     } else if (kind == 8 && cells.size() < 40) {
       const Body other = point(fresh);
       build(engine, other);
-      try_step(product(fresh + "P", std::string{engine.structure().body_name(engine.structure().body_of(cell))}, fresh,
-                       simplicial));
+      try_step(product(fresh + "P",
+                       std::string{engine.structure().directory().name_of_body(engine.structure().body_of(cell))},
+                       fresh, simplicial));
     } else {
       carry_out(engine, ops::MakeCone{fresh, {}, {}});
       CHECK(live_groups(engine) == Groups{group(1)});
@@ -260,7 +261,7 @@ ops::Operation glue_opposite(const Engine& engine, const std::string& body, int 
   const std::string low = "E" + std::to_string(axis) + ".0";
   const std::string high = "E" + std::to_string(axis) + ".1";
   Pairs pairs;
-  for (const ops::CellId c : engine.structure().cells_of(body_named(engine, body))) {
+  for (const ops::CellId c : engine.structure().lazy().cells_of(body_named(engine, body))) {
     const std::string name{engine.structure().name(c)};
     if (const std::size_t at = name.find(low); at != std::string::npos) {
       pairs.emplace_back(name, std::string{name}.replace(at, low.size(), high));
@@ -384,7 +385,7 @@ TEST_CASE("the boundary of a product is glued from two products", "[engine]") {
         CHECK(live_groups(engine) ==
               trimmed(sum(groups_of_sphere(dimension_of(rest) - 1), groups_of_sphere(type.front() - 1))));
         Pairs pairs;
-        for (const ops::CellId c : engine.structure().cells_of(body_named(engine, "P"))) {
+        for (const ops::CellId c : engine.structure().lazy().cells_of(body_named(engine, "P"))) {
           const std::string name{engine.structure().name(c)};
           if (name.starts_with("P.(A.")) {
             const std::size_t bar = name.find("|dB.");
@@ -545,7 +546,7 @@ TEST_CASE("a join has the reduced homology of a product, one higher", "[engine]"
       carry_out(engine, product("P", "X1", "Y1", simplicial));
       carry_out(engine, product("Q", "X2", "Y2", simplicial));
       Pairs pairs;
-      for (const ops::CellId c : engine.structure().cells_of(body_named(engine, "P"))) {
+      for (const ops::CellId c : engine.structure().lazy().cells_of(body_named(engine, "P"))) {
         const std::string name{engine.structure().name(c)};
         if (const std::size_t bar = name.find("|Y1"); bar != std::string::npos) {
           pairs.emplace_back(name, "Q.(X2" + name.substr(5, bar - 5) + "|Y2" + name.substr(bar + 3));
@@ -572,7 +573,7 @@ TEST_CASE("a cone over a square is a pyramid", "[engine]") {
   carry_out(engine, simploid("q", {1, 1}));
   carry_out(engine, cone_over_body("v", "q"));
   CHECK(counts_of(engine, "q") == std::vector<std::uint64_t>{5, 8, 5, 1});
-  CHECK(engine.structure().type(*engine.structure().lookup("v*q")).type == ops::CellType{1, 1, 1});
+  CHECK(engine.structure().cells().type(*engine.structure().lookup("v*q")).type == ops::CellType{1, 1, 1});
   CHECK(live_groups(engine) == Groups{group(1)});
   CHECK(engine.first_defect().value_or("") == "");
 }

@@ -1,5 +1,6 @@
 // De-identification: spaces cut open, complexes torn apart, gluings taken back in any order, and what that costs.
 #include "tests/support/tearing.hpp"
+#include "ops/cells/cofaces.hpp"
 
 #include <memory>
 #include <numeric>
@@ -146,10 +147,10 @@ class Gluings {
   /// The standard cells are those that the engine has.
   explicit Gluings(const Engine& engine) {
     const ops::Structure& structure = engine.structure();
-    for (ops::CellId c = 0; c < structure.created(); ++c) {
-      types_.push_back(structure.type_id(c));
+    for (ops::CellId c = 0; c < structure.cells().size(); ++c) {
+      types_.push_back(structure.cells().type_id(c));
       dimensions_.push_back(structure.dimension(c));
-      faces_.emplace_back(structure.faces(c).begin(), structure.faces(c).end());
+      faces_.emplace_back(structure.faces().of(c).begin(), structure.faces().of(c).end());
       original_names_.emplace_back(structure.name(c));
     }
     names_ = original_names_;
@@ -385,9 +386,10 @@ TEST_CASE("a random complex is torn apart to isolated standard cells, with the r
   std::vector<ops::CellId> tops;
   std::vector<std::uint64_t> counts;
   for (const ops::CellId c : all_cells(engine)) {
-    if (engine.structure().cofaces(c).empty()) {
+    if (cofaces(engine.structure(), c).empty()) {
       tops.push_back(c);
-      for (const ops::StandardFace& face : engine.structure().types().standard(engine.structure().type_id(c)).cells) {
+      for (const ops::StandardFace& face :
+           engine.structure().types().standard(engine.structure().cells().type_id(c)).cells) {
         const auto p = static_cast<std::size_t>(engine.structure().types().info(face.type).dimension);
         counts.resize(std::max(counts.size(), p + 1));
         ++counts[p];
@@ -465,19 +467,19 @@ TEST_CASE("the cofaces of a cell are what a search through all faces finds, what
   const ops::Structure& all = searched->structure();
   for (const ops::CellId c : all_cells(*searched)) {
     expected[std::string{all.name(c)}];
-    for (const ops::CellId face : all.faces(c)) {
-      expected[std::string{all.name(all.value(face).cell)}].emplace(all.name(c));
+    for (const ops::CellId face : all.faces().of(c)) {
+      expected[std::string{all.name(all.values().of(face).cell)}].emplace(all.name(c));
     }
   }
-  for (const auto& [name, cofaces] : expected) {
+  for (const auto& [name, around] : expected) {
     CAPTURE(name);
     const auto engine = made();
     const ops::Structure& structure = engine->structure();
     Names found;
-    for (const ops::CellId c : structure.cofaces(structure.find(*structure.lookup(name)))) {
+    for (const ops::CellId c : cofaces(structure, structure.find(*structure.lookup(name)))) {
       found.emplace(structure.name(c));
     }
-    CHECK(found == cofaces);
+    CHECK(found == around);
   }
 }
 

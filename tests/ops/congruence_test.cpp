@@ -19,10 +19,10 @@ class SlowCongruence {
  public:
   SlowCongruence(const Structure& structure, int most) {
     const auto face_of = [&](CellId c, std::uint32_t k) {
-      return plain_value(structure, structure.value(structure.faces(c)[k]));
+      return plain_value(structure, structure.values().of(structure.faces().of(c)[k]));
     };
     for (const CellId c : current_cells(structure)) {
-      for (const PlainValue& v : with_degeneracies(plain_value(c, structure.type(c).type), most)) {
+      for (const PlainValue& v : with_degeneracies(plain_value(c, structure.cells().type(c).type), most)) {
         index_.emplace(v, elements_.size());
         elements_.push_back(v);
       }
@@ -64,7 +64,7 @@ class SlowCongruence {
     std::set<CellId> cells;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       const PlainValue& v = elements_[e];
-      const Value value = structure.normal_form({v.cell, structure.types().intern(v.type()), v.collapsed()});
+      const Value value = structure.values().normal_form({v.cell, structure.types().intern(v.type()), v.collapsed()});
       const auto [first, is_new] = value_of_class.emplace(root(e), value);
       if (!(first->second == value)) {
         return text_of(structure, first->second) + " and " + text_of(structure, value) + " should be one";
@@ -97,7 +97,7 @@ class SlowCongruence {
 };
 
 PlainValue named(const Structure& structure, const std::string& name) {
-  return plain_value(structure, structure.value(structure.lookup(name).value()));
+  return plain_value(structure, structure.values().of(structure.lookup(name).value()));
 }
 
 void equate(SlowCongruence& slow, const Structure& structure, const Operation& op) {
@@ -109,7 +109,7 @@ void equate(SlowCongruence& slow, const Structure& structure, const Operation& o
   }
   const auto& degenerate = std::get<Degenerate>(op);
   const auto face_of = [&](CellId c, std::uint32_t k) {
-    return plain_value(structure, structure.value(structure.faces(c)[k]));
+    return plain_value(structure, structure.values().of(structure.faces().of(c)[k]));
   };
   const PlainValue cell = named(structure, degenerate.cell);
   const auto i = static_cast<std::size_t>(degenerate.component.value_or(1) - 1);
@@ -195,7 +195,7 @@ TEST_CASE("S. Peltier, habilitation (2023), figure 2.44: what is glued to a dege
   CHECK(counts(shop) == Counts{2, 2, 1});
   CHECK(meaning(shop.structure(), "t.0-2") == "s.0^0 of a simplex of dimension 1");
   CHECK(shop.cell("t.2") == shop.cell("s.1"));
-  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("t"))) == "s");
+  CHECK(shop.structure().directory().name_of_body(shop.structure().body_of(shop.cell("t"))) == "s");
 }
 
 TEST_CASE("a triangle squashes along either of its directions, with all that this says of its sides", "[ops]") {

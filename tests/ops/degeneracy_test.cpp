@@ -34,7 +34,7 @@ class Simploid {
   [[nodiscard]] int a(int i) const { return type()[static_cast<std::size_t>(i - 1)]; }
 
   [[nodiscard]] Simploid d(int i, int j) const {
-    return {*structure_, structure_->face(value_, face_number(type(), i - 1, j))};
+    return {*structure_, structure_->values().face(value_, face_number(type(), i - 1, j))};
   }
   /// j = -1: a new component after the i-th.
   [[nodiscard]] Simploid s(int i, int j) const {
@@ -67,7 +67,7 @@ void for_each_simploid(int largest, Visit&& visit) {
     Workshop shop;
     REQUIRE(shop.apply(MakeSimploid{"q", type, {}}));
     for (const CellId c : current_cells(shop.structure())) {
-      const PlainValue cell = plain_value(c, shop.structure().type(c).type);
+      const PlainValue cell = plain_value(c, shop.structure().cells().type(c).type);
       for (const PlainValue& v : with_degeneracies(cell, std::min(largest, cell.dimension() + 2))) {
         visit(Simploid{shop.structure(), {c, shop.structure().types().intern(v.type()), v.collapsed()}});
       }
@@ -310,12 +310,12 @@ TEST_CASE("a value's faces are those of the lists of vertices, through degenerat
     REQUIRE(shop.apply(steps.next(shop.structure())));
   }
   const Structure& s = shop.structure();
-  const auto face_of = [&](CellId c, std::uint32_t k) { return plain_value(s, s.value(s.faces(c)[k])); };
+  const auto face_of = [&](CellId c, std::uint32_t k) { return plain_value(s, s.values().of(s.faces().of(c)[k])); };
   for (const CellId c : current_cells(s)) {
-    for (const PlainValue& v : with_degeneracies(plain_value(c, s.type(c).type), s.dimension(c) + 2)) {
+    for (const PlainValue& v : with_degeneracies(plain_value(c, s.cells().type(c).type), s.dimension(c) + 2)) {
       const TypeId type = s.types().intern(v.type());
       for (std::uint32_t k = 0; k < number_of_faces(v.type()); ++k) {
-        REQUIRE(plain_value(s, s.face({c, type, v.collapsed()}, k)) == plain_face(v, k, face_of));
+        REQUIRE(plain_value(s, s.values().face({c, type, v.collapsed()}, k)) == plain_face(v, k, face_of));
       }
     }
   }

@@ -25,10 +25,10 @@ class SlowSplit {
 
   explicit SlowSplit(const Structure& structure) : structure_{structure} {
     for (const CellId c : current_cells(structure)) {
-      for (const CellId face : structure.faces(c)) {
-        faces_[c].push_back(plain_value(structure, structure.value(face)));
+      for (const CellId face : structure.faces().of(c)) {
+        faces_[c].push_back(plain_value(structure, structure.values().of(face)));
       }
-      types_[c] = structure.type(c).type;
+      types_[c] = structure.cells().type(c).type;
     }
   }
 
@@ -82,7 +82,7 @@ class SlowSplit {
       for (std::size_t k = 0; k < values.size(); ++k) {
         PlainValue wanted = values[k];
         wanted.cell = cell_now(wanted.cell);
-        if (plain_value(structure, structure.value(structure.faces(cell_now(cell))[k])) != wanted) {
+        if (plain_value(structure, structure.values().of(structure.faces().of(cell_now(cell))[k])) != wanted) {
           return "face " + std::to_string(k) + " of " + std::string{structure.name(cell_now(cell))};
         }
       }
@@ -113,8 +113,8 @@ Deidentify random_splits(const Structure& structure, Random& random, const std::
   }
   const int rarity = random.in(1, 4);
   const auto offer = [&](CellId faces_of, const std::string& name) {
-    for (std::uint32_t k = 0; k < structure.faces(faces_of).size(); ++k) {
-      const Value v = structure.value(structure.faces(faces_of)[k]);
+    for (std::uint32_t k = 0; k < structure.faces().of(faces_of).size(); ++k) {
+      const Value v = structure.values().of(structure.faces().of(faces_of)[k]);
       const auto at = std::find(sources.begin(), sources.end(), v.cell);
       if (at != sources.end() && !v.is_degenerate() && random.one_in(rarity)) {
         op.splits[static_cast<std::size_t>(at - sources.begin())].moves.emplace_back(name, k);
@@ -141,7 +141,7 @@ TEST_CASE("a copy has the faces of its source, and takes the incidences listed",
   CHECK(faces(shop, "t") == Texts{"t.1-2", "t.0-2", "x"});
   CHECK(faces(shop, "s") == Texts{"s.1-2", "s.0-2", "s.0-1"});
   CHECK(shop.structure().splits().copy(shop.cell("x"))->source == shop.cell("s.1-2"));
-  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("x"))) == "s");
+  CHECK(shop.structure().directory().name_of_body(shop.structure().body_of(shop.cell("x"))) == "s");
 }
 
 TEST_CASE("all names of what is split go on denoting it, and any of them names it", "[ops]") {

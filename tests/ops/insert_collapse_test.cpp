@@ -28,8 +28,8 @@ void insert_all(Workshop& shop, const std::vector<std::vector<std::string>>& sim
 /// The present cells by their canonical names, in the order of their ages.
 Texts names_of(const Workshop& shop) {
   Texts names;
-  for (CellId c = 0; c < shop.structure().created(); ++c) {
-    if (shop.structure().oldest(c) == c && shop.structure().find(c) != none) {
+  for (CellId c = 0; c < shop.structure().cells().size(); ++c) {
+    if (shop.structure().forest().oldest(c) == c && shop.structure().find(c) != none) {
       names.emplace_back(shop.structure().name(c));
     }
   }
@@ -65,7 +65,7 @@ TEST_CASE("an insertion adds the simplex and its missing faces, oriented by the 
   carry_out(shop, insert({"10", "b", "c"}));
   CHECK(counts(shop) == Counts{4, 6, 2});
   CHECK(faces(shop, "{10,b,c}") == Texts{"{b,c}", "{10,c}", "{10,b}"});
-  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("{c}"))) == "{9}");
+  CHECK(shop.structure().directory().name_of_body(shop.structure().body_of(shop.cell("{c}"))) == "{9}");
   CHECK(shop.structure().bodies().current().size() == 1);
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("a list of simplices is inserted with all faces in one step, by dimens
   CHECK(faces(shop, "{b,c,d}") == Texts{"{c,d}", "{b,d}", "{b,c}"});
   CHECK(face_law_defect(shop.structure()) == "");
   CHECK(shop.structure().bodies().current().size() == 1);
-  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("{q}"))) == "{9}");
+  CHECK(shop.structure().directory().name_of_body(shop.structure().body_of(shop.cell("{q}"))) == "{9}");
 }
 
 TEST_CASE("a list makes the complex that its simplices make one after the other", "[ops][stream]") {
@@ -131,7 +131,7 @@ TEST_CASE("simplices that are there already are counted where that is allowed, a
   shop.build({R"({"op":"insert","simplices":[["x"],["p","q"],["q","p"]]})"});
   CHECK(shop.last_plan().already == 2);
   CHECK(shop.structure().bodies().current().size() == 3);
-  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("{q}"))) == "{p}");
+  CHECK(shop.structure().directory().name_of_body(shop.structure().body_of(shop.cell("{q}"))) == "{p}");
   shop.build({R"({"op":"insert","simplices":[["a","b"],["p","x"],["y","a"]]})"});
   CHECK(shop.last_plan().already == 1);
   CHECK(shop.structure().bodies().current().size() == 1);
@@ -385,11 +385,11 @@ TEST_CASE("a name stands for the orientation of its labels in their order", "[op
   const Structure& structure = shop.structure();
   CHECK(shop.cell("{a,b}") == shop.cell("{b,z}"));
   const auto sign = [&](const std::string& name) {
-    return structure.find_oriented(structure.lookup(name).value()).sign * structure.sign_of_name(name);
+    return structure.forest().find_oriented(structure.lookup(name).value()).sign * sign_denoted(structure, name);
   };
   CHECK(sign("{a,b}") == -sign("{b,z}"));
   CHECK(structure.name(shop.cell("{b,z}")) == "{a,b}");
-  CHECK(sign("{a,b}") == structure.sign_of_name(shop.cell("{a,b}")));
+  CHECK(sign("{a,b}") == structure.directory().sign_of_name(shop.cell("{a,b}")));
 }
 
 TEST_CASE("faces with another order of their vertices are taken with a sign", "[ops]") {
@@ -399,8 +399,8 @@ TEST_CASE("faces with another order of their vertices are taken with a sign", "[
   carry_out(shop, insert({"b", "c", "z"}));
   CHECK(kind_of(shop, "{b}") == orders_differ);
   const CellId triangle = shop.cell("{b,c,z}");
-  CHECK(shop.structure().face_sign(triangle, 1) == 1);  // -1 for face 1, and -1 for the order
-  CHECK(shop.structure().type(triangle).faces[1].sign == -1);
+  CHECK(shop.structure().faces().sign_as_created(triangle, 1) == 1);  // -1 for face 1, and -1 for the order
+  CHECK(shop.structure().cells().type(triangle).faces[1].sign == -1);
   CHECK(face_law_defect(shop.structure()) == "");
 }
 
@@ -410,7 +410,7 @@ TEST_CASE("collapses join bodies, and the older name stays", "[ops]") {
   CHECK(shop.structure().bodies().current().size() == 3);
   carry_out(shop, collapse("d", "a"));
   CHECK(shop.structure().bodies().current().size() == 2);
-  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("{e}"))) == "{a}");
+  CHECK(shop.structure().directory().name_of_body(shop.structure().body_of(shop.cell("{e}"))) == "{a}");
   CHECK(shop.structure().lookup_body("{c}") == shop.structure().lookup_body("{a}"));
   carry_out(shop, insert({"f", "e"}));
   CHECK(shop.structure().bodies().current().size() == 1);
@@ -466,12 +466,12 @@ TEST_CASE("a cell that is merged again and again is never far from what it is", 
     CHECK(shop.structure().abstract().vertex(shop.structure().abstract().label(next)) ==
           shop.last_plan().abstract->collapse->kept);
     int steps = 0;
-    for (CellId c = first; shop.structure().parent(c) != c; c = shop.structure().parent(c)) {
+    for (CellId c = first; shop.structure().forest().parent(c) != c; c = shop.structure().forest().parent(c)) {
       ++steps;
     }
     REQUIRE(steps <= 1);
   }
-  CHECK(shop.structure().members(shop.cell("{v9,x}")) == 10);
+  CHECK(shop.structure().forest().members(shop.cell("{v9,x}")) == 10);
 }
 
 TEST_CASE("refused insertions say what would be right, and change nothing", "[ops]") {

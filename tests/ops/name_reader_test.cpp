@@ -29,7 +29,7 @@ class PlainReader {
     if (!node) {
       return std::nullopt;
     }
-    Value v = structure_.value(*node);
+    Value v = structure_.values().of(*node);
     for (auto up = base_above(v); up; up = base_above(v)) {
       v = *up;
     }
@@ -39,7 +39,7 @@ class PlainReader {
   /// What a name denotes that was a cell of one of some bodies, which are frozen.
   [[nodiscard]] std::optional<Value> in_bodies(std::string_view name, const std::vector<BodyId>& bodies) const {
     const auto node = node_of(name);
-    for (auto v = node ? std::optional{structure_.value(*node)} : std::nullopt; v; v = base_above(*v)) {
+    for (auto v = node ? std::optional{structure_.values().of(*node)} : std::nullopt; v; v = base_above(*v)) {
       if (std::find(bodies.begin(), bodies.end(), structure_.body_of(v->cell)) != bodies.end()) {
         return v;
       }
@@ -50,19 +50,20 @@ class PlainReader {
  private:
   [[nodiscard]] std::optional<Value> base_above(const Value& v) const {
     const FamilyId family = structure_.bodies().consumed_by(structure_.body_of(v.cell));
-    if (family == none || structure_.family(family).kind != FamilyKind::cone) {
+    if (family == none || structure_.lazy().family(family).kind != FamilyKind::cone) {
       return std::nullopt;
     }
-    return structure_.value(structure_.lazy_cell(family, LazyPart::base, v));
+    return structure_.values().of(structure_.lazy().cell(family, LazyPart::base, v));
   }
 
   [[nodiscard]] std::optional<CellId> node_of(std::string_view name) const {
-    if (const NameTable::Name* found = structure_.names().find(name); found != nullptr && found->cell != none) {
+    if (const NameTable::Name* found = structure_.directory().names().find(name);
+        found != nullptr && found->cell != none) {
       return found->cell;
     }
     for (std::size_t k = 1; k < name.size(); ++k) {
-      for (FamilyId f = 0; f < structure_.families(); ++f) {
-        const LazyFamily& family = structure_.family(f);
+      for (FamilyId f = 0; f < structure_.lazy().families(); ++f) {
+        const LazyFamily& family = structure_.lazy().family(f);
         const std::string_view rest = name.substr(k);
         if (family.name != name.substr(0, k)) {
           continue;
@@ -70,7 +71,7 @@ class PlainReader {
         std::optional<CellId> cell;
         if (family.kind == FamilyKind::cone && rest.front() == '*') {
           const auto base = in_bodies(rest.substr(1), family.bodies);
-          cell = base ? std::optional{structure_.lazy_cell(f, LazyPart::coned, *base)} : std::nullopt;
+          cell = base ? std::optional{structure_.lazy().cell(f, LazyPart::coned, *base)} : std::nullopt;
         } else if (family.kind != FamilyKind::cone && rest.starts_with(".(") && rest.back() == ')') {
           cell = pair(f, rest.substr(2, rest.size() - 3));
         }
@@ -83,14 +84,14 @@ class PlainReader {
   }
 
   [[nodiscard]] std::optional<CellId> pair(FamilyId f, std::string_view inside) const {
-    const LazyFamily& family = structure_.family(f);
+    const LazyFamily& family = structure_.lazy().family(f);
     const bool is_simplicial = family.kind == FamilyKind::simplicial_product;
     for (std::size_t k = 0; k < inside.size(); ++k) {
       if (inside[k] == '|') {
         const auto left = factor(inside.substr(0, k), family.bodies[0], is_simplicial);
         const auto right = factor(inside.substr(k + 1), family.bodies[1], is_simplicial);
         if (left && right && (!is_simplicial || left->type == right->type)) {
-          return structure_.lazy_cell(f, LazyPart::pair, *left, *right);
+          return structure_.lazy().cell(f, LazyPart::pair, *left, *right);
         }
       }
     }
@@ -121,14 +122,14 @@ class PlainReader {
 
 std::optional<Value> value_of(const Structure& structure, const std::string& name) {
   const auto node = structure.lookup(name);
-  return node ? std::optional{structure.value(*node)} : std::nullopt;
+  return node ? std::optional{structure.values().of(*node)} : std::nullopt;
 }
 
 std::vector<std::string> given_names(const Structure& structure) {
   std::vector<std::string> names;
-  for (std::uint32_t k = 0; k < structure.names().size(); ++k) {
-    if (structure.names()[k].cell != none) {
-      names.push_back(structure.names()[k].text);
+  for (std::uint32_t k = 0; k < structure.directory().names().size(); ++k) {
+    if (structure.directory().names()[k].cell != none) {
+      names.push_back(structure.directory().names()[k].text);
     }
   }
   return names;
@@ -142,8 +143,8 @@ const std::string& any_of(const std::vector<std::string>& names, Random& random)
 std::vector<std::string> corpus(const Structure& structure, std::vector<std::string> parts, Random& random, int size) {
   const PlainReader plain(structure);
   std::vector<std::string> names;
-  for (FamilyId f = 0; f < structure.families(); ++f) {
-    const LazyFamily& family = structure.family(f);
+  for (FamilyId f = 0; f < structure.lazy().families(); ++f) {
+    const LazyFamily& family = structure.lazy().family(f);
     const auto part = [&](BodyId body) {
       std::string one = any_of(parts, random);
       for (int tries = random.in(0, 30); tries > 0 && !plain.in_bodies(one, {body}); --tries) {
@@ -152,7 +153,7 @@ std::vector<std::string> corpus(const Structure& structure, std::vector<std::str
       const std::vector<std::string> ends{"", "", "", "", "", "", "^0", "^1", "^0,1", "^x", ")", "|", "("};
       return one + any_of(ends, random);
     };
-    for (int k = 0; k * static_cast<int>(structure.families()) < size; ++k) {
+    for (int k = 0; k * static_cast<int>(structure.lazy().families()) < size; ++k) {
       std::string name = family.kind == FamilyKind::cone
                              ? family.name + "*" + part(family.bodies.front())
                              : family.name + ".(" + part(family.bodies[0]) + "|" + part(family.bodies[1]) + ")";
@@ -177,9 +178,12 @@ void attempt(Workshop& shop, const Operation& op) {
 
 /// The number of look-ups that reading a name takes, whatever it denotes.
 std::uint64_t work_of(const Structure& structure, const std::string& name) {
-  const std::uint64_t before = structure.names_looked_up();
+  const auto looked_up = [&] {
+    return structure.directory().names().looked_up() + structure.abstract().labels_looked_up();
+  };
+  const std::uint64_t before = looked_up();
   (void)structure.lookup(name);
-  return structure.names_looked_up() - before;
+  return looked_up() - before;
 }
 
 std::string times(int n, const std::string& text) {
@@ -226,8 +230,8 @@ TEST_CASE("a name out of order keeps its order where cells have met as degenerat
               R"({"op":"degenerate","cell":"s5*q1.1-2","along":0})"});
   // q2.2-3 and q1.0-2, over which the cone was taken, are degenerate by the step that makes them one.
   CHECK(shop.structure().lookup("v4*q2.3-2") == shop.structure().lookup("v4*q2.2-3"));
-  CHECK(shop.structure().order_of_name("v4*q2.2-3") == shop.structure().order_of_name("v4*q1.0-2"));
-  CHECK(shop.structure().sign_of_name("v4*q2.3-2") == -shop.structure().sign_of_name("v4*q2.2-3"));
+  CHECK(shop.structure().denoted("v4*q2.2-3")->order == shop.structure().denoted("v4*q1.0-2")->order);
+  CHECK(sign_denoted(shop.structure(), "v4*q2.3-2") == -sign_denoted(shop.structure(), "v4*q2.2-3"));
 }
 
 TEST_CASE("edges that a step makes degenerate meet in no order, whatever became of them on the way", "[ops]") {
@@ -240,7 +244,7 @@ TEST_CASE("edges that a step makes degenerate meet in no order, whatever became 
        R"({"op":"identify","pairs":[["q1","v1*q1.2-0-1x0"],["q1.0-1-2x1","q1.0-1-2x0"],["v1*q1.1-2x0","s1*v1*q1.0x0"]]})",
        R"({"op":"identify","pairs":[["s1*v1*q1.0-1x0","v1*q1.0-2x0-1"]]})"});
   CHECK(shop.structure().lookup("v11*q1.0-2x0") == shop.structure().lookup("v11*q1.0-1x0"));
-  CHECK(shop.structure().order_of_name("v11*q1.0-2x0") == shop.structure().order_of_name("v11*q1.0-1x0"));
+  CHECK(shop.structure().denoted("v11*q1.0-2x0")->order == shop.structure().denoted("v11*q1.0-1x0")->order);
 }
 
 TEST_CASE("names that are put together denote what they do when every way to take them apart is tried",
@@ -267,7 +271,7 @@ TEST_CASE("names that are put together denote what they do when every way to tak
       }
     }
   }
-  CHECK((found > 0 || shop.structure().families() == 0));
+  CHECK((found > 0 || shop.structure().lazy().families() == 0));
 }
 
 TEST_CASE("names of any text, with brackets that do not match and bars, denote what they always did", "[ops][stream]") {
@@ -291,7 +295,7 @@ TEST_CASE("names of any text, with brackets that do not match and bars, denote w
       continue;
     }
     const auto body = [&] {
-      return std::string{shop.structure().body_name(
+      return std::string{shop.structure().directory().name_of_body(
           bodies[static_cast<std::size_t>(random.in(0, static_cast<int>(bodies.size()) - 1))])};
     };
     const std::string left = body();
@@ -324,9 +328,9 @@ TEST_CASE("where a name can be taken apart in two ways the shorter left part cou
   REQUIRE(shop.apply(Identify{{{"z", "y|z.0"}}}));
   REQUIRE(shop.apply(MakeProduct{"P", "L", "z", false}));
   const Structure& s = shop.structure();
-  CHECK(meaning(s, "P.(x|y|z)") == "P.(x|y|z)");                 // (x) and (y|z), an edge
-  CHECK(s.type(shop.cell("P.(x|y|z)")).type == CellType{1});     // not the vertex of (x|y) and (z)
-  CHECK(s.type(shop.cell("P.(x|y|y|z.1)")).type == CellType{});  // here only (x|y) is a name
+  CHECK(meaning(s, "P.(x|y|z)") == "P.(x|y|z)");                         // (x) and (y|z), an edge
+  CHECK(s.cells().type(shop.cell("P.(x|y|z)")).type == CellType{1});     // not the vertex of (x|y) and (z)
+  CHECK(s.cells().type(shop.cell("P.(x|y|y|z.1)")).type == CellType{});  // here only (x|y) is a name
   CHECK(shop.cell("P.(x|z)") == shop.cell("P.(L.a|y|z.0)"));
 }
 
@@ -403,7 +407,7 @@ TEST_CASE("hostile texts can be given as names, and found again", "[ops][cost]")
     CHECK(refused(shop, MakeSimplex{name, 0, {}}).code == Errc::bad_input);
     shop.go_back_to(before);
     CHECK_FALSE(shop.structure().lookup(name));
-    CHECK(shop.structure().odd_names().empty());
+    CHECK(shop.structure().directory().odd_names().empty());
   }
 }
 
@@ -503,7 +507,7 @@ TEST_CASE("a name that was given is never taken for another cell's", "[ops]") {
   shop.build({R"({"op":"identify","pairs":[["n","t.0"]]})"});
   CHECK(shop.cell("v*n") == own);
   CHECK(shop.structure().name(own) == "v*n");
-  CHECK(shop.structure().type(shop.cell("v*t.0")).type == CellType{1});
+  CHECK(shop.structure().cells().type(shop.cell("v*t.0")).type == CellType{1});
 }
 
 TEST_CASE("a cone over a degenerate cell's name is degenerate, whether it is written out or not", "[ops]") {
@@ -550,16 +554,16 @@ class ConeNames {
     known_.clear();
     std::vector<std::string> names = given_names(structure);
     for (const CellId c : current_cells(structure)) {
-      if (structure.is_lazy(c)) {
+      if (structure.lazy().is_lazy(c)) {
         names.emplace_back(structure.name(c));
       }
     }
     for (const std::string& name : names) {
       const Value v = *value_of(structure, name);
-      known_.push_back({name, std::string{structure.name(v.cell)}, v, structure.oldest(v.cell)});
+      known_.push_back({name, std::string{structure.name(v.cell)}, v, structure.forest().oldest(v.cell)});
     }
     std::stable_sort(known_.begin(), known_.end(), [&](const Known& one, const Known& other) {
-      return structure.is_older(one.oldest, other.oldest);
+      return structure.lazy().is_older(one.oldest, other.oldest);
     });
   }
 
@@ -634,7 +638,7 @@ class ConeNames {
   }
 
   static bool is_given(const Structure& structure, const std::string& name) {
-    const NameTable::Name* found = structure.names().find(name);
+    const NameTable::Name* found = structure.directory().names().find(name);
     return found != nullptr && found->cell != none;
   }
 
@@ -652,10 +656,10 @@ class ConeNames {
 
   static Value wanted(const Structure& structure, const std::string& apex, const Entry& entry) {
     const CellId cone = *structure.lookup(apex + "*" + entry.coned);
-    const bool by_edges = structure.cone_from(structure.names().find(apex)->cell)->by_edges;
+    const bool by_edges = structure.cones().from(structure.directory().names().find(apex)->cell)->by_edges;
     return entry.collapsed == 0
-               ? structure.value(cone)
-               : structure.normal_form({cone, structure.types().coned(entry.type, by_edges), entry.collapsed});
+               ? structure.values().of(cone)
+               : structure.values().normal_form({cone, structure.types().coned(entry.type, by_edges), entry.collapsed});
   }
 
   std::vector<Known> known_;
@@ -723,8 +727,8 @@ TEST_CASE("a name that lists vertices denotes the simplex in that order", "[ops]
   for (const auto& [name, sign, plain] : names) {
     CAPTURE(name);
     CHECK(shop.cell(name) == shop.cell(plain));
-    CHECK(shop.structure().sign_of_name(name) == sign);
-    CHECK(shop.structure().sign_of_name(plain) == 1);
+    CHECK(sign_denoted(shop.structure(), name) == sign);
+    CHECK(sign_denoted(shop.structure(), plain) == 1);
     CHECK(shop.structure().name(shop.cell(name)) == plain);
   }
   for (const std::string name :
@@ -760,7 +764,7 @@ TEST_CASE("where faces are counted or matched, that goes by the order that a nam
   same("{7}", "t.0");
   same("{0}", "t.2");
   same("{0,2}", "t.1-2");
-  CHECK(shop.structure().sign_of_name("{2,7,0}") == 1);
+  CHECK(sign_denoted(shop.structure(), "{2,7,0}") == 1);
   shop.go_back_to(before);
   shop.build({R"({"op":"degenerate","cell":"t.2-0-1","along":0})"});  // from 2 to 0
   same("t.0", "t.2");
@@ -773,7 +777,7 @@ TEST_CASE("where faces are counted or matched, that goes by the order that a nam
   shop.go_back_to(before);
   shop.build({R"({"op":"cone","apex":"v","over":["{2,0}","t.1-0"]})"});
   CHECK(shop.structure().name(shop.cell("v*{2,0}")) == "v*{0,2}");
-  CHECK(shop.structure().sign_of_name("v*{2,0}") == -1);
+  CHECK(sign_denoted(shop.structure(), "v*{2,0}") == -1);
 }
 
 TEST_CASE("a simplicial product has simplices with their vertices in any order, if there are such simplices", "[ops]") {
@@ -786,7 +790,7 @@ TEST_CASE("a simplicial product has simplices with their vertices in any order, 
   for (const auto& [name, sign, plain] : names) {
     CAPTURE(name);
     CHECK(shop.structure().name(shop.cell(name)) == plain);
-    CHECK(shop.structure().sign_of_name(name) == sign);
+    CHECK(sign_denoted(shop.structure(), name) == sign);
   }
   for (const std::string name : {"P.(e.1-0|f)", "P.(e.1-0^0|f^1)"}) {
     CAPTURE(name);

@@ -219,11 +219,11 @@ TEST_CASE("the order of a listing does not matter for what is made", "[ops]") {
   REQUIRE(one.apply(straight));
   REQUIRE(other.apply(shuffled));
   for (const MakeComplex::Cell& cell : shuffled.cells) {
-    const auto faces = other.structure().faces_as_created(other.cell("K." + cell.id));
-    const auto wanted = one.structure().faces_as_created(one.cell("K." + cell.id));
+    const auto faces = other.structure().cells().faces(other.cell("K." + cell.id));
+    const auto wanted = one.structure().cells().faces(one.cell("K." + cell.id));
     REQUIRE(faces.size() == wanted.size());
     for (std::size_t k = 0; k < faces.size(); ++k) {
-      CHECK(other.structure().own_name(faces[k]) == one.structure().own_name(wanted[k]));
+      CHECK(other.structure().directory().own_name(faces[k]) == one.structure().directory().own_name(wanted[k]));
     }
   }
 }
@@ -239,23 +239,23 @@ TEST_CASE("a cone over a simploid has the type of the simploid times an edge, ov
                                  R"({"op":"cone","apex":"v","over":["t","q"]})"}) {
     CAPTURE(line);
     shop.build({line});
-    CHECK(shop.structure().type(shop.cell("v*q")).type == CellType{1, 1, 1});
-    CHECK(shop.structure().type(shop.cell("v*q.0-1x0")).type == CellType{1, 1});
+    CHECK(shop.structure().cells().type(shop.cell("v*q")).type == CellType{1, 1, 1});
+    CHECK(shop.structure().cells().type(shop.cell("v*q.0-1x0")).type == CellType{1, 1});
     if (shop.structure().lookup("v*t")) {  // every cell of the cone is of one kind
-      CHECK(shop.structure().type(shop.cell("v*t")).type == CellType{2, 1});
+      CHECK(shop.structure().cells().type(shop.cell("v*t")).type == CellType{2, 1});
     }
     shop.go_back_to(before);
   }
   CHECK(shop.apply(operation(R"({"op":"cone","apex":"v","over":["q.0-1x0"]})")));
-  CHECK(shop.structure().type(shop.cell("v*q.0-1x0")).type == CellType{2});
+  CHECK(shop.structure().cells().type(shop.cell("v*q.0-1x0")).type == CellType{2});
 }
 
 TEST_CASE("a cone over nothing is a vertex in a body of its own", "[ops]") {
   Workshop shop;
   shop.build({R"({"op":"cone","apex":"v"})", R"({"op":"cone","apex":"w","over":[]})"});
-  CHECK(shop.structure().created() == 2);
+  CHECK(shop.structure().cells().size() == 2);
   CHECK(shop.structure().bodies().current().size() == 2);
-  CHECK(shop.structure().body_name(*shop.structure().lookup_body("w")) == "w");
+  CHECK(shop.structure().directory().name_of_body(*shop.structure().lookup_body("w")) == "w");
 }
 
 TEST_CASE("a cone over a cell takes its closure, with the faces of the construction", "[ops]") {
@@ -264,7 +264,7 @@ TEST_CASE("a cone over a cell takes its closure, with the faces of the construct
   shop.build({R"({"op":"cone","apex":"v","over":["t"]})"});
   const auto faces = [&](const std::string& name) {
     std::vector<std::string> names;
-    for (const CellId face : shop.structure().faces_as_created(shop.cell(name))) {
+    for (const CellId face : shop.structure().cells().faces(shop.cell(name))) {
       names.emplace_back(shop.structure().name(face));
     }
     return names;
@@ -273,7 +273,7 @@ TEST_CASE("a cone over a cell takes its closure, with the faces of the construct
   CHECK(faces("v*t.1") == Names{"v", "t.1"});
   CHECK(faces("v*t.0-2") == Names{"v*t.2", "v*t.0", "t.0-2"});
   CHECK(faces("v*t") == Names{"v*t.1-2", "v*t.0-2", "v*t.0-1", "t"});
-  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("v"))) == "t");
+  CHECK(shop.structure().directory().name_of_body(shop.structure().body_of(shop.cell("v"))) == "t");
   CHECK_FALSE(shop.structure().lookup_body("v"));
   CHECK_FALSE(shop.structure().lookup("v*line"));
 }
@@ -284,11 +284,11 @@ TEST_CASE("a cone over several bodies makes them one, named like the oldest", "[
   const StructureMark before = mark_of(shop.structure());
   shop.build({R"({"op":"cone","apex":"v","over":["line.1","q.0x0"]})"});
   CHECK(shop.structure().bodies().current().size() == 2);
-  CHECK(shop.structure().body_name(*shop.structure().lookup_body("line")) == "q");
-  CHECK(shop.structure().cells_of(*shop.structure().lookup_body("line")).size() == 9 + 3 + 3);
+  CHECK(shop.structure().directory().name_of_body(*shop.structure().lookup_body("line")) == "q");
+  CHECK(shop.structure().lazy().cells_of(*shop.structure().lookup_body("line")).size() == 9 + 3 + 3);
   shop.go_back_to(before);
   shop.build({R"({"op":"simplex","name":"dot","dim":0})", R"({"op":"cone","apex":"v","over":"line"})"});
-  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("v*line"))) == "line");
+  CHECK(shop.structure().directory().name_of_body(shop.structure().body_of(shop.cell("v*line"))) == "line");
   CHECK(shop.structure().bodies().current().size() == 4);
 }
 
@@ -296,7 +296,7 @@ TEST_CASE("a cone follows identifications: over a loop, both ends are one vertex
   Workshop shop;
   shop.build({R"({"op":"simplex","name":"e","dim":1})", R"({"op":"identify","pairs":[["e.1","e.0"]]})",
               R"({"op":"cone","apex":"v"})"});
-  const auto faces = shop.structure().faces_as_created(shop.cell("v*e"));
+  const auto faces = shop.structure().cells().faces(shop.cell("v*e"));
   REQUIRE(faces.size() == 3);
   CHECK(faces[0] == faces[1]);
   CHECK(shop.structure().name(faces[0]) == "v*e.0");
@@ -321,7 +321,7 @@ TEST_CASE("a suspension is two cones over the same cells, in one step", "[ops]")
   CHECK(faces(shop, "s*t.1") == Texts{"s", "t.1"});
   CHECK_FALSE(shop.structure().lookup("s*n"));
   CHECK_FALSE(shop.structure().lookup("n*line"));
-  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("s"))) == "t");
+  CHECK(shop.structure().directory().name_of_body(shop.structure().body_of(shop.cell("s"))) == "t");
 }
 
 TEST_CASE("a suspension is what one cone, and another over a list of the same cells, make together", "[ops]") {
@@ -340,7 +340,7 @@ TEST_CASE("a suspension over everything is taken over all bodies, over nothing i
   shop.build({R"({"op":"suspend","apexes":["n","s"]})"});
   CHECK(counts(shop) == Counts{2});
   CHECK(shop.structure().bodies().current().size() == 1);
-  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("s"))) == "n");
+  CHECK(shop.structure().directory().name_of_body(shop.structure().body_of(shop.cell("s"))) == "n");
   shop.build({R"({"op":"suspend","apexes":["e","w"]})"});
   CHECK(counts(shop) == Counts{4, 4});
   CHECK(shop.structure().bodies().current().size() == 1);
@@ -380,8 +380,8 @@ TEST_CASE("each vertex of the first cell is glued to the one of the second that 
     CHECK(shop.cell(one) == shop.cell(other));
   }
   const Structure& s = shop.structure();
-  CHECK(s.find_oriented(*s.lookup("a.0-1")).sign * s.find_oriented(*s.lookup("b.0-2")).sign == -1);
-  CHECK(s.find_oriented(*s.lookup("a.1-2")).sign * s.find_oriented(*s.lookup("b.0-1")).sign == 1);
+  CHECK(s.forest().find_oriented(*s.lookup("a.0-1")).sign * s.forest().find_oriented(*s.lookup("b.0-2")).sign == -1);
+  CHECK(s.forest().find_oriented(*s.lookup("a.1-2")).sign * s.forest().find_oriented(*s.lookup("b.0-1")).sign == 1);
   CHECK(first_broken_face_law(s, cells_at(s, now(s))).value_or("") == "");
 }
 
@@ -473,7 +473,7 @@ TEST_CASE("a cell glues to its own faces' copies: self-gluing and multi-incidenc
       {R"({"op":"simplex","name":"t","dim":2})", R"({"op":"identify","pairs":[["t.0-1","t.1-2"],["t.0-1","t.0-2"]]})"});
   CHECK(shop.structure().counts()[0] == 1);
   CHECK(shop.structure().counts()[1] == 1);
-  for (const CellId face : shop.structure().faces_as_created(shop.cell("t"))) {
+  for (const CellId face : shop.structure().cells().faces(shop.cell("t"))) {
     CHECK(shop.structure().find(face) == shop.cell("t.0-1"));
   }
 }
@@ -488,7 +488,7 @@ TEST_CASE("classes are transitive over the pairs of one step, in any order and w
   CHECK(shop.last_plan().merges.size() == 3);
   CHECK(shop.structure().counts()[0] == 3);
   CHECK(shop.structure().name(shop.cell("v5")) == "v0");
-  CHECK(shop.structure().members(shop.cell("v4")) == 4);
+  CHECK(shop.structure().forest().members(shop.cell("v4")) == 4);
 }
 
 TEST_CASE("identifying what is one already plans nothing", "[ops]") {
@@ -522,19 +522,19 @@ TEST_CASE("what a plan says is exactly what happens", "[ops][stream]") {
     }
     int dimension = 0;
     for (const Merge& merge : plan.merges) {  // by dimension, each cell removed once, none of them a survivor
-      REQUIRE(shop.structure().type_id(merge.removed) == shop.structure().type_id(merge.survivor));
+      REQUIRE(shop.structure().cells().type_id(merge.removed) == shop.structure().cells().type_id(merge.survivor));
       REQUIRE(shop.structure().dimension(merge.removed) >= dimension);
       dimension = shop.structure().dimension(merge.removed);
     }
     REQUIRE(shop.apply(op));
     const Structure& after = shop.structure();
-    REQUIRE(after.created() == before.moment.created + plan.cells.size());
-    REQUIRE(after.links() == before.moment.links + plan.merges.size());
+    REQUIRE(after.cells().size() == before.moment.created + plan.cells.size());
+    REQUIRE(after.forest().links() == before.moment.links + plan.merges.size());
     REQUIRE(plan.changes_nothing() == (dump(after) == untouched));
     std::set<CellId> removed;
     for (const Merge& merge : plan.merges) {
       REQUIRE(removed.insert(merge.removed).second);
-      REQUIRE(after.parent(merge.removed) == merge.survivor);
+      REQUIRE(after.forest().parent(merge.removed) == merge.survivor);
       REQUIRE(after.is_current(merge.survivor));
     }
     for (CellId c = 0; c < before.moment.created; ++c) {
@@ -542,8 +542,8 @@ TEST_CASE("what a plan says is exactly what happens", "[ops][stream]") {
     }
     // Merged cells have the same faces by now.
     for (const Merge& merge : plan.merges) {
-      const auto one = after.faces_as_created(merge.removed);
-      const auto other = after.faces_as_created(merge.survivor);
+      const auto one = after.cells().faces(merge.removed);
+      const auto other = after.cells().faces(merge.survivor);
       for (std::size_t f = 0; f < one.size(); ++f) {
         REQUIRE(after.find(one[f]) == after.find(other[f]));
       }
@@ -562,10 +562,10 @@ TEST_CASE("every cell obeys its face laws after every step", "[ops][stream]") {
     REQUIRE(shop.apply(op));
     const Structure& s = shop.structure();
     for (const CellId c : current_cells(s)) {
-      const Value whole{c, s.type_id(c), 0};
-      for (const FaceLaw& law : s.type(c).laws) {
-        REQUIRE(s.face(s.face(whole, law.first), law.second) ==
-                s.face(s.face(whole, law.other_first), law.other_second));
+      const Value whole{c, s.cells().type_id(c), 0};
+      for (const FaceLaw& law : s.cells().type(c).laws) {
+        REQUIRE(s.values().face(s.values().face(whole, law.first), law.second) ==
+                s.values().face(s.values().face(whole, law.other_first), law.other_second));
       }
     }
   }

@@ -15,7 +15,7 @@ namespace {
 /// The cells of the body "P", oldest first.
 Texts cells_of(const Workshop& shop, const std::string& body = "P") {
   Texts names;
-  for (const CellId c : shop.structure().cells_of(shop.structure().lookup_body(body).value())) {
+  for (const CellId c : shop.structure().lazy().cells_of(shop.structure().lookup_body(body).value())) {
     names.emplace_back(shop.structure().name(c));
   }
   return names;
@@ -60,10 +60,10 @@ struct Factor {
 
   [[nodiscard]] PlainValue face(const PlainValue& v, std::uint32_t k) const {
     return plain_face(v, k, [&](CellId c, std::uint32_t number) {
-      return plain_value(structure, structure.value(structure.faces(c)[number]));
+      return plain_value(structure, structure.values().of(structure.faces().of(c)[number]));
     });
   }
-  [[nodiscard]] PlainValue whole(CellId c) const { return plain_value(c, structure.type(c).type); }
+  [[nodiscard]] PlainValue whole(CellId c) const { return plain_value(c, structure.cells().type(c).type); }
   [[nodiscard]] std::string name(CellId c) const { return std::string{structure.name(c)}; }
 };
 
@@ -152,12 +152,15 @@ TEST_CASE("what was asked for counts against no limit", "[ops]") {
               R"({"op":"product","name":"P","left":"a","right":"b"})"});
   const Operation simplex = operation(R"({"op":"simplex","name":"s","dim":5})");
   REQUIRE(shop.plan(simplex));
-  shop.structure().make_all_lazy_cells();
-  CHECK(shop.structure().created() > shop.structure().made_by_steps());
+  shop.structure().lazy().make_all();
+  CHECK(shop.structure().cells().size() > shop.structure().made_by_steps());
   CHECK(shop.structure().made_by_steps() == 6);
   REQUIRE(shop.apply(simplex));
   CHECK(refused(shop, R"({"op":"simplex","name":"t","dim":2})").what ==
         "this step would bring the workspace to 76 cells; the limit is 75");
+  REQUIRE(shop.apply(operation(R"({"op":"insert","simplices":[["x","y"]]})")));
+  CHECK(refused(shop, R"({"op":"insert","simplices":[["x","y","z"]]})").what ==
+        "this step would make more than 3 cells, as many as there is room for");
 }
 
 TEST_CASE("a product has the cells and faces that its definition says, in the order of its factors", "[ops]") {
@@ -172,8 +175,8 @@ TEST_CASE("a product has the cells and faces that its definition says, in the or
   build(shop, recipes[one], "A");
   build(shop, recipes[other], "B");
   const Structure& s = shop.structure();
-  const Factor left{s, s.cells_of(*s.lookup_body("A"))};
-  const Factor right{s, s.cells_of(*s.lookup_body("B"))};
+  const Factor left{s, s.lazy().cells_of(*s.lookup_body("A"))};
+  const Factor right{s, s.lazy().cells_of(*s.lookup_body("B"))};
   std::vector<std::pair<std::string, Texts>> wanted;
   for (const CellId a : left.cells) {
     for (const CellId b : right.cells) {
@@ -205,7 +208,7 @@ TEST_CASE("a product has the cells and faces that its definition says, in the or
   CHECK(cells_of(shop) == names);
   CHECK(s.bodies().simploids(*s.lookup_body("P")) ==
         static_cast<std::uint64_t>(std::count_if(names.begin(), names.end(), [&](const std::string& name) {
-          return !is_simplex(s.type(shop.cell(name)).type);
+          return !is_simplex(s.cells().type(shop.cell(name)).type);
         })));
 }
 
@@ -216,7 +219,7 @@ TEST_CASE("a square is 4, 4, 1 cells as a product of simploids, and 4, 5, 2 tria
   shop.build({R"({"op":"product","name":"P","left":"e","right":"f"})"});
   CHECK(counts(shop) == Counts{4, 4, 1});
   CHECK(faces(shop, "P.(e|f)") == Texts{"P.(e.1|f)", "P.(e.0|f)", "P.(e|f.1)", "P.(e|f.0)"});
-  CHECK(shop.structure().type(shop.cell("P.(e|f)")).type == CellType{1, 1});
+  CHECK(shop.structure().cells().type(shop.cell("P.(e|f)")).type == CellType{1, 1});
   shop.go_back_to(before);
   shop.build({R"({"op":"product","name":"P","left":"e","right":"f","kind":"simplicial"})"});
   CHECK(counts(shop) == Counts{4, 5, 2});
@@ -238,12 +241,12 @@ TEST_CASE("any names of the two cells name their product, and a product of produ
   shop.build({R"({"op":"simplex","name":"f","dim":1})", R"({"op":"product","name":"Q","left":"P","right":"f"})",
               R"({"op":"product","name":"R","left":"Q","right":"Q"})"});
   CHECK(meaning(shop.structure(), "R.(Q.(P.(e|v.0)|f)|Q.(P.(e.1|v)|f.1))") == "R.(Q.(P.(e|v)|f)|Q.(P.(e.0|v)|f.1))");
-  CHECK(shop.structure().type(shop.cell("R.(Q.(P.(e|v)|f)|Q.(P.(e|v)|f))")).type == CellType{1, 1, 1, 1});
+  CHECK(shop.structure().cells().type(shop.cell("R.(Q.(P.(e|v)|f)|Q.(P.(e|v)|f))")).type == CellType{1, 1, 1, 1});
   CHECK(counts(shop) == Counts{4, 12, 13, 6, 1});
   for (const std::string name : {"P.(e|v", "P.(e)", "P.()", "P.(|)", "P.(e|)", "P.(e|v)x", "P.(v|e)", "P.(e^0|v^0)",
                                  "Q.(e|f)", "Q.(P.(e|v)|f^0)", "P", "R", "Q.P.(e|v)"}) {
     CAPTURE(name);
-    CHECK((!shop.structure().lookup(name) || shop.structure().is_consumed(*shop.structure().lookup(name))));
+    CHECK((!shop.structure().lookup(name) || shop.structure().lazy().is_consumed(*shop.structure().lookup(name))));
   }
 }
 
@@ -293,7 +296,7 @@ TEST_CASE("the factors' cells and names are used up, and say where they went", "
     CHECK_THAT(refused(shop, line).what, Contains("in use"));
   }
   CHECK(shop.structure().bodies().current().size() == 2);
-  CHECK(shop.structure().body_name(shop.structure().bodies().current()[1]) == "P");
+  CHECK(shop.structure().directory().name_of_body(shop.structure().bodies().current()[1]) == "P");
 }
 
 TEST_CASE("a product is refused with what is wrong", "[ops]") {
@@ -343,7 +346,7 @@ TEST_CASE("products out of all proportion are refused, by cells and by dimension
     REQUIRE(shop.apply(square(n)));
   }
   CHECK(counts(shop).size() == 33);
-  CHECK(shop.structure().created() < 30);
+  CHECK(shop.structure().cells().size() < 30);
   const Error deep = error_of(shop, square(32));
   CHECK(deep.code == Errc::refused);
   CHECK_THAT(deep.what, Contains("dimension 64") && Contains("62"));
@@ -385,7 +388,7 @@ TEST_CASE("cells of a product are younger than what was there, and older than wh
                                 "P.(e|e.0)", "P.(e|e.1)", "P.(e|e)"});
   REQUIRE(shop.apply(Identify{{{"z", "P.(e.1|e.1)"}, {"P.(e.1|e.0)", "P.(e.1|e.1)"}}}));
   CHECK(meaning(shop.structure(), "z") == "P.(e.1|e.0)");
-  CHECK(shop.structure().body_name(shop.structure().body_of(shop.cell("z"))) == "P");
+  CHECK(shop.structure().directory().name_of_body(shop.structure().body_of(shop.cell("z"))) == "P");
   shop.build({R"({"op":"identify","pairs":[["z","a"]]})"});
   CHECK(meaning(shop.structure(), "P.(e.1|e.1)") == "a");
   CHECK(faces(shop, "P.(e.1|e)") == Texts{"a", "a"});
@@ -426,10 +429,10 @@ TEST_CASE("a product of large bodies makes no cells but those that are asked for
   REQUIRE(shop.apply(path));
   shop.build({R"({"op":"product","name":"P","left":"K","right":"K"})",
               R"({"op":"product","name":"Q","left":"P","right":"P","kind":"simploidal"})"});
-  const CellId before = shop.structure().created();
+  const CellId before = shop.structure().cells().size();
   CHECK(before == 2001);
   CHECK(counts(shop)[4] == 1'000'000'000'000);
   REQUIRE(shop.apply(Identify{{{"Q.(P.(K.e7|K.v9)|P.(K.e8|K.v3))", "Q.(P.(K.e1|K.v2)|P.(K.e3|K.v4))"}}}));
-  CHECK(shop.structure().created() - before < 100);
-  CHECK(shop.structure().links() == 9);
+  CHECK(shop.structure().cells().size() - before < 100);
+  CHECK(shop.structure().forest().links() == 9);
 }

@@ -355,14 +355,14 @@ TEST_CASE("questions asked after a step do not change its sequence", "[ops]") {
   const Moment before = now(shop.structure());
   SECTION("a split") {
     shop.build({R"({"op":"deidentify","split":[{"cell":"f.0","as":"x","moves":[]}]})"});
-    shop.structure().make_all_lazy_cells();
+    shop.structure().lazy().make_all();
     const auto step = tests::sequence_between(shop.structure(), before, now(shop.structure()), Integers{});
     REQUIRE(step);
     CHECK(step->sequence.c0.sizes() == Sizes{1});
     CHECK(defect_of(step->sequence) == "");
   }
   SECTION("a step that changes nothing") {
-    shop.structure().make_all_lazy_cells();
+    shop.structure().lazy().make_all();
     CHECK_FALSE(tests::sequence_between(shop.structure(), before, now(shop.structure()), Integers{}));
   }
 }

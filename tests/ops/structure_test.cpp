@@ -1,4 +1,5 @@
 #include "ops/cells/structure.hpp"
+#include "ops/cells/cofaces.hpp"
 
 #include <algorithm>
 #include <map>
@@ -83,29 +84,29 @@ struct SlowStructure {
 
 /// The first way in which a structure and its slow twin differ; empty when they do not.
 std::string difference(const Structure& fast, const SlowStructure& slow) {
-  if (fast.created() != slow.cells.size()) {
+  if (fast.cells().size() != slow.cells.size()) {
     return "number of cells";
   }
   std::vector<std::uint32_t> counts;
-  for (CellId c = 0; c < fast.created(); ++c) {
+  for (CellId c = 0; c < fast.cells().size(); ++c) {
     const SlowStructure::Cell& cell = slow.cells[c];
-    const auto faces = fast.faces_as_created(c);
+    const auto faces = fast.cells().faces(c);
     const std::string at = " of cell " + std::to_string(c);
-    if (fast.type(c).type != cell.type ||
+    if (fast.cells().type(c).type != cell.type ||
         !std::equal(faces.begin(), faces.end(), cell.faces.begin(), cell.faces.end())) {
       return "faces" + at;
     }
     if (fast.find(c) != cell.label || fast.is_current(c) != (cell.label == c)) {
       return "class" + at;
     }
-    if (fast.oldest(c) != slow.oldest(c) || fast.name(c) != slow.cells[slow.oldest(c)].name ||
-        fast.own_name(c) != cell.name) {
+    if (fast.forest().oldest(c) != slow.oldest(c) || fast.name(c) != slow.cells[slow.oldest(c)].name ||
+        fast.directory().own_name(c) != cell.name) {
       return "name" + at;
     }
-    if (fast.members(fast.find(c)) != slow.members(c)) {
+    if (fast.forest().members(fast.find(c)) != slow.members(c)) {
       return "members" + at;
     }
-    if (fast.body_name(fast.body_of(c)) != slow.bodies[static_cast<std::size_t>(slow.body_of(c))]) {
+    if (fast.directory().name_of_body(fast.body_of(c)) != slow.bodies[static_cast<std::size_t>(slow.body_of(c))]) {
       return "body" + at;
     }
     if (cell.label == c) {
@@ -126,7 +127,7 @@ std::string difference(const Structure& fast, const SlowStructure& slow) {
   for (std::size_t b = 0; b < slow.bodies.size(); ++b) {
     const auto found = fast.lookup_body(slow.bodies[b]);
     const int label = slow.body_label[b];
-    if (!found || fast.body_name(*found) != slow.bodies[static_cast<std::size_t>(label)]) {
+    if (!found || fast.directory().name_of_body(*found) != slow.bodies[static_cast<std::size_t>(label)]) {
       return "lookup of body " + slow.bodies[b];
     }
     if (label == static_cast<int>(b)) {
@@ -137,7 +138,7 @@ std::string difference(const Structure& fast, const SlowStructure& slow) {
           cells.push_back(c);
         }
       }
-      std::vector<CellId> listed_cells = fast.cells_of(*found);
+      std::vector<CellId> listed_cells = fast.lazy().cells_of(*found);
       std::sort(listed_cells.begin(), listed_cells.end());
       if (listed_cells != cells) {
         return "cells of body " + slow.bodies[b];
@@ -146,7 +147,7 @@ std::string difference(const Structure& fast, const SlowStructure& slow) {
   }
   std::vector<std::string> listed;
   for (const BodyId b : fast.bodies().current()) {
-    listed.emplace_back(fast.body_name(b));
+    listed.emplace_back(fast.directory().name_of_body(b));
   }
   return listed == current ? "" : "current bodies";
 }
@@ -214,8 +215,8 @@ TEST_CASE("a merged cell answers to every name of its members, and is called by 
   for (const std::string name : {"a", "b", "c", "d", "a.0", "d.0"}) {
     CHECK(shop.structure().name(shop.cell(name)) == "a");
   }
-  CHECK(shop.structure().own_name(*shop.structure().lookup("d")) == "d");
-  CHECK(shop.structure().members(shop.cell("a")) == 4);
+  CHECK(shop.structure().directory().own_name(*shop.structure().lookup("d")) == "d");
+  CHECK(shop.structure().forest().members(shop.cell("a")) == 4);
   CHECK(shop.structure().counts().size() == 1);
   CHECK(shop.structure().counts()[0] == 1);
 }
@@ -229,16 +230,16 @@ TEST_CASE("merged bodies keep the older name, and the younger one stays an alias
   const auto names = [&] {
     std::vector<std::string> all;
     for (const BodyId b : shop.structure().bodies().current()) {
-      all.emplace_back(shop.structure().body_name(b));
+      all.emplace_back(shop.structure().directory().name_of_body(b));
     }
     return all;
   };
   CHECK(names() == std::vector<std::string>{"a", "b"});
   CHECK(shop.structure().lookup_body("c") == shop.structure().lookup_body("b"));
-  CHECK(shop.structure().cells_of(*shop.structure().lookup_body("c")).size() == 5);
+  CHECK(shop.structure().lazy().cells_of(*shop.structure().lookup_body("c")).size() == 5);
   shop.build({R"({"op":"identify","pairs":[["c.1","a.0"]]})"});
   CHECK(names() == std::vector<std::string>{"a"});
-  CHECK(shop.structure().body_name(*shop.structure().lookup_body("b")) == "a");
+  CHECK(shop.structure().directory().name_of_body(*shop.structure().lookup_body("b")) == "a");
   CHECK(shop.structure().lookup_body("nobody") == std::nullopt);
   shop.go_back_to(before);
   CHECK(names() == std::vector<std::string>{"a", "b", "c"});
@@ -253,15 +254,15 @@ TEST_CASE("a past moment can be asked for any cell", "[ops]") {
   std::vector<LinkId> links_then;
   for (int k = 0; k < 30; ++k) {
     REQUIRE(shop.apply(steps.next(shop.structure())));
-    links_then.push_back(shop.structure().links());
+    links_then.push_back(shop.structure().forest().links());
     found_then.emplace_back();
-    for (CellId c = 0; c < shop.structure().created(); ++c) {
+    for (CellId c = 0; c < shop.structure().cells().size(); ++c) {
       found_then.back().push_back(shop.structure().find(c));
     }
   }
   for (std::size_t k = 0; k < found_then.size(); ++k) {
     for (CellId c = 0; c < found_then[k].size(); ++c) {
-      REQUIRE(shop.structure().find_at(c, links_then[k]) == found_then[k][c]);
+      REQUIRE(shop.structure().forest().find_at(c, links_then[k]) == found_then[k][c]);
     }
   }
 }
@@ -281,12 +282,12 @@ TEST_CASE("no path of the union-find forest is longer than the logarithm of its 
     }
     REQUIRE(shop.apply(identify));
   }
-  for (CellId c = 0; c < shop.structure().created(); ++c) {
+  for (CellId c = 0; c < shop.structure().cells().size(); ++c) {
     int depth = 0;
-    for (CellId at = c; !shop.structure().is_current(at); at = shop.structure().parent(at)) {
+    for (CellId at = c; !shop.structure().is_current(at); at = shop.structure().forest().parent(at)) {
       ++depth;
     }
-    CHECK((std::uint32_t{1} << depth) <= shop.structure().members(shop.structure().find(c)));
+    CHECK((std::uint32_t{1} << depth) <= shop.structure().forest().members(shop.structure().find(c)));
   }
 }
 
@@ -298,8 +299,8 @@ const Limits lazy_cones{.cells_of_explicit_cone = 0};
 std::map<CellId, std::set<std::string>> slow_cofaces(const Structure& structure) {
   std::map<CellId, std::set<std::string>> above;
   for (const CellId c : current_cells(structure)) {
-    for (const CellId face : structure.faces(c)) {
-      above[structure.value(face).cell].emplace(structure.name(c));
+    for (const CellId face : structure.faces().of(c)) {
+      above[structure.values().of(face).cell].emplace(structure.name(c));
     }
   }
   return above;
@@ -311,9 +312,10 @@ std::string wrong_cofaces(const Structure& structure) {
   for (const CellId c : current_cells(structure)) {
     std::set<std::string> found;
     CellId before = none;
-    for (const CellId coface : structure.cofaces(c)) {
+    for (const CellId coface : cofaces(structure, c)) {
       if (!found.emplace(structure.name(coface)).second || !structure.is_current(coface) ||
-          (before != none && !structure.is_older(structure.oldest(before), structure.oldest(coface)))) {
+          (before != none &&
+           !structure.lazy().is_older(structure.forest().oldest(before), structure.forest().oldest(coface)))) {
         return std::string{structure.name(c)} + ": order or twice";
       }
       before = coface;
@@ -422,8 +424,8 @@ TEST_CASE("lazy cells that were asked for make no difference, and undo takes the
     REQUIRE(quiet.apply(op));
     for (const CellId c : current_cells(asked.structure())) {
       if (random.one_in(2)) {
-        (void)asked.structure().cofaces(c);
-        (void)asked.structure().faces(c);
+        (void)cofaces(asked.structure(), c);
+        (void)asked.structure().faces().of(c);
       }
     }
   }
@@ -452,9 +454,9 @@ TEST_CASE("a body knows how many of its cells are no simplices", "[ops][stream]"
     for (const BodyId body : s.bodies().current()) {
       std::vector<std::uint64_t> counts(s.bodies().counts(body).size(), 0);
       std::uint64_t simploids = 0;
-      for (const CellId c : s.cells_of(body)) {
+      for (const CellId c : s.lazy().cells_of(body)) {
         ++counts[static_cast<std::size_t>(s.dimension(c))];
-        simploids += is_simplex(s.type(c).type) ? 0 : 1;
+        simploids += is_simplex(s.cells().type(c).type) ? 0 : 1;
       }
       REQUIRE(s.bodies().simploids(body) == simploids);
       REQUIRE(std::equal(counts.begin(), counts.end(), s.bodies().counts(body).begin(), s.bodies().counts(body).end()));
@@ -532,20 +534,20 @@ TEST_CASE("what cells, and which faces, there were can be said of every past mom
     Past past{s.now(), {}};
     for (const CellId c : current_cells(s)) {
       std::vector<CellId>& faces = past.cells[label(s, c)];
-      for (const CellId face : s.faces(c)) {
+      for (const CellId face : s.faces().of(c)) {
         faces.push_back(s.find(face));
       }
     }
     pasts.push_back(std::move(past));
   }
-  s.make_all_lazy_cells();
+  s.lazy().make_all();
   for (const auto& [moment, cells] : pasts) {
     std::map<std::string, std::vector<CellId>> found;
-    for (CellId c = 0; c < s.created(); ++c) {
+    for (CellId c = 0; c < s.cells().size(); ++c) {
       if (s.was_current(c, moment)) {
         std::vector<CellId>& faces = found[label(s, c)];
-        for (std::uint32_t f = 0; f < s.type(c).faces.size(); ++f) {
-          faces.push_back(s.oriented_face_at(c, f, moment).cell);
+        for (std::uint32_t f = 0; f < s.cells().type(c).faces.size(); ++f) {
+          faces.push_back(s.faces().at(c, f, moment).cell);
         }
       }
     }

@@ -24,7 +24,6 @@ LARGE_FILES = {
 }
 # Class: (public functions, why).
 LARGE_CLASSES = {
-    "Structure": (83, "cells, the forest, lazy cells and names have yet to become classes of their own"),
 }
 
 TOKENS = re.compile(r'//[^\n]*|/\*.*?\*/|R"\((?:.|\n)*?\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "ops/cells/cofaces.hpp"
 #include "tests/support/complexes.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/random_steps.hpp"
@@ -264,7 +265,7 @@ inline ops::BodyId body_named(const Engine& engine, const std::string& name) {
 inline std::vector<ops::CellId> all_cells(const Engine& engine) {
   std::vector<ops::CellId> cells;
   for (const ops::BodyId body : engine.structure().bodies().current()) {
-    const auto own = engine.structure().cells_of(body);
+    const auto own = engine.structure().lazy().cells_of(body);
     cells.insert(cells.end(), own.begin(), own.end());
   }
   return cells;
@@ -273,8 +274,8 @@ inline std::vector<ops::CellId> all_cells(const Engine& engine) {
 /// The names of the cells of a body that are no face of another cell: their closure is the body.
 inline std::vector<std::string> top_cells(const Engine& engine, const std::string& body) {
   std::vector<std::string> names;
-  for (const ops::CellId c : engine.structure().cells_of(body_named(engine, body))) {
-    if (engine.structure().cofaces(c).empty()) {
+  for (const ops::CellId c : engine.structure().lazy().cells_of(body_named(engine, body))) {
+    if (cofaces(engine.structure(), c).empty()) {
       names.emplace_back(engine.structure().name(c));
     }
   }
@@ -294,7 +295,7 @@ inline std::vector<std::uint64_t> counts_of(const Engine& engine, const std::str
 /// A body as one explicit complex, its cells numbered by age. Requires: no face is degenerate.
 inline ops::MakeComplex written_out(const Engine& engine, const std::string& body, const std::string& name) {
   const ops::Structure& structure = engine.structure();
-  const std::vector<ops::CellId> cells = structure.cells_of(body_named(engine, body));
+  const std::vector<ops::CellId> cells = structure.lazy().cells_of(body_named(engine, body));
   std::map<ops::CellId, std::string> ids;
   for (const ops::CellId c : cells) {
     ids.emplace(c, std::to_string(ids.size()));
@@ -303,9 +304,9 @@ inline ops::MakeComplex written_out(const Engine& engine, const std::string& bod
   for (const ops::CellId c : cells) {
     ops::MakeComplex::Cell cell{ids.at(c), {}, {}, {}};
     if (structure.dimension(c) > 0) {
-      cell.type = structure.type(c).type;
+      cell.type = structure.cells().type(c).type;
     }
-    for (const ops::CellId face : structure.faces(c)) {
+    for (const ops::CellId face : structure.faces().of(c)) {
       cell.faces.push_back(ids.at(structure.find(face)));
     }
     complex.cells.push_back(std::move(cell));

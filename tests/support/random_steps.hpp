@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "ops/cells/cofaces.hpp"
 #include "ops/cells/structure.hpp"
 #include "ops/plan/planner.hpp"
 #include "ops/vocabulary/operation.hpp"
@@ -40,14 +41,14 @@ inline StreamShape everything(std::size_t most_cells) {
 
 /// The current cells of the object, all lazy ones too, oldest first: without lazy families by increasing id.
 inline std::vector<ops::CellId> current_cells(const ops::Structure& structure) {
-  structure.make_all_lazy_cells();
+  structure.lazy().make_all();
   std::vector<ops::CellId> cells;
-  for (ops::CellId c = 0; c < structure.created(); ++c) {
-    if (structure.is_current(c) && !structure.is_consumed(c)) {
+  for (ops::CellId c = 0; c < structure.cells().size(); ++c) {
+    if (structure.is_current(c) && !structure.lazy().is_consumed(c)) {
       cells.push_back(c);
     }
   }
-  std::sort(cells.begin(), cells.end(), [&](ops::CellId a, ops::CellId b) { return structure.is_older(a, b); });
+  std::sort(cells.begin(), cells.end(), [&](ops::CellId a, ops::CellId b) { return structure.lazy().is_older(a, b); });
   return cells;
 }
 
@@ -112,7 +113,7 @@ class RandomSteps {
       const ops::CellId a = pick(cells);
       std::vector<ops::CellId> like_a;
       for (const ops::CellId b : cells) {
-        if (structure.type_id(b) == structure.type_id(a) && (b != a || random_.one_in(6))) {
+        if (structure.cells().type_id(b) == structure.cells().type_id(a) && (b != a || random_.one_in(6))) {
           like_a.push_back(b);
         }
       }
@@ -151,7 +152,8 @@ class RandomSteps {
   ops::Operation cone(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
     std::vector<std::string> over;
     for (int wanted = cells.empty() ? 0 : random_.in(0, 3); wanted > 0; --wanted) {
-      if (const ops::CellId c = pick(cells); ops::is_simplex(structure.type(c).type) && structure.dimension(c) <= 2) {
+      if (const ops::CellId c = pick(cells);
+          ops::is_simplex(structure.cells().type(c).type) && structure.dimension(c) <= 2) {
         over.emplace_back(structure.name(c));
       }
     }
@@ -198,7 +200,7 @@ class RandomSteps {
 
   std::optional<ops::Operation> degeneration(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
     const ops::CellId c = pick(cells);
-    const ops::CellType& type = structure.type(c).type;
+    const ops::CellType& type = structure.cells().type(c).type;
     if (type.empty()) {
       return std::nullopt;
     }
@@ -211,8 +213,9 @@ class RandomSteps {
   std::optional<ops::Operation> gluing_to_degenerate(const ops::Structure& structure,
                                                      const std::vector<ops::CellId>& cells) {
     std::vector<ops::CellId> degenerate;
-    for (ops::CellId c = 0; c < structure.created(); ++c) {
-      if (structure.find(c) == ops::none && structure.link_of(c) != ops::none && !structure.is_consumed(c)) {
+    for (ops::CellId c = 0; c < structure.cells().size(); ++c) {
+      if (structure.find(c) == ops::none && structure.forest().link_of(c) != ops::none &&
+          !structure.lazy().is_consumed(c)) {
         degenerate.push_back(c);
       }
     }
@@ -220,14 +223,15 @@ class RandomSteps {
       return std::nullopt;
     }
     std::sort(degenerate.begin(), degenerate.end(),
-              [&](ops::CellId a, ops::CellId b) { return structure.is_older(a, b); });
+              [&](ops::CellId a, ops::CellId b) { return structure.lazy().is_older(a, b); });
     const ops::CellId a = pick(degenerate);
     std::vector<ops::CellId> like_a;
     for (const auto* some : {&cells, &std::as_const(degenerate)}) {
       std::copy_if(some->begin(), some->end(), std::back_inserter(like_a),
-                   [&](ops::CellId b) { return structure.type_id(b) == structure.type_id(a); });
+                   [&](ops::CellId b) { return structure.cells().type_id(b) == structure.cells().type_id(a); });
     }
-    return ops::Identify{{{std::string{structure.own_name(a)}, std::string{structure.own_name(pick(like_a))}}}};
+    return ops::Identify{
+        {{std::string{structure.directory().own_name(a)}, std::string{structure.directory().own_name(pick(like_a))}}}};
   }
 
   /// A cell of which some incidences go to a copy: those that the face laws tie to one of them.
@@ -236,10 +240,9 @@ class RandomSteps {
     using Incidence = std::pair<ops::CellId, std::uint32_t>;
     std::vector<Incidence> incidences;
     const auto is_x = [&](const ops::Value& v) { return v.cell == x && !v.is_degenerate(); };
-    const auto cofaces = structure.cofaces(x);
-    for (const ops::CellId t : cofaces) {
-      for (std::uint32_t k = 0; k < structure.faces(t).size(); ++k) {
-        if (is_x(structure.value(structure.faces(t)[k]))) {
+    for (const ops::CellId t : cofaces(structure, x)) {
+      for (std::uint32_t k = 0; k < structure.faces().of(t).size(); ++k) {
+        if (is_x(structure.values().of(structure.faces().of(t)[k]))) {
           incidences.emplace_back(t, k);
         }
       }
@@ -266,10 +269,10 @@ class RandomSteps {
   static std::vector<std::pair<ops::CellId, std::uint32_t>> tied_to(
       const ops::Structure& structure, const std::pair<ops::CellId, std::uint32_t>& incidence) {
     std::vector<std::pair<ops::CellId, std::uint32_t>> tied;
-    for (const ops::CellId u : structure.cofaces(incidence.first)) {
-      for (const ops::FaceLaw& law : structure.type(u).laws) {
-        const ops::Value one = structure.value(structure.faces(u)[law.first]);
-        const ops::Value other = structure.value(structure.faces(u)[law.other_first]);
+    for (const ops::CellId u : cofaces(structure, incidence.first)) {
+      for (const ops::FaceLaw& law : structure.cells().type(u).laws) {
+        const ops::Value one = structure.values().of(structure.faces().of(u)[law.first]);
+        const ops::Value other = structure.values().of(structure.faces().of(u)[law.other_first]);
         const std::pair first{one.cell, law.second};
         const std::pair second{other.cell, law.other_second};
         if (!one.is_degenerate() && !other.is_degenerate() && (first == incidence || second == incidence)) {
@@ -286,8 +289,8 @@ class RandomSteps {
     const ops::CellId top = pick(cells);
     std::vector<ops::CellId> closure{top};
     for (std::size_t done = 0; done < closure.size(); ++done) {
-      for (const ops::CellId face : structure.faces(closure[done])) {
-        if (const ops::Value v = structure.value(face);
+      for (const ops::CellId face : structure.faces().of(closure[done])) {
+        if (const ops::Value v = structure.values().of(face);
             std::find(closure.begin(), closure.end(), v.cell) == closure.end()) {
           closure.push_back(v.cell);
         }
@@ -300,8 +303,8 @@ class RandomSteps {
       op.splits.push_back({std::string{structure.name(closure[k])}, names.back(), {}});
     }
     for (std::size_t k = 0; k < closure.size(); ++k) {
-      for (std::uint32_t slot = 0; slot < structure.faces(closure[k]).size(); ++slot) {
-        const ops::Value v = structure.value(structure.faces(closure[k])[slot]);
+      for (std::uint32_t slot = 0; slot < structure.faces().of(closure[k]).size(); ++slot) {
+        const ops::Value v = structure.values().of(structure.faces().of(closure[k])[slot]);
         const auto at = std::find(closure.begin(), closure.end(), v.cell) - closure.begin();
         if (v.is_degenerate()) {
           return std::nullopt;
@@ -323,13 +326,13 @@ class RandomSteps {
     const auto left = any();
     const auto right = any();
     const bool is_simplicial = random_.one_in(2);
-    const std::size_t pairs = structure.cells_of(left).size() * structure.cells_of(right).size();
+    const std::size_t pairs = structure.lazy().cells_of(left).size() * structure.lazy().cells_of(right).size();
     const auto dimensions = structure.bodies().counts(left).size() + structure.bodies().counts(right).size();
     if (pairs * (is_simplicial ? 3 : 1) + cells > 2 * shape_.most_cells || dimensions > 6) {
       return std::nullopt;
     }
-    return ops::MakeProduct{fresh_name(), std::string{structure.body_name(left)},
-                            std::string{structure.body_name(right)}, is_simplicial};
+    return ops::MakeProduct{fresh_name(), std::string{structure.directory().name_of_body(left)},
+                            std::string{structure.directory().name_of_body(right)}, is_simplicial};
   }
 
   /// The cone, or the suspension over the same cells.
@@ -354,13 +357,13 @@ class RandomSteps {
     const auto bodies = structure.bodies().current();
     const auto body = bodies[static_cast<std::size_t>(random_.in(0, static_cast<int>(bodies.size()) - 1))];
     if (structure.bodies().counts(body).size() > 4 ||
-        structure.cells_of(body).size() + cells.size() > 2 * shape_.most_cells) {
+        structure.lazy().cells_of(body).size() + cells.size() > 2 * shape_.most_cells) {
       return std::nullopt;
     }
     if (bodies.size() == 1 || random_.one_in(6)) {
       op.over = std::monostate{};
     } else {
-      op.over = std::string{structure.body_name(body)};
+      op.over = std::string{structure.directory().name_of_body(body)};
     }
     return cone_or_suspension(std::move(op));
   }

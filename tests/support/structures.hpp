@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "ops/cells/cofaces.hpp"
 #include "ops/cells/structure.hpp"
 #include "ops/plan/planner.hpp"
 #include "ops/plan/step_sequence.hpp"
@@ -34,7 +35,7 @@ struct StructureMark {
   friend bool operator==(const StructureMark&, const StructureMark&) = default;
 };
 inline StructureMark mark_of(const ops::Structure& structure) {
-  return {structure.journal().end(), structure.now(), structure.names().size(), structure.cones(),
+  return {structure.journal().end(), structure.now(), structure.directory().names().size(), structure.cones().size(),
           structure.abstract().mark()};
 }
 
@@ -90,7 +91,7 @@ class Workshop {
 inline ops::StepKind kind_between(const ops::Structure& structure, const ops::Moment& before,
                                   const ops::Moment& after) {
   if (after.families > before.families) {
-    const bool is_cone = structure.family(before.families).kind == ops::FamilyKind::cone;
+    const bool is_cone = structure.lazy().family(before.families).kind == ops::FamilyKind::cone;
     return is_cone ? ops::StepKind::lazy_cone : ops::StepKind::product;
   }
   if (after.links > before.links) {
@@ -100,7 +101,7 @@ inline ops::StepKind kind_between(const ops::Structure& structure, const ops::Mo
     return ops::StepKind::split;
   }
   for (ops::CellId c = before.created; c < after.created; ++c) {  // queries may have made nodes as well
-    if (!structure.is_lazy(c) && structure.find_at(c, after.links) == c) {
+    if (!structure.lazy().is_lazy(c) && structure.forest().find_at(c, after.links) == c) {
       return ops::StepKind::addition;
     }
   }
@@ -112,9 +113,14 @@ auto sequence_between(const ops::Structure& structure, const ops::Moment& before
   return ops::step_sequence(structure, kind_between(structure, before, after), before, after, ring);
 }
 
+/// The sign with which a name denotes its node.
+inline int sign_denoted(const ops::Structure& structure, std::string_view name) {
+  return structure.maps().sign(structure.denoted(name).value().order);
+}
+
 /// A node degenerate from the start: no step removed it, and it has no name.
 inline bool is_born_degenerate(const ops::Structure& structure, ops::CellId c) {
-  return structure.parent(c) == ops::none && structure.link_of(c) == ops::none;
+  return structure.forest().parent(c) == ops::none && structure.forest().link_of(c) == ops::none;
 }
 
 std::string text_of(const ops::Structure& structure, const ops::Value& v);
@@ -125,10 +131,11 @@ inline std::string label(const ops::Structure& structure, ops::CellId c) {
     return "none";
   }
   if (is_born_degenerate(structure, c)) {
-    return text_of(structure, structure.value(c));
+    return text_of(structure, structure.values().of(c));
   }
-  const ops::LazyCell* lazy = structure.lazy_of(c);
-  return std::string{structure.own_name(c)} + (lazy == nullptr ? "" : "@" + std::to_string(lazy->key.family));
+  const ops::LazyCell* lazy = structure.lazy().of(c);
+  return std::string{structure.directory().own_name(c)} +
+         (lazy == nullptr ? "" : "@" + std::to_string(lazy->key.family));
 }
 
 /// The collapsed directions of a value and its type, "^0,2 of a simplex of dimension 3"; empty for a cell itself.
@@ -149,7 +156,7 @@ inline std::string text_of(const ops::Structure& structure, const ops::Value& v)
 
 /// What a node is now, by the canonical name of the cell: "t.0", "t.0^0 of a simplex of dimension 1".
 inline std::string meaning(const ops::Structure& structure, ops::CellId c) {
-  const ops::Value v = structure.value(c);
+  const ops::Value v = structure.values().of(c);
   return std::string{structure.name(v.cell)} + degeneracy_text(structure, v);
 }
 inline std::string meaning(const ops::Structure& structure, const std::string& name) {
@@ -160,7 +167,7 @@ inline std::string meaning(const ops::Structure& structure, const std::string& n
 /// What the faces of a cell are now.
 inline std::vector<std::string> face_texts(const ops::Structure& structure, ops::CellId c) {
   std::vector<std::string> texts;
-  for (const ops::CellId face : structure.faces(c)) {
+  for (const ops::CellId face : structure.faces().of(c)) {
     texts.push_back(meaning(structure, face));
   }
   return texts;
@@ -169,11 +176,11 @@ inline std::vector<std::string> face_texts(const ops::Structure& structure, ops:
 /// All nodes but those degenerate from the start, in an order that no query changes: by increasing id, those of lazy
 /// families (all of them) by label after the others.
 inline std::vector<ops::CellId> nodes_of(const ops::Structure& structure) {
-  structure.make_all_lazy_cells();
+  structure.lazy().make_all();
   std::vector<ops::CellId> nodes;
   std::vector<std::pair<std::string, ops::CellId>> lazy;
-  for (ops::CellId c = 0; c < structure.created(); ++c) {
-    if (structure.is_lazy(c)) {
+  for (ops::CellId c = 0; c < structure.cells().size(); ++c) {
+    if (structure.lazy().is_lazy(c)) {
       lazy.emplace_back(label(structure, c), c);
     } else if (!is_born_degenerate(structure, c)) {
       nodes.push_back(c);
@@ -187,34 +194,35 @@ inline std::vector<ops::CellId> nodes_of(const ops::Structure& structure) {
 }
 
 inline std::string dump(const ops::Structure& structure, ops::CellId c) {
-  std::string text = label(structure, c) + " " + ops::describe(structure.type(c).type);
-  for (const auto faces : {structure.faces_as_created(c), structure.faces(c)}) {
+  std::string text = label(structure, c) + " " + ops::describe(structure.cells().type(c).type);
+  for (const auto faces : {structure.cells().faces(c), structure.faces().of(c)}) {
     for (const ops::CellId face : faces) {
       text += " " + label(structure, face);
     }
     text += ";";
   }
-  const ops::Value value = structure.value(c);
-  text += " is " + text_of(structure, value) + " parent " + label(structure, structure.parent(c)) + " link " +
-          std::to_string(structure.link_of(c)) + " of " + std::to_string(structure.members(value.cell)) + " now " +
-          std::string{structure.name(c)} + " oldest " + label(structure, structure.oldest(c)) + " in " +
-          std::string{structure.body_name(structure.body_of(c))};
-  if (structure.is_consumed(c)) {
+  const ops::Value value = structure.values().of(c);
+  text += " is " + text_of(structure, value) + " parent " + label(structure, structure.forest().parent(c)) + " link " +
+          std::to_string(structure.forest().link_of(c)) + " of " +
+          std::to_string(structure.forest().members(value.cell)) + " now " + std::string{structure.name(c)} +
+          " oldest " + label(structure, structure.forest().oldest(c)) + " in " +
+          std::string{structure.directory().name_of_body(structure.body_of(c))};
+  if (structure.lazy().is_consumed(c)) {
     text += " consumed by " + std::to_string(structure.bodies().consumed_by(structure.body_of(c)));
   }
-  if (const ops::Structure::Copy* copy = structure.splits().copy(c)) {
+  if (const ops::SplitHistory::Copy* copy = structure.splits().copy(c)) {
     text += " copy of " + label(structure, copy->source);
   }
   for (const ops::CellId copy : structure.splits().copies_of(c)) {
     text += " copied as " + label(structure, copy);
   }
-  if (structure.is_current(c) && !structure.is_consumed(c)) {
+  if (structure.is_current(c) && !structure.lazy().is_consumed(c)) {
     text += " under";
-    for (const ops::CellId coface : structure.cofaces(c)) {
+    for (const ops::CellId coface : cofaces(structure, c)) {
       text += " " + label(structure, coface);
     }
   }
-  const auto found = structure.lookup(structure.own_name(c));
+  const auto found = structure.lookup(structure.directory().own_name(c));
   return text + " found " + (found ? label(structure, *found) : "nothing") + "\n";
 }
 
@@ -222,7 +230,7 @@ inline std::string dump(const ops::Structure& structure, ops::CellId c) {
 /// cells have been asked for. Makes all lazy cells.
 inline std::string dump(const ops::Structure& structure) {
   const std::vector<ops::CellId> nodes = nodes_of(structure);
-  std::string text = "nodes " + std::to_string(nodes.size()) + " links " + std::to_string(structure.links());
+  std::string text = "nodes " + std::to_string(nodes.size()) + " links " + std::to_string(structure.forest().links());
   for (const std::uint64_t count : structure.counts()) {
     text += " " + std::to_string(count);
   }
@@ -231,20 +239,20 @@ inline std::string dump(const ops::Structure& structure) {
     text += dump(structure, c);
   }
   for (const ops::BodyId body : structure.bodies().current()) {
-    text += "body " + std::string{structure.body_name(body)} + " with " +
+    text += "body " + std::string{structure.directory().name_of_body(body)} + " with " +
             std::to_string(structure.bodies().simploids(body)) + " simploids";
-    for (const ops::CellId c : structure.cells_of(body)) {
+    for (const ops::CellId c : structure.lazy().cells_of(body)) {
       text += " " + label(structure, c);
     }
     text += "\n";
   }
-  for (const ops::Structure::MadeMove& move : structure.splits().moves()) {
+  for (const ops::SplitHistory::MadeMove& move : structure.splits().moves()) {
     text += "move " + label(structure, move.cell) + " " + std::to_string(move.slot) + " from " +
             label(structure, move.before) + " to " + label(structure, move.after) + " after " +
             std::to_string(move.links) + "\n";
   }
-  for (ops::FamilyId f = 0; f < structure.families(); ++f) {
-    const ops::LazyFamily& family = structure.family(f);
+  for (ops::FamilyId f = 0; f < structure.lazy().families(); ++f) {
+    const ops::LazyFamily& family = structure.lazy().family(f);
     text += "family " + family.name + (family.by_edges ? " by edges" : "") + " apex " + label(structure, family.apex);
     for (const std::uint64_t count : family.counts) {
       text += " " + std::to_string(count);

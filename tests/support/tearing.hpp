@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "ops/cells/cofaces.hpp"
 #include "ops/cells/structure.hpp"
 #include "ops/vocabulary/operation.hpp"
 
@@ -47,8 +48,8 @@ inline std::set<ops::CellId> closure_of(const ops::Structure& structure, ops::Ce
   while (!pending.empty()) {
     const ops::CellId c = pending.back();
     pending.pop_back();
-    for (const ops::CellId face : structure.faces(c)) {
-      if (const ops::CellId below = structure.value(face).cell; closure.insert(below).second) {
+    for (const ops::CellId face : structure.faces().of(c)) {
+      if (const ops::CellId below = structure.values().of(face).cell; closure.insert(below).second) {
         pending.push_back(below);
       }
     }
@@ -63,7 +64,7 @@ inline std::optional<ops::Deidentify> isolating_split(const ops::Structure& stru
   const std::set<ops::CellId> closure = closure_of(structure, top);
   std::set<ops::CellId> shared;  // with other cells, and what is below
   for (const ops::CellId x : closure) {
-    const std::vector<ops::CellId> users = structure.cofaces(x);
+    const std::vector<ops::CellId> users = cofaces(structure, x);
     if (std::any_of(users.begin(), users.end(), [&](ops::CellId user) { return !closure.contains(user); })) {
       const std::set<ops::CellId> below = closure_of(structure, x);
       shared.insert(below.begin(), below.end());
@@ -76,8 +77,8 @@ inline std::optional<ops::Deidentify> isolating_split(const ops::Structure& stru
   }
   for (const ops::CellId t : closure) {
     const std::string name = shared.contains(t) ? plan.name(copies.at(t)) : std::string{structure.name(t)};
-    for (std::size_t slot = 0; slot < structure.faces(t).size(); ++slot) {
-      const ops::Value face = structure.value(structure.faces(t)[slot]);
+    for (std::size_t slot = 0; slot < structure.faces().of(t).size(); ++slot) {
+      const ops::Value face = structure.values().of(structure.faces().of(t)[slot]);
       if (!shared.contains(face.cell)) {
         continue;
       }
@@ -94,16 +95,16 @@ inline std::optional<ops::Deidentify> isolating_split(const ops::Structure& stru
 /// is one, or when a face of it is degenerate, which no splitting mends.
 inline std::optional<ops::Deidentify> tearing_split(const ops::Structure& structure, ops::CellId top,
                                                     const std::string& prefix) {
-  const ops::StandardCell& standard = structure.types().standard(structure.type_id(top));
+  const ops::StandardCell& standard = structure.types().standard(structure.cells().type_id(top));
   const std::size_t corners = standard.cells.size();
   std::vector<ops::Value> values(corners);
-  values.back() = structure.value(top);
+  values.back() = structure.values().of(top);
   for (std::size_t corner = corners; corner-- > 0;) {
     if (values[corner].is_degenerate()) {
       return std::nullopt;
     }
     for (std::uint32_t slot = 0; slot < standard.cells[corner].faces.size(); ++slot) {
-      values[standard.cells[corner].faces[slot]] = structure.face(values[corner], slot);
+      values[standard.cells[corner].faces[slot]] = structure.values().face(values[corner], slot);
     }
   }
   SplitPlan plan(structure, prefix);
@@ -111,7 +112,7 @@ inline std::optional<ops::Deidentify> tearing_split(const ops::Structure& struct
   std::set<ops::CellId> kept;
   for (std::size_t corner = corners; corner-- > 0;) {
     const ops::CellId x = values[corner].cell;
-    const std::vector<ops::CellId> users = structure.cofaces(x);
+    const std::vector<ops::CellId> users = cofaces(structure, x);
     if (!kept.contains(x) && std::all_of(users.begin(), users.end(), [&](ops::CellId u) { return kept.contains(u); })) {
       kept.insert(x);
     } else {

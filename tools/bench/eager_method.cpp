@@ -1,4 +1,5 @@
 #include "tools/bench/eager_method.hpp"
+#include "ops/cells/cofaces.hpp"
 
 #include <algorithm>
 #include <map>
@@ -126,8 +127,8 @@ void EagerMethod<R>::remove_cells() {
   for (const ops::Merge& merge : object_.planned().merges) {
     positions.emplace(merge.removed, static_cast<Index>(removed.size()));
     removed.push_back(merge.removed);
-    const std::vector<CellId> cofaces = structure.cofaces(merge.removed);
-    touched.insert(cofaces.begin(), cofaces.end());
+    const std::vector<CellId> around = cofaces(structure, merge.removed);
+    touched.insert(around.begin(), around.end());
   }
   const ops::Moment before = structure.now();
   object_.carry_out();
@@ -137,7 +138,7 @@ void EagerMethod<R>::remove_cells() {
   for (const CellId x : removed) {
     Removed& entry = list.emplace_back(Removed{x, structure.dimension(x), {}, {}});
     Terms change = boundary(x, before);  // of x - j(x): r is -1 on removed cells
-    if (const auto [survivor, sign] = structure.find_oriented_at(x, after.links); survivor != ops::none) {
+    if (const auto [survivor, sign] = structure.forest().find_oriented_at(x, after.links); survivor != ops::none) {
       entry.becomes = {{survivor, ring_.from(sign)}};
       sparse::add_multiple<R>(ring_, change, ring_.from(-sign), boundary(survivor, before));
     }
@@ -184,9 +185,9 @@ template <sparse::Ring R>
 auto EagerMethod<R>::boundary(CellId cell, const ops::Moment& moment) const -> Terms {
   const ops::Structure& structure = object_.structure();
   Terms terms;
-  const auto arity = static_cast<std::uint32_t>(structure.type(cell).faces.size());
+  const auto arity = static_cast<std::uint32_t>(structure.cells().type(cell).faces.size());
   for (std::uint32_t k = 0; k < arity; ++k) {
-    const auto [face, sign] = structure.oriented_face_at(cell, k, moment);
+    const auto [face, sign] = structure.faces().at(cell, k, moment);
     if (face != ops::none) {
       terms.push_back({face, ring_.from(sign)});
     }

@@ -14,14 +14,14 @@ void PresentComplex::begin_again() {
 }
 
 void PresentComplex::catch_up() {
-  structure_.make_all_lazy_cells();
-  const auto is_in_object = [this](CellId c) { return structure_.is_current(c) && !structure_.is_consumed(c); };
-  cells_read_ += structure_.created() - seen_;
+  structure_.lazy().make_all();
+  const auto is_in_object = [this](CellId c) { return structure_.is_current(c) && !structure_.lazy().is_consumed(c); };
+  cells_read_ += structure_.cells().size() - seen_;
   for (auto& cells : cells_) {
     cells_read_ += cells.size();
     std::erase_if(cells, [&](CellId c) { return !is_in_object(c); });
   }
-  for (; seen_ < structure_.created(); ++seen_) {
+  for (; seen_ < structure_.cells().size(); ++seen_) {
     if (is_in_object(seen_)) {
       const auto degree = static_cast<std::size_t>(structure_.dimension(seen_));
       cells_.resize(std::max(cells_.size(), degree + 1));
@@ -31,7 +31,7 @@ void PresentComplex::catch_up() {
   while (!cells_.empty() && cells_.back().empty()) {
     cells_.pop_back();
   }
-  position_.resize(structure_.created());
+  position_.resize(structure_.cells().size());
   for (const auto& cells : cells_) {
     for (std::size_t k = 0; k < cells.size(); ++k) {
       position_[cells[k]] = static_cast<Index>(k);
@@ -49,10 +49,10 @@ reductions::ChainComplex<R> PresentComplex::matrices(const R& ring) {
     sparse::Matrix<R> boundary(ring, sizes.empty() ? 0 : sizes.back(), 0);
     for (const CellId cell : cells) {
       terms.clear();
-      const auto faces = structure_.faces(cell);
+      const auto faces = structure_.faces().of(cell);
       for (std::uint32_t k = 0; k < faces.size(); ++k) {
-        if (const auto [face, sign] = structure_.find_oriented(faces[k]); face != ops::none) {
-          terms.push_back({position_[face], ring.from(sign * structure_.face_sign(cell, k))});
+        if (const auto [face, sign] = structure_.forest().find_oriented(faces[k]); face != ops::none) {
+          terms.push_back({position_[face], ring.from(sign * structure_.faces().sign_as_created(cell, k))});
         }
       }
       sparse::normalize(ring, terms);

@@ -350,11 +350,11 @@ class Generators {
 
   // ---- cells and points
   [[nodiscard]] Edge ends(CellId edge) const {
-    const auto faces = engine_.structure().faces_as_created(edge);
+    const auto faces = engine_.structure().cells().faces(edge);
     return {vertex_of_cell_.at(faces[1]), vertex_of_cell_.at(faces[0])};
   }
   [[nodiscard]] std::array<std::uint32_t, 3> corners_of(CellId triangle) const {
-    const auto faces = engine_.structure().faces_as_created(triangle);
+    const auto faces = engine_.structure().cells().faces(triangle);
     const auto [a, b] = ends(faces[2]);
     return {a, b, ends(faces[0])[1]};
   }

@@ -1,0 +1,96 @@
+/// \file
+/// Nodes as they were created: their types, faces, bodies and names, and who has which as a face.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "ops/cells/cell_type.hpp"
+#include "ops/ids.hpp"
+
+namespace sesame::ops {
+
+/// Where the faces of nodes come from that have none in the store: those of lazy cells.
+class FaceSource {
+ public:
+  FaceSource() = default;
+  FaceSource(const FaceSource&) = delete;
+  FaceSource& operator=(const FaceSource&) = delete;
+  virtual ~FaceSource() = default;
+
+  [[nodiscard]] virtual std::span<const CellId> faces(CellId lazy) const = 0;
+  /// The orders of the faces: none when all are the same.
+  [[nodiscard]] virtual std::span<const OrderId> orders(CellId lazy) const = 0;
+};
+
+/// One row per node, append-only but for undo. How many faces a node has is said by the store, not by its type.
+/// Cost of every query: O(1) or as said, apart from what a FaceSource does the first time.
+class CellStore {
+ public:
+  explicit CellStore(TypeTable& types) : types_{types} {}
+  /// To be called once, before the first lazy node.
+  void set_face_source(const FaceSource& source) { lazy_faces_ = &source; }
+
+  /// The number of nodes ever created and not undone, those that were only asked for included.
+  [[nodiscard]] CellId size() const { return static_cast<CellId>(type_.size()); }
+  [[nodiscard]] TypeId type_id(CellId c) const { return type_[c]; }
+  [[nodiscard]] const TypeInfo& type(CellId c) const { return types_.info(type_[c]); }
+  [[nodiscard]] int dimension(CellId c) const { return type(c).dimension; }
+  /// The body that a node was created in. It may have joined others since.
+  [[nodiscard]] BodyId body(CellId c) const { return body_[c]; }
+  /// The number of the name that a node was created with; none for lazy and degenerate ones.
+  [[nodiscard]] std::uint32_t name(CellId c) const { return name_[c]; }
+  /// The number of a lazy cell among these, or none.
+  [[nodiscard]] std::uint32_t lazy(CellId c) const { return lazy_nodes_ == 0 ? none : lazy_[c]; }
+
+  /// The faces as they were given at creation, in flattened order: not yet looked up in the forest.
+  [[nodiscard]] std::span<const CellId> faces(CellId c) const {
+    if (lazy(c) != none) [[unlikely]] {
+      return lazy_faces_->faces(c);
+    }
+    return {faces_.data() + first_face_[c], faces_.data() + first_face_[c + 1]};
+  }
+  /// The order in which face k has the vertices of the node faces(c)[k].
+  [[nodiscard]] OrderId order(CellId c, std::uint32_t k) const;
+
+  /// Calls visit(owner, k) for each face k of a node in the store that was given as a certain node, the latest first,
+  /// until it returns false. Cost: the logarithm of the number of nodes for each.
+  template <class Visit>
+  void for_each_incidence(CellId node, Visit&& visit) const {
+    for (std::uint32_t entry = first_incidence_[node]; entry != none; entry = next_incidence_[entry]) {
+      const CellId owner = owner_of(entry);
+      if (!visit(owner, static_cast<std::uint32_t>(entry - first_face_[owner]))) {
+        return;
+      }
+    }
+  }
+
+  // ---- change
+  /// A node without faces. `lazy`: its number among lazy cells, or none.
+  CellId add(TypeId type, std::uint32_t name, std::uint32_t lazy, BodyId body);
+  /// Gives the last node one more face.
+  void add_face(CellId face, OrderId order);
+  /// Takes the last node back, with its faces.
+  void pop_back();
+
+ private:
+  [[nodiscard]] CellId owner_of(std::uint32_t entry) const;
+
+  TypeTable& types_;
+  const FaceSource* lazy_faces_ = nullptr;
+  std::vector<TypeId> type_;
+  std::vector<std::uint64_t> first_face_{0};  ///< per node and one more: where its faces begin
+  std::vector<CellId> faces_;
+  std::vector<std::uint32_t> next_incidence_;   ///< per entry of `faces_`: the one before with the same face
+  std::vector<std::uint32_t> first_incidence_;  ///< per node: the entry of `faces_` that named it last
+  std::vector<std::uint32_t> name_;
+  std::vector<std::uint32_t> lazy_;
+  std::vector<BodyId> body_;
+  std::unordered_map<std::uint64_t, OrderId> face_orders_;  ///< by entry of `faces_`, where not the same
+  std::uint32_t lazy_nodes_ = 0;
+};
+
+}  // namespace sesame::ops
