@@ -91,8 +91,7 @@ void Memos<R>::undo(std::size_t size) {
   while (before_.size() > size) {
     auto& [rule, before] = before_.back();
     if (rule < memos_.size()) {
-      memos_[rule] = std::move(before);
-      memos_[rule].checked = 0;
+      memos_[rule] = std::move(before);  // checked at a version that is over
     }
     before_.pop_back();
   }

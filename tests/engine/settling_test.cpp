@@ -185,6 +185,22 @@ TEST_CASE("Settling: a boundary that is extended adds up, and can lose its torsi
   CHECK(live.rules.small(0) == std::vector<Symbol>{0});
 }
 
+TEST_CASE("Settling: the partner of a unit leaves the columns of the degree above", "[engine]") {
+  Rules<Integers> rules{Integers{}};
+  Effort effort;
+  Settling<Integers> settling{Integers{}, rules, effort};
+  const Symbol x = rules.append_generator(1), y = rules.append_generator(1), z = rules.append_generator(2);
+  settling.place(z, {{x, 2}, {y, -2}});
+  settling.settle();
+  const Symbol e = rules.append_generator(0);
+  settling.extend(x, {{e, 1}});
+  settling.extend(y, {{e, 1}});
+  settling.settle();
+  CHECK(rules.small(0).empty());
+  CHECK(rules.small(1) == std::vector<Symbol>{y});
+  CHECK(settling.core().columns() == std::map<Symbol, Terms<Integers>>{{z, {{y, -2}}}});
+}
+
 TEST_CASE("Settling: what is consumed has no boundary any more, and undo gives it back", "[engine]") {
   Presentation<Integers> live{Integers{}, 2};
   const Symbol x = live.add({{0, 4}, {1, 6}});
