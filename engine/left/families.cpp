@@ -96,8 +96,8 @@ void Families<R>::truncate(const Mark& mark, Index first) {
   }
   for (; gained_.size() > mark.gained; gained_.pop_back()) {
     const auto& [place, cell] = gained_.back();
-    Gains& of_place = gains_.at(place);
-    Terms<R>& gain = of_place.at(cell);
+    Gains& of_place = gains_[place];  // a gain that is gone may have come in several steps
+    Terms<R>& gain = of_place[cell];
     std::erase_if(gain, [first](const sparse::Term<R>& term) { return term.index >= first; });
     if (gain.empty()) {
       of_place.erase(cell);

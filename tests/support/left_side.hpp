@@ -1,0 +1,245 @@
+/// \file
+/// The big complex of a structure and what it needs, without the rest of the equivalence; and the laws of its maps.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/left/new_family.hpp"
+#include "tests/support/random_steps.hpp"
+#include "tests/support/structures.hpp"
+
+namespace sesame::tests {
+
+using sparse::Index;
+using sparse::Terms;
+
+template <sparse::Ring R>
+Terms<R> one_term(const R& ring, Index index) {
+  return {{index, ring.one()}};
+}
+
+/// A linear map, given on generators, of a chain.
+template <sparse::Ring R, class Map>
+Terms<R> applied(const R& ring, const Map& map, const Terms<R>& chain) {
+  Terms<R> sum;
+  for (const auto& [index, coefficient] : chain) {
+    for (const auto& [other, factor] : map(index)) {
+      sum.push_back({other, ring.multiply(coefficient, factor)});
+    }
+  }
+  sparse::normalize(ring, sum);
+  return sum;
+}
+
+template <sparse::Ring R>
+Terms<R> sum_of(const R& ring, const std::vector<Terms<R>>& chains) {
+  Terms<R> sum;
+  for (const Terms<R>& chain : chains) {
+    sum.insert(sum.end(), chain.begin(), chain.end());
+  }
+  sparse::normalize(ring, sum);
+  return sum;
+}
+
+/// Follows the steps of a structure. Maps of cells and generators are in normal form.
+template <sparse::Ring R>
+class LeftSide {
+ public:
+  LeftSide(R ring, engine::Window window)
+      : ring_{ring},
+        window_{std::move(window)},
+        big_{ring, window_},
+        rewriter_{ring, big_.boundary()},
+        frozen_{ring, big_, rewriter_},
+        position_{window_.start()} {
+    for (Index generator = 0; generator < big_.size(); ++generator) {
+      rewriter_.append(big_.degree(generator));
+    }
+    follow();
+  }
+
+  const R& ring() const { return ring_; }
+  const ops::Structure& structure() const { return window_.structure(); }
+  const engine::BigComplex<R>& big() const { return big_; }
+  const engine::LeftMaps<R>& maps() const { return big_.maps(); }
+  engine::Rewriter<R>& rewriter() { return rewriter_; }
+  engine::FrozenMaps<R>& frozen() { return frozen_; }
+
+  /// Takes in a step and what queries have made before it. To be called after each step.
+  void follow() {
+    const engine::RuleId time = rewriter_.rules();
+    Index first_copy = ops::none;
+    std::vector<std::uint32_t> moves;
+    const ops::Journal& journal = structure().journal();
+    while (position_ < journal.end()) {
+      const ops::Journal::Position begin = std::exchange(position_, journal.end());
+      journal.for_each_since(begin, [&](const ops::Journal::Run& run) {
+        for (std::uint32_t number = run.first; number < run.first + run.count; ++number) {
+          if (run.kind == ops::EventKind::copy) {
+            first_copy = std::min(first_copy, big_.size());
+          }
+          if (run.kind == ops::EventKind::move) {
+            moves.push_back(number);
+          }
+          append(run.kind, number);
+        }
+      });
+    }
+    if (!moves.empty()) {
+      const auto made = structure().splits().moves().subspan(moves.front(), moves.back() - moves.front() + 1);
+      if (const std::vector<Index> changed = big_.split(first_copy, made); !changed.empty()) {
+        rewriter_.perturb(time, first_copy, changed);
+      }
+    }
+  }
+
+  struct Mark {
+    ops::Journal::Position position;
+    typename engine::BigComplex<R>::Mark big;
+    typename engine::FrozenMaps<R>::Mark frozen;
+    typename engine::Rewriter<R>::Mark rewriter;
+  };
+  Mark mark() { return {position_, big_.mark(), frozen_.mark(), rewriter_.mark()}; }
+  /// The structure has gone back before.
+  void go_back_to(const Mark& mark) {
+    rewriter_.undo(mark.rewriter);
+    big_.truncate(mark.big);
+    frozen_.truncate(mark.frozen);
+    position_ = mark.position;
+  }
+
+  /// f, g, h; and K of a cell, which is not 0 where there are lazy cells.
+  Terms<R> f(Index generator) const { return maps().f(one_term(ring_, generator)); }
+  Terms<R> g(ops::CellId cell) const { return maps().g(cell); }
+  Terms<R> h(Index generator) const { return maps().h(generator); }
+  Terms<R> K(ops::CellId cell) const {
+    Terms<R> out;
+    maps().add_K_of_lazy_part(cell, ring_.one(), out);
+    sparse::normalize(ring_, out);
+    return out;
+  }
+  Terms<R> boundary_of_generator(Index generator) const { return big_.boundary().column(generator); }
+  Terms<R> boundary_of_cell(ops::CellId cell) const {
+    Terms<R> out;
+    const auto faces = structure().faces().of(cell);
+    for (std::uint32_t k = 0; k < faces.size(); ++k) {
+      if (const auto [face, sign] = structure().forest().find_oriented(faces[k]); face != ops::none) {
+        out.push_back({face, ring_.from(sign * structure().faces().sign(cell, k))});
+      }
+    }
+    sparse::normalize(ring_, out);
+    return out;
+  }
+
+ private:
+  void append(ops::EventKind kind, std::uint32_t number) {
+    std::optional<Index> generator;
+    switch (kind) {
+      case ops::EventKind::cell:
+      case ops::EventKind::degenerate:
+      case ops::EventKind::lazy:
+        generator = big_.append_cell(number);
+        break;
+      case ops::EventKind::copy:
+        generator = big_.append_copy(number);
+        break;
+      case ops::EventKind::removal:
+        generator = big_.append_removal(number);
+        break;
+      case ops::EventKind::family:
+        engine::append_family(number, structure(), frozen_, big_, rewriter_);
+        break;
+      default:
+        break;
+    }
+    if (generator) {
+      rewriter_.append(big_.degree(*generator));
+    }
+  }
+
+  R ring_;
+  engine::Window window_;
+  engine::BigComplex<R> big_;
+  engine::Rewriter<R> rewriter_;
+  engine::FrozenMaps<R> frozen_;
+  ops::Journal::Position position_;
+};
+
+/// The first law of the left reduction that is broken, or of f, g and K where there are lazy cells; "" if there is
+/// none.
+template <sparse::Ring R>
+std::string broken_left_law(const LeftSide<R>& side) {
+  const R& ring = side.ring();
+  const auto f = [&](Index x) { return side.f(x); };
+  const auto g = [&](Index c) { return side.g(c); };
+  const auto h = [&](Index x) { return side.h(x); };
+  const auto K = [&](Index c) { return side.K(c); };
+  const auto d_big = [&](Index x) { return side.boundary_of_generator(x); };
+  const auto d_object = [&](Index c) { return side.boundary_of_cell(c); };
+  const auto of = [&](const auto& map, const Terms<R>& chain) { return applied(ring, map, chain); };
+  const bool is_reduction = side.structure().lazy().families() == 0;
+  const std::vector<ops::CellId> cells = current_cells(side.structure());
+  for (const ops::CellId c : cells) {
+    const Terms<R> dc = d_object(c);
+    if (!of(d_object, dc).empty()) {
+      return "d d = 0 on a cell";
+    }
+    if (of(d_big, g(c)) != of(g, dc)) {
+      return "d g = g d";
+    }
+    if (sum_of<R>(ring, {of(f, g(c)), of(d_object, K(c)), of(K, dc)}) != one_term(ring, c)) {
+      return "f g + d K + K d = 1";
+    }
+    if (is_reduction && !(K(c).empty() && of(h, g(c)).empty())) {
+      return "K = 0, h g = 0";
+    }
+  }
+  for (Index x = 0; x < side.big().size(); ++x) {
+    const Terms<R> dx = d_big(x);
+    if (!of(d_big, dx).empty()) {
+      return "d d = 0 on a generator";
+    }
+    const Terms<R> fx = f(x);
+    if (of(d_object, fx) != of(f, dx)) {
+      return "d f = f d";
+    }
+    if (is_reduction) {
+      if (sum_of<R>(ring, {of(g, fx), of(d_big, h(x)), of(h, dx)}) != one_term(ring, x)) {
+        return "g f + d h + h d = 1";
+      }
+      if (!(of(f, h(x)).empty() && of(h, h(x)).empty())) {
+        return "f h = 0, h h = 0";
+      }
+    }
+  }
+  return "";
+}
+
+/// Everything that can be seen of a left side, as text.
+template <sparse::Ring R>
+std::string dump(const LeftSide<R>& side) {
+  std::string text;
+  const auto add = [&](const char* what, Index of, const Terms<R>& chain) {
+    text += std::string{what} + std::to_string(of) + ": " + sparse::to_string<R>(side.ring(), chain) + "\n";
+  };
+  for (Index x = 0; x < side.big().size(); ++x) {
+    add("d ", x, side.boundary_of_generator(x));
+    add("f ", x, side.f(x));
+    if (side.structure().lazy().families() == 0) {
+      add("h ", x, side.h(x));
+    }
+  }
+  for (const ops::CellId c : current_cells(side.structure())) {
+    add("g ", c, side.g(c));
+  }
+  for (const std::uint32_t count : side.big().counts()) {
+    text += std::to_string(count) + " ";
+  }
+  return text;
+}
+
+}  // namespace sesame::tests
