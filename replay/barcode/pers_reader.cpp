@@ -165,9 +165,15 @@ Result<PersFile> read_pers(ByteSource source, TimeReader& times) {
   std::uint64_t json_line = 0;
   while (true) {
     const Result<std::optional<std::string_view>> text = lines.next();
-    if (!text) return text.error();
-    if (!*text) break;
-    if (!dialect && LineWords(**text).is_done()) continue;
+    if (!text) {
+      return text.error();
+    }
+    if (!*text) {
+      break;
+    }
+    if (!dialect && LineWords(**text).is_done()) {
+      continue;
+    }
     if (!dialect) {
       dialect = dialect_of(**text);
       json_line = lines.line();
@@ -178,14 +184,22 @@ Result<PersFile> read_pers(ByteSource source, TimeReader& times) {
     }
     const Result<std::string> bar =
         *dialect == BarcodeDialect::ripser ? ripser.take(**text) : Result<std::string>{std::string{**text}};
-    if (!bar) return Error{Errc::bad_input, lines.place() + bar.error().what};
-    if (Status done = reader.line(*bar, lines.line()); !done) return done.error();
+    if (!bar) {
+      return Error{Errc::bad_input, lines.place() + bar.error().what};
+    }
+    if (Status done = reader.line(*bar, lines.line()); !done) {
+      return done.error();
+    }
   }
   if (dialect == BarcodeDialect::json) {
     const Result<std::vector<PersLine>> bars = bars_of_json(json, lines.name(), json_line);
-    if (!bars) return bars.error();
+    if (!bars) {
+      return bars.error();
+    }
     for (const PersLine& bar : *bars) {
-      if (Status done = reader.line(bar.text, bar.number); !done) return done.error();
+      if (Status done = reader.line(bar.text, bar.number); !done) {
+        return done.error();
+      }
     }
   }
   return std::move(reader).finished();

@@ -20,7 +20,9 @@ bool carries_an_object(std::string_view line) {
 /// Data that are no text may have no lines.
 Status check_is_text(std::string_view beginning, const std::string& name) {
   const std::size_t zero = beginning.find('\0');
-  if (zero == std::string_view::npos) return Done{};
+  if (zero == std::string_view::npos) {
+    return Done{};
+  }
   return Error{Errc::bad_input, fmt::format("{}: a script is a text, but byte {} of this is zero{}", name, zero,
                                             advice_on(beginning.substr(0, zero), name, command))};
 }
@@ -30,32 +32,48 @@ Status check_is_text(std::string_view beginning, const std::string& name) {
 Result<std::optional<std::string_view>> ScriptReader::next_object() {
   while (true) {
     Result<std::optional<std::string_view>> line = lines_.next();
-    if (!line || !*line || carries_an_object(**line)) return line;
+    if (!line || !*line || carries_an_object(**line)) {
+      return line;
+    }
   }
 }
 
 Result<ops::Header> ScriptReader::header() {
   const Result<std::string_view> beginning = lines_.beginning();
-  if (!beginning) return beginning.error();
-  if (Status text = check_is_text(*beginning, lines_.name()); !text) return text.error();
+  if (!beginning) {
+    return beginning.error();
+  }
+  if (Status text = check_is_text(*beginning, lines_.name()); !text) {
+    return text.error();
+  }
   const Result<std::optional<std::string_view>> line = next_object();
-  if (!line) return line.error();
+  if (!line) {
+    return line.error();
+  }
   if (!*line) {
     return Error{Errc::bad_input, lines_.name() +
                                       ": this script is empty: its first object should be the header, such as "
                                       "{\"sesame\":1,\"ring\":\"Z\",\"title\":\"torus\"}"};
   }
   Result<ops::Header> header = ops::parse_header(**line);
-  if (header) return header;
+  if (header) {
+    return header;
+  }
   return Error{header.error().code, place() + header.error().what + advice_on(**line, lines_.name(), command)};
 }
 
 Result<std::optional<ops::Operation>> ScriptReader::next() {
   const Result<std::optional<std::string_view>> line = next_object();
-  if (!line) return line.error();
-  if (!*line) return std::optional<ops::Operation>{};
+  if (!line) {
+    return line.error();
+  }
+  if (!*line) {
+    return std::optional<ops::Operation>{};
+  }
   Result<ops::Operation> operation = ops::parse_operation(**line);
-  if (!operation) return Error{operation.error().code, place() + operation.error().what};
+  if (!operation) {
+    return Error{operation.error().code, place() + operation.error().what};
+  }
   return std::optional{std::move(*operation)};
 }
 
@@ -64,9 +82,15 @@ Result<std::uint64_t> count_operations(ByteSource source, std::uint64_t most) {
   bool is_header = true;
   for (std::uint64_t operations = 0; operations < most;) {
     const Result<std::optional<std::string_view>> line = lines.next();
-    if (!line) return line.error();
-    if (!*line) return operations;
-    if (carries_an_object(**line) && !std::exchange(is_header, false)) ++operations;
+    if (!line) {
+      return line.error();
+    }
+    if (!*line) {
+      return operations;
+    }
+    if (carries_an_object(**line) && !std::exchange(is_header, false)) {
+      ++operations;
+    }
   }
   return most;
 }

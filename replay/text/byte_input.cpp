@@ -24,7 +24,9 @@ class FileDescriptor {
   FileDescriptor(const FileDescriptor&) = delete;
   FileDescriptor& operator=(const FileDescriptor&) = delete;
   ~FileDescriptor() {
-    if (number_ > STDIN_FILENO) ::close(number_);
+    if (number_ > STDIN_FILENO) {
+      ::close(number_);
+    }
   }
   [[nodiscard]] int number() const { return number_; }
 
@@ -40,8 +42,12 @@ class FileInput : public ByteInput {
   Result<std::size_t> read(std::span<char> to) override {
     while (!is_stopped()) {
       const ssize_t got = ::read(file_.number(), to.data(), to.size());
-      if (got >= 0) return static_cast<std::size_t>(got);
-      if (errno != EINTR) return unreadable(std::strerror(errno));
+      if (got >= 0) {
+        return static_cast<std::size_t>(got);
+      }
+      if (errno != EINTR) {
+        return unreadable(std::strerror(errno));
+      }
     }
     return std::size_t{0};
   }
@@ -74,7 +80,9 @@ class FollowedFile final : public FileInput {
       }
       Result<std::size_t> got = FileInput::read(to);
       if (!got || *got > 0 || is_stopped()) {
-        if (got) remember(to.first(*got));
+        if (got) {
+          remember(to.first(*got));
+        }
         return got;
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -85,13 +93,23 @@ class FollowedFile final : public FileInput {
   /// What became of the bytes that were read, or nothing when they are still there.
   [[nodiscard]] const char* what_was_lost() const {
     struct stat now {};
-    if (fstat(descriptor(), &now) != 0 || !S_ISREG(now.st_mode)) return nullptr;  // a pipe only ever grows
+    if (fstat(descriptor(), &now) != 0 || !S_ISREG(now.st_mode)) {  // a pipe only ever grows
+      return nullptr;
+    }
     struct stat named {};
-    if (now.st_nlink == 0) return "removed";
-    if (!path_.empty() && stat(path_.c_str(), &named) != 0) return "moved away";
-    if (!path_.empty() && (named.st_dev != now.st_dev || named.st_ino != now.st_ino)) return "replaced";
+    if (now.st_nlink == 0) {
+      return "removed";
+    }
+    if (!path_.empty() && stat(path_.c_str(), &named) != 0) {
+      return "moved away";
+    }
+    if (!path_.empty() && (named.st_dev != now.st_dev || named.st_ino != now.st_ino)) {
+      return "replaced";
+    }
     const off_t position = lseek(descriptor(), 0, SEEK_CUR);
-    if (now.st_size < position) return "truncated";
+    if (now.st_size < position) {
+      return "truncated";
+    }
     return still_has_tail(position) ? nullptr : "written over";
   }
 
@@ -125,7 +143,9 @@ class GzipInput final : public ByteInput {
     std::copy(packed.begin(), packed.end(), packed_.begin());
     stream_.next_in = reinterpret_cast<Bytef*>(packed_.data());
     stream_.avail_in = static_cast<uInt>(packed.size());
-    if (inflateInit2(&stream_, gzip_only) != Z_OK) throw std::bad_alloc();
+    if (inflateInit2(&stream_, gzip_only) != Z_OK) {
+      throw std::bad_alloc();
+    }
   }
   GzipInput(const GzipInput&) = delete;
   GzipInput& operator=(const GzipInput&) = delete;
@@ -138,15 +158,27 @@ class GzipInput final : public ByteInput {
     while (stream_.avail_out == room) {
       if (stream_.avail_in == 0) {
         const Result<std::size_t> got = refill();
-        if (!got) return got;
-        if (*got == 0 && (is_between_members_ || is_stopped())) return std::size_t{0};
-        if (*got == 0) return damaged("the gzip data end in the middle: the file is cut off");
+        if (!got) {
+          return got;
+        }
+        if (*got == 0 && (is_between_members_ || is_stopped())) {
+          return std::size_t{0};
+        }
+        if (*got == 0) {
+          return damaged("the gzip data end in the middle: the file is cut off");
+        }
       }
       const int outcome = inflate(&stream_, Z_NO_FLUSH);
       is_between_members_ = outcome == Z_STREAM_END;
-      if (outcome == Z_MEM_ERROR) throw std::bad_alloc();
-      if (outcome != Z_OK && outcome != Z_STREAM_END) return damaged("the gzip data are damaged");
-      if (is_between_members_) inflateReset(&stream_);
+      if (outcome == Z_MEM_ERROR) {
+        throw std::bad_alloc();
+      }
+      if (outcome != Z_OK && outcome != Z_STREAM_END) {
+        return damaged("the gzip data are damaged");
+      }
+      if (is_between_members_) {
+        inflateReset(&stream_);
+      }
     }
     return std::size_t{room - stream_.avail_out};
   }
@@ -182,7 +214,9 @@ Result<std::unique_ptr<ByteInput>> open_input(const std::string& path, const std
                                               const InputOptions& options) {
   const bool is_standard_input = path == "-";
   const int descriptor = is_standard_input ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return Error{Errc::io, "cannot read " + name + ": " + std::strerror(errno)};
+  if (descriptor < 0) {
+    return Error{Errc::io, "cannot read " + name + ": " + std::strerror(errno)};
+  }
   if (options.follow && (!is_standard_input || is_regular_file(descriptor))) {
     return std::unique_ptr<ByteInput>(
         new FollowedFile(name, descriptor, options.stop, is_standard_input ? std::string{} : path));

@@ -19,8 +19,12 @@ bool may_become_gzip(std::string_view bytes) {
 bool is_gzip(std::string_view bytes) {
   constexpr std::size_t flags_at = 3, dimension_at = 10;
   constexpr unsigned reserved_flags = 0xE0;
-  if (!bytes.starts_with(gzip_magic)) return false;
-  if (bytes.size() > flags_at && (static_cast<unsigned char>(bytes[flags_at]) & reserved_flags) != 0) return false;
+  if (!bytes.starts_with(gzip_magic)) {
+    return false;
+  }
+  if (bytes.size() > flags_at && (static_cast<unsigned char>(bytes[flags_at]) & reserved_flags) != 0) {
+    return false;
+  }
   return bytes.size() < gzip_head ||
          bytes.substr(dimension_at, gzip_head - dimension_at).find_first_not_of('\0') != std::string_view::npos;
 }
@@ -42,7 +46,9 @@ ByteSource::~ByteSource() = default;
 Result<ByteSource> ByteSource::open(const std::string& path, const InputOptions& options) {
   const std::string name = path == "-" ? "standard input" : path;
   Result<std::unique_ptr<ByteInput>> input = open_input(path, name, options);
-  if (!input) return input.error();
+  if (!input) {
+    return input.error();
+  }
   return from(std::move(*input), name);
 }
 
@@ -50,8 +56,12 @@ Result<ByteSource> ByteSource::from(std::unique_ptr<ByteInput> input, std::strin
   ByteSource source(std::move(name), std::move(input));
   while (may_become_gzip(source.window())) {
     const Result<bool> got = source.more();
-    if (!got) return got.error();
-    if (!*got) break;
+    if (!got) {
+      return got.error();
+    }
+    if (!*got) {
+      break;
+    }
   }
   if (is_gzip(source.window())) {
     source.input_ = unpacked(std::move(source.input_), source.window(), source.name_);
@@ -77,27 +87,39 @@ void ByteSource::make_room() {
   std::memmove(bytes() + front, bytes() + begin_, size);
   begin_ = front;
   end_ = front + size;
-  if (end_ > capacity / 2) words_.resize(2 * words_.size());
+  if (end_ > capacity / 2) {
+    words_.resize(2 * words_.size());
+  }
 }
 
 Result<bool> ByteSource::more() {
-  if (begin_ >= sizeof(std::uint64_t) || end_ == words_.size() * sizeof(std::uint64_t)) make_room();
+  if (begin_ >= sizeof(std::uint64_t) || end_ == words_.size() * sizeof(std::uint64_t)) {
+    make_room();
+  }
   const Result<std::size_t> got = input_->read({bytes() + end_, words_.size() * sizeof(std::uint64_t) - end_});
-  if (!got) return got.error();
+  if (!got) {
+    return got.error();
+  }
   end_ += *got;
   return *got > 0;
 }
 
 Result<std::string> read_file(const std::string& path) {
   Result<ByteSource> source = ByteSource::open(path);
-  if (!source) return source.error();
+  if (!source) {
+    return source.error();
+  }
   std::string bytes;
   while (true) {
     bytes += source->window();
     source->consume(source->window().size());
     const Result<bool> got = source->more();
-    if (!got) return got.error();
-    if (!*got) return bytes;
+    if (!got) {
+      return got.error();
+    }
+    if (!*got) {
+      return bytes;
+    }
   }
 }
 

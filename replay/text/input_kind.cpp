@@ -44,11 +44,19 @@ bool is_operation(std::string_view word) { return word == "i" || word == "c"; }
 /// By the first line that says something; nothing when it is not known.
 std::optional<std::string_view> kind_of(LineWords words) {
   const std::string_view first = words.take();
-  if (first.starts_with('{')) return script_command;
-  if (is_operation(first)) return tower_command;
-  if (starts_mesh(first)) return mesh_commands;
+  if (first.starts_with('{')) {
+    return script_command;
+  }
+  if (is_operation(first)) {
+    return tower_command;
+  }
+  if (starts_mesh(first)) {
+    return mesh_commands;
+  }
   double number = 0;
-  if (!LineWords(first).take_number(number)) return std::nullopt;
+  if (!LineWords(first).take_number(number)) {
+    return std::nullopt;
+  }
   return is_operation(words.word()) ? tower_command : number_commands;
 }
 
@@ -57,7 +65,9 @@ std::optional<std::string_view> kind_of_text(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const LineWords words(text.substr(0, end));
-    if (!words.is_done()) return kind_of(words);
+    if (!words.is_done()) {
+      return kind_of(words);
+    }
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return std::nullopt;
@@ -67,8 +77,12 @@ std::optional<std::string_view> kind_of_text(std::string_view text) {
 
 std::string advice_on(std::string_view beginning, std::string_view name, std::string_view command) {
   std::optional<std::string_view> kind = kind_of_text(beginning);
-  if (!kind && has_mesh_name(name)) kind = mesh_commands;
-  if (!kind || kind->find(command) != std::string_view::npos) return "";
+  if (!kind && has_mesh_name(name)) {
+    kind = mesh_commands;
+  }
+  if (!kind || kind->find(command) != std::string_view::npos) {
+    return "";
+  }
   return fmt::format(" (it looks like {})", *kind);
 }
 

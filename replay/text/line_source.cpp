@@ -16,35 +16,49 @@ Result<std::size_t> find_line_end(ByteSource& source, std::size_t begin, std::ui
                                                 "meant, --max-line (replay, tower) raises the limit",
                                                 source.name(), line, longest)};
     }
-    if (end < source.window().size()) return end;
+    if (end < source.window().size()) {
+      return end;
+    }
     searched = end;
     const Result<bool> got = source.more();
-    if (!got) return got.error();
-    if (!*got) return searched;
+    if (!got) {
+      return got.error();
+    }
+    if (!*got) {
+      return searched;
+    }
   }
 }
 
 Result<std::string_view> LineSource::beginning() {
   if (source_.window().empty()) {
-    if (const Result<bool> got = source_.more(); !got) return got.error();
+    if (const Result<bool> got = source_.more(); !got) {
+      return got.error();
+    }
   }
   return source_.window();
 }
 
 Result<std::optional<std::string_view>> LineSource::next() {
-  if (is_done_) return std::optional<std::string_view>{};
+  if (is_done_) {
+    return std::optional<std::string_view>{};
+  }
   ++line_;
   const Result<std::size_t> end = find_line_end(source_, 0, line_, longest_);
   is_broken_ = !end;
   is_done_ = !end || *end == source_.window().size();
-  if (!end) return end.error();
+  if (!end) {
+    return end.error();
+  }
   if (is_done_ && (*end == 0 || source_.is_stopped())) {
     --line_;
     return std::optional<std::string_view>{};
   }
   std::string_view text = source_.window().substr(0, *end);
   source_.consume(std::min(*end + 1, source_.window().size()));
-  if (line_ == 1) text = without_mark(text);
+  if (line_ == 1) {
+    text = without_mark(text);
+  }
   return std::optional{text};
 }
 

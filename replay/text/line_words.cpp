@@ -14,7 +14,9 @@ std::string shown(std::string_view word) {
 
 std::string_view without_mark(std::string_view line) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
+  if (line.starts_with(byte_order_mark)) {
+    line.remove_prefix(byte_order_mark.size());
+  }
   return line;
 }
 

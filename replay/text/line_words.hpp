@@ -37,7 +37,9 @@ class LineWords {
   template <class Number>
   bool take_number(Number& number) {
     const auto [stop, problem] = std::from_chars(at_, end_, number);
-    if (problem != std::errc{} || (stop != end_ && !is_space(*stop))) return false;
+    if (problem != std::errc{} || (stop != end_ && !is_space(*stop))) {
+      return false;
+    }
     at_ = stop;
     skip_space();
     return true;
@@ -54,7 +56,9 @@ class LineWords {
   static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
   void skip_space() {
     at_ = std::find_if_not(at_, end_, is_space);
-    if (at_ != end_ && *at_ == '#') at_ = end_;
+    if (at_ != end_ && *at_ == '#') {
+      at_ = end_;
+    }
   }
 
   const char* at_;

@@ -57,7 +57,9 @@ class TextBuffer {
   static constexpr std::size_t capacity = std::size_t{1} << 16;
 
   TextBuffer& ended() {
-    if (text_.size() >= capacity - 64) flush();
+    if (text_.size() >= capacity - 64) {
+      flush();
+    }
     return *this;
   }
 

@@ -22,7 +22,9 @@ bool is_operation(std::string_view word) { return word == "i" || word == "c"; }
 Result<bool> wait_for(ByteSource& source, std::size_t bytes) {
   while (source.window().size() < bytes) {
     Result<bool> got = source.more();
-    if (!got || !*got) return got;
+    if (!got || !*got) {
+      return got;
+    }
   }
   return true;
 }
@@ -32,14 +34,18 @@ Result<bool> wait_for(ByteSource& source, std::size_t bytes) {
 Result<std::unique_ptr<TowerReader>> TowerReader::open(const std::string& path, TowerFormat format,
                                                        const std::atomic<bool>* stop, std::size_t longest) {
   Result<ByteSource> source = ByteSource::open(path, {stop});
-  if (!source) return source.error();
+  if (!source) {
+    return source.error();
+  }
   return from(std::move(*source), format, longest);
 }
 
 Result<std::unique_ptr<TowerReader>> TowerReader::from(ByteSource source, TowerFormat format, std::size_t longest) {
   if (format == TowerFormat::automatic) {
     const Result<TowerFormat> found = find_format(source, longest);
-    if (!found) return found.error();
+    if (!found) {
+      return found.error();
+    }
     format = *found;
   }
   tower_log().info("{}: read as {}", source.name(), format_description(format));
@@ -60,10 +66,12 @@ ScriptReader TowerReader::take_script() {
 }
 
 Result<bool> TowerReader::next(TowerOperation& into) {
-  if (is_done_) return false;
+  if (is_done_) {
+    return false;
+  }
   Result<bool> got = read_operation(into);
-  if (got && *got) [[likely]] {
-    ++operations_;
+  if (got && *got) {
+    [[likely]] { ++operations_; }
     if (is_traced_) {
       tower_log().trace("line {}: operation {}", line_, operations_);
     }
@@ -98,19 +106,27 @@ Result<bool> TowerReader::read_operation(TowerOperation& into) {
 
 Result<bool> TowerReader::read_line() {
   const Result<std::size_t> end = find_line_end(source_, 0, line_ + 1, longest_);
-  if (!end) return end.error();
+  if (!end) {
+    return end.error();
+  }
   const std::size_t size = source_.window().size();
-  if (*end == size && (size == 0 || is_stopped())) return false;  // a line that was still being written is none
+  if (*end == size && (size == 0 || is_stopped())) {  // a line that was still being written is none
+    return false;
+  }
   text_ = source_.window().substr(0, *end);
   source_.consume(std::min(*end + 1, size));
-  if (++line_ == 1) text_ = without_mark(text_);
+  if (++line_ == 1) {
+    text_ = without_mark(text_);
+  }
   return true;
 }
 
 Result<bool> TowerReader::read_content_line() {
   while (true) {
     Result<bool> got = read_line();
-    if (!got || !*got || !LineWords(text_).is_done()) return got;
+    if (!got || !*got || !LineWords(text_).is_done()) {
+      return got;
+    }
   }
 }
 
@@ -136,8 +152,12 @@ Status TowerReader::read_labels(LineWords& words, std::size_t count, const char*
 Status TowerReader::read_time(LineWords& words, std::string_view what) {
   const std::string_view text = words.take();
   const Result<engine::Time> time = times_.read(text, what, source_.name(), line_);
-  if (!time) return error(time.error().what);
-  if (!time->is_finite()) return error(fmt::format("{} should be {}", shown(text), what));
+  if (!time) {
+    return error(time.error().what);
+  }
+  if (!time->is_finite()) {
+    return error(fmt::format("{} should be {}", shown(text), what));
+  }
   if (operations_ > 0 && *time < time_) {
     return error(fmt::format("{} comes after {}: times should not decrease", number_text(*time), number_text(time_)));
   }
@@ -155,61 +175,91 @@ Status TowerReader::read_optional_time(LineWords& words) {
   if (is_timed) {
     Status read = read_time(
         words, "i (a simplex is included) or c (a vertex is contracted), perhaps after a time, a finite number");
-    if (!read) return read;
+    if (!read) {
+      return read;
+    }
   } else {
     time_ = operations_;
   }
-  if (is_timed == is_timed_) return Done{};
+  if (is_timed == is_timed_) {
+    return Done{};
+  }
   return error(fmt::format("an operation {} a time, but the one of line {} {}: all should have one, or none",
                            is_timed ? "with" : "without", first_line_, is_timed ? "has none" : "has one"));
 }
 
 Result<bool> TowerReader::read_tower_line(TowerOperation& into) {
   Result<bool> got = read_content_line();
-  if (!got || !*got) return got;
+  if (!got || !*got) {
+    return got;
+  }
   LineWords words(text_);
-  if (Status read = read_optional_time(words); !read) return read.error();
+  if (Status read = read_optional_time(words); !read) {
+    return read.error();
+  }
   const std::string_view operation = words.take();
   if (!is_operation(operation)) {
     return error(fmt::format("after the time, {} should be i (a simplex is included) or c (a vertex is contracted)",
                              shown(operation)));
   }
-  if (Status read = read_labels(words, no_limit, "a vertex"); !read) return read.error();
-  if (labels_.empty()) return error(fmt::format("{} should be followed by vertices", operation));
+  if (Status read = read_labels(words, no_limit, "a vertex"); !read) {
+    return read.error();
+  }
+  if (labels_.empty()) {
+    return error(fmt::format("{} should be followed by vertices", operation));
+  }
   if (operation == "i") {
     into = {TowerOperation::Kind::insert, time_, static_cast<int>(labels_.size() - 1), labels_};
     return true;
   }
-  if (labels_.size() != 2) return error(fmt::format("c should be followed by 2 vertices, not {}", labels_.size()));
+  if (labels_.size() != 2) {
+    return error(fmt::format("c should be followed by 2 vertices, not {}", labels_.size()));
+  }
   into = {TowerOperation::Kind::contract, time_, 0, labels_};
   return true;
 }
 
 Result<bool> TowerReader::read_gudhi_line(TowerOperation& into) {
   Result<bool> got = read_content_line();
-  if (!got || !*got) return got;
+  if (!got || !*got) {
+    return got;
+  }
   LineWords words(text_);
-  if (Status read = read_dimension(words); !read) return read.error();
+  if (Status read = read_dimension(words); !read) {
+    return read.error();
+  }
   const std::size_t vertices = static_cast<std::size_t>(dimension_) + 1;
-  if (Status read = read_labels(words, vertices, "a vertex"); !read) return read.error();
+  if (Status read = read_labels(words, vertices, "a vertex"); !read) {
+    return read.error();
+  }
   if (const std::size_t count = labels_.size() + words.count(); count != vertices + 1) {
     return error(fmt::format("a simplex of dimension {} should have {} vertices and then its value: {} numbers, not {}",
                              dimension_, vertices, vertices + 1, count));
   }
-  if (Status read = read_time(words, "the value of the simplex, a finite number"); !read) return read.error();
+  if (Status read = read_time(words, "the value of the simplex, a finite number"); !read) {
+    return read.error();
+  }
   into = {TowerOperation::Kind::insert, time_, dimension_, labels_};
   return true;
 }
 
 Result<bool> TowerReader::read_facet(TowerOperation& into) {
-  if (!facets_) facets_.emplace(name());
+  if (!facets_) {
+    facets_.emplace(name());
+  }
   std::optional<Facet> facet = facets_->next();
   while (!facet) {
     Result<bool> got = read_line();
-    if (!got || (!*got && is_stopped())) return got;
+    if (!got || (!*got && is_stopped())) {
+      return got;
+    }
     const Status taken = *got ? facets_->take(text_, line_) : facets_->finish();
-    if (!taken) return taken.error();
-    if (!*got) return false;
+    if (!taken) {
+      return taken.error();
+    }
+    if (!*got) {
+      return false;
+    }
     facet = facets_->next();
   }
   labels_.clear();
@@ -240,30 +290,46 @@ Status TowerReader::check_rows(std::span<const std::uint64_t>& rows) {
     is_ascending = is_ascending && row >= least;
     least = row + 1;
   }
-  if (is_ascending) return Done{};
-  if (rows.data() != labels_.data()) labels_.assign(rows.begin(), rows.end());
+  if (is_ascending) {
+    return Done{};
+  }
+  if (rows.data() != labels_.data()) {
+    labels_.assign(rows.begin(), rows.end());
+  }
   std::sort(labels_.begin(), labels_.end());
   rows = labels_;
   const auto twice = std::adjacent_find(rows.begin(), rows.end());
-  if (twice != rows.end()) return error(fmt::format("row {} should not be listed twice", *twice));
+  if (twice != rows.end()) {
+    return error(fmt::format("row {} should not be listed twice", *twice));
+  }
   return Done{};
 }
 
 Result<bool> TowerReader::read_phat_line(TowerOperation& into) {
   Result<bool> got = read_content_line();
-  if (!got || !*got) return got;
+  if (!got || !*got) {
+    return got;
+  }
   LineWords words(text_);
-  if (Status read = read_dimension(words); !read) return read.error();
-  if (Status read = read_labels(words, no_limit, "a row"); !read) return read.error();
+  if (Status read = read_dimension(words); !read) {
+    return read.error();
+  }
+  if (Status read = read_labels(words, no_limit, "a row"); !read) {
+    return read.error();
+  }
   std::span<const std::uint64_t> rows = labels_;
-  if (Status checked = check_rows(rows); !checked) return checked.error();
+  if (Status checked = check_rows(rows); !checked) {
+    return checked.error();
+  }
   into = {TowerOperation::Kind::column, operations_, dimension_, rows};
   return true;
 }
 
 Result<bool> TowerReader::read_header() {
   Result<bool> got = wait_for(source_, word_size);
-  if (!got || (!*got && is_stopped())) return got;
+  if (!got || (!*got && is_stopped())) {
+    return got;
+  }
   if (!*got) {
     return Error{Errc::bad_input, source_.name() +
                                       ": a binary PHAT matrix should start with the number of its "
@@ -282,7 +348,9 @@ Result<bool> TowerReader::read_header() {
 
 Result<bool> TowerReader::finish_columns() {
   Result<bool> got = wait_for(source_, 1);
-  if (!got || !*got) return got;
+  if (!got || !*got) {
+    return got;
+  }
   return Error{Errc::bad_input, fmt::format("{}: the header says {} columns, but the file goes on after them",
                                             source_.name(), *columns_)};
 }
@@ -290,18 +358,26 @@ Result<bool> TowerReader::finish_columns() {
 /// Makes the window that many numbers long. Errors: when the input ends before.
 Result<bool> TowerReader::wait_for_column(std::size_t numbers) {
   Result<bool> got = wait_for(source_, numbers * word_size);
-  if (!got || *got || is_stopped()) return got;
+  if (!got || *got || is_stopped()) {
+    return got;
+  }
   return error(fmt::format("the file ends here, but its header says {} columns", *columns_));
 }
 
 Result<bool> TowerReader::read_column(TowerOperation& into) {
   if (!columns_) {
     Result<bool> got = read_header();
-    if (!got || !*got) return got;
+    if (!got || !*got) {
+      return got;
+    }
   }
-  if (operations_ == *columns_) return finish_columns();
+  if (operations_ == *columns_) {
+    return finish_columns();
+  }
   line_ = operations_;
-  if (Result<bool> got = wait_for_column(2); !got || !*got) return got;
+  if (Result<bool> got = wait_for_column(2); !got || !*got) {
+    return got;
+  }
   const auto* head = reinterpret_cast<const std::uint64_t*>(source_.window().data());
   const std::uint64_t dimension = head[0], count = head[1];
   if (dimension > std::uint64_t{std::numeric_limits<int>::max()}) {
@@ -312,11 +388,15 @@ Result<bool> TowerReader::read_column(TowerOperation& into) {
                              static_cast<std::int64_t>(count), operations_));
   }
   const auto size = static_cast<std::size_t>(2 + count) * word_size;
-  if (Result<bool> got = wait_for_column(2 + static_cast<std::size_t>(count)); !got || !*got) return got;
+  if (Result<bool> got = wait_for_column(2 + static_cast<std::size_t>(count)); !got || !*got) {
+    return got;
+  }
   std::span<const std::uint64_t> rows{reinterpret_cast<const std::uint64_t*>(source_.window().data()) + 2,
                                       static_cast<std::size_t>(count)};
   source_.consume(size);
-  if (Status checked = check_rows(rows); !checked) return checked.error();
+  if (Status checked = check_rows(rows); !checked) {
+    return checked.error();
+  }
   const std::span<const std::uint64_t> ahead{reinterpret_cast<const std::uint64_t*>(source_.window().data()),
                                              source_.window().size() / word_size};
   into = {TowerOperation::Kind::column, operations_, static_cast<int>(dimension), rows, ahead};

@@ -35,7 +35,9 @@ class Pipe {
     writer_ = std::thread([content = std::move(content), piece, end = ends[1]] {
       for (std::size_t at = 0; at < content.size();) {
         const ssize_t wrote = ::write(end, content.data() + at, std::min(piece, content.size() - at));
-        if (wrote <= 0) break;
+        if (wrote <= 0) {
+          break;
+        }
         at += static_cast<std::size_t>(wrote);
       }
       ::close(end);
@@ -75,7 +77,9 @@ Lines read_all(TowerReader& reader, const std::string& path) {
       seen.push_back(replaced(got.error().what, path, "FILE"));
       return seen;
     }
-    if (!*got) return seen;
+    if (!*got) {
+      return seen;
+    }
     const char* kinds[] = {"i", "c", "column"};
     seen.push_back(fmt::format("{}: {} {} {} [{}]", reader.line(), replay::number_text(operation.time),
                                kinds[static_cast<std::size_t>(operation.kind)], operation.dimension,
@@ -348,16 +352,22 @@ TEST_CASE("Lines and columns longer than any buffer are read", "[tower_reader]")
     numbers.insert(numbers.end(), {0, 0});
   }
   numbers.insert(numbers.end(), {1, many});
-  for (std::int64_t i = 0; i < many; ++i) numbers.push_back(i);
+  for (std::int64_t i = 0; i < many; ++i) {
+    numbers.push_back(i);
+  }
   const auto last_labels = [](const std::string& path) {
     const auto reader = TowerReader::open(path);
     TowerOperation operation;
     std::vector<std::uint64_t> labels;
-    while ((*reader)->next(operation).value()) labels.assign(operation.labels.begin(), operation.labels.end());
+    while ((*reader)->next(operation).value()) {
+      labels.assign(operation.labels.begin(), operation.labels.end());
+    }
     return labels;
   };
   std::vector<std::uint64_t> expected;
-  for (std::uint64_t i = 0; i < many; ++i) expected.push_back(i);
+  for (std::uint64_t i = 0; i < many; ++i) {
+    expected.push_back(i);
+  }
   for (const std::string& content : {"i 0\n" + line + "\n", "i 0\n" + line, binary(numbers)}) {
     const TemporaryFile file(content);
     CHECK((last_labels(file.path()) == expected));
@@ -368,7 +378,9 @@ TEST_CASE("Lines and columns longer than any buffer are read", "[tower_reader]")
 
 TEST_CASE("A long tower is read without a slip", "[tower_reader]") {
   std::string text;
-  for (std::uint64_t i = 0; i < 200'000; ++i) text += fmt::format("i {} {}\n", i, i * 7919 % 1'000'003);
+  for (std::uint64_t i = 0; i < 200'000; ++i) {
+    text += fmt::format("i {} {}\n", i, i * 7919 % 1'000'003);
+  }
   const TemporaryFile file(text);
   const auto reader = TowerReader::open(file.path());
   TowerOperation operation;
@@ -429,11 +441,15 @@ TEST_CASE("A script that is cut off as gzip data ends with an error", "[tower_re
     replay::ScriptReader script = (*reader)->take_script();
     CAPTURE(size);
     std::optional<Error> error;
-    if (const auto header = script.header(); !header) error = header.error();
+    if (const auto header = script.header(); !header) {
+      error = header.error();
+    }
     while (!error) {
       const auto operation = script.next();
       REQUIRE((!operation || *operation));
-      if (!operation) error = operation.error();
+      if (!operation) {
+        error = operation.error();
+      }
     }
     CHECK_THAT(error->what, Catch::Matchers::Contains("the file is cut off"));
   }
@@ -449,7 +465,9 @@ TEST_CASE("A script is handed on whole, from a file, a pipe and gzip", "[tower_r
     CHECK(!(*reader)->next(operation).value());
     REQUIRE(script.header());
     std::size_t steps = 0;
-    while (script.next().value()) ++steps;
+    while (script.next().value()) {
+      ++steps;
+    }
     return steps;
   };
   std::string long_script = a_script;

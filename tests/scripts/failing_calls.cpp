@@ -48,11 +48,15 @@ bool fails_now() {
 extern "C" {
 
 ssize_t read(int file, void* to, std::size_t size) {
-  if (!is_the_file(file)) return __read(file, to, size);
+  if (!is_the_file(file)) {
+    return __read(file, to, size);
+  }
   has_begun = true;
   const long limit = number_of("FAIL_READ_AT");
   const long position = lseek(file, 0, SEEK_CUR);
-  if (limit < 0) return __read(file, to, size);
+  if (limit < 0) {
+    return __read(file, to, size);
+  }
   if (position >= limit) {
     errno = EIO;
     return -1;
@@ -62,19 +66,25 @@ ssize_t read(int file, void* to, std::size_t size) {
 }
 
 int fsync(int file) {
-  if (getenv("FAIL_SYNC") == nullptr || !is_the_file(file)) return static_cast<int>(syscall(SYS_fsync, file));
+  if (getenv("FAIL_SYNC") == nullptr || !is_the_file(file)) {
+    return static_cast<int>(syscall(SYS_fsync, file));
+  }
   errno = EIO;
   return -1;
 }
 
 void* malloc(std::size_t size) {
-  if (!fails_now()) return __libc_malloc(size);
+  if (!fails_now()) {
+    return __libc_malloc(size);
+  }
   errno = ENOMEM;
   return nullptr;
 }
 
 void* realloc(void* memory, std::size_t size) {
-  if (!fails_now()) return __libc_realloc(memory, size);
+  if (!fails_now()) {
+    return __libc_realloc(memory, size);
+  }
   errno = ENOMEM;
   return nullptr;
 }

@@ -25,9 +25,13 @@ class PieceInput final : public replay::ByteInput {
   PieceInput(std::vector<std::string> pieces, End end) : pieces_{std::move(pieces)}, end_{end} {}
 
   Result<std::size_t> read(std::span<char> to) override {
-    while (next_ < pieces_.size() && pieces_[next_].empty()) ++next_;
+    while (next_ < pieces_.size() && pieces_[next_].empty()) {
+      ++next_;
+    }
     if (next_ == pieces_.size()) {
-      if (end_ == End::failed) return Error{Errc::io, "cannot read the input: it broke"};
+      if (end_ == End::failed) {
+        return Error{Errc::io, "cannot read the input: it broke"};
+      }
       return std::size_t{0};
     }
     std::string& piece = pieces_[next_];

@@ -27,7 +27,9 @@ Vertices list_of(std::span<const std::uint32_t> numbers) { return {numbers.begin
 
 std::vector<std::size_t> cells_by_dimension(const Filtration& filtration) {
   std::vector<std::size_t> counts(4);
-  for (const std::uint8_t dimension : filtration.dimensions) ++counts[dimension];
+  for (const std::uint8_t dimension : filtration.dimensions) {
+    ++counts[dimension];
+  }
   return counts;
 }
 
@@ -37,16 +39,28 @@ std::string first_defect(const Filtration& filtration) {
     std::map<std::uint32_t, int> twice_removed;
     const auto faces = filtration.faces[i];
     const std::string cell = "cell " + std::to_string(i);
-    if (!std::is_sorted(faces.begin(), faces.end())) return cell + " has faces out of order";
+    if (!std::is_sorted(faces.begin(), faces.end())) {
+      return cell + " has faces out of order";
+    }
     for (const std::uint32_t face : faces) {
-      if (face >= i) return cell + " comes before a face";
-      if (filtration.dimensions[face] + 1 != filtration.dimensions[i]) return cell + " has a face of a wrong dimension";
-      for (const std::uint32_t of_face : filtration.faces[face]) ++twice_removed[of_face];
+      if (face >= i) {
+        return cell + " comes before a face";
+      }
+      if (filtration.dimensions[face] + 1 != filtration.dimensions[i]) {
+        return cell + " has a face of a wrong dimension";
+      }
+      for (const std::uint32_t of_face : filtration.faces[face]) {
+        ++twice_removed[of_face];
+      }
     }
     for (const auto& [face, times] : twice_removed) {
-      if (times != 2) return cell + " has a boundary with a boundary";
+      if (times != 2) {
+        return cell + " has a boundary with a boundary";
+      }
     }
-    if (i > 0 && filtration.values[i] < filtration.values[i - 1]) return cell + " has a smaller value";
+    if (i > 0 && filtration.values[i] < filtration.values[i - 1]) {
+      return cell + " has a smaller value";
+    }
   }
   return {};
 }
@@ -57,7 +71,9 @@ bool is_ordered_by_value_dimension_vertices(const Filtration& filtration) {
     const auto key = [&](std::size_t cell) {
       return std::tuple(filtration.values[cell], filtration.dimensions[cell], list_of(filtration.vertices[cell]));
     };
-    if (key(i - 1) >= key(i)) return false;
+    if (key(i - 1) >= key(i)) {
+      return false;
+    }
   }
   return true;
 }
@@ -103,8 +119,12 @@ TEST_CASE("Every edge of the torus is in two triangles", "[bench]") {
   const Filtration torus = torus_filtration(5);
   std::map<std::uint32_t, int> triangles;
   for (std::size_t i = 0; i < torus.size(); ++i) {
-    if (torus.dimensions[i] != 2) continue;
-    for (const std::uint32_t edge : torus.faces[i]) ++triangles[edge];
+    if (torus.dimensions[i] != 2) {
+      continue;
+    }
+    for (const std::uint32_t edge : torus.faces[i]) {
+      ++triangles[edge];
+    }
   }
   CHECK(triangles.size() == 75);
   CHECK(std::all_of(triangles.begin(), triangles.end(), [](const auto& edge) { return edge.second == 2; }));
@@ -115,7 +135,9 @@ TEST_CASE("A Rips complex has every clique of its edges, at the length of the lo
   CHECK(first_defect(rips).empty());
   CHECK(is_ordered_by_value_dimension_vertices(rips));
   std::map<Vertices, double> value;
-  for (std::size_t i = 0; i < rips.size(); ++i) value[list_of(rips.vertices[i])] = rips.values[i];
+  for (std::size_t i = 0; i < rips.size(); ++i) {
+    value[list_of(rips.vertices[i])] = rips.values[i];
+  }
   std::size_t cliques = 0;
   const auto longest_edge = [&](const Vertices& vertices) {
     double longest = 0;
@@ -140,7 +162,9 @@ TEST_CASE("A Rips complex has every clique of its edges, at the length of the lo
       count({a, b});
       for (std::uint32_t c = b + 1; c < 25; ++c) {
         count({a, b, c});
-        for (std::uint32_t d = c + 1; d < 25; ++d) count({a, b, c, d});
+        for (std::uint32_t d = c + 1; d < 25; ++d) {
+          count({a, b, c, d});
+        }
       }
     }
   }
@@ -165,9 +189,13 @@ TEST_CASE("A cubical grid has the largest value of its vertices on every cell", 
     for (std::size_t i = 0; i < grid.size(); ++i) {
       const auto faces = grid.faces[i];
       CHECK(faces.size() == std::size_t{2} * grid.dimensions[i]);
-      if (faces.empty()) continue;
+      if (faces.empty()) {
+        continue;
+      }
       double largest = 0;
-      for (const std::uint32_t face : faces) largest = std::max(largest, grid.values[face]);
+      for (const std::uint32_t face : faces) {
+        largest = std::max(largest, grid.values[face]);
+      }
       CHECK(grid.values[i] == largest);
     }
   }
@@ -188,7 +216,9 @@ TEST_CASE("A random 2-complex has all edges and different triangles", "[bench]")
   CHECK(cells_by_dimension(complex) == std::vector<std::size_t>{9, 36, 50, 0});
   CHECK(first_defect(complex).empty());
   std::set<Vertices> different;
-  for (std::size_t i = 0; i < complex.size(); ++i) different.insert(list_of(complex.vertices[i]));
+  for (std::size_t i = 0; i < complex.size(); ++i) {
+    different.insert(list_of(complex.vertices[i]));
+  }
   CHECK(different.size() == complex.size());
   CHECK(std::is_sorted(complex.dimensions.begin(), complex.dimensions.end()));
   CHECK(random_two_complex(5, 1000, 4).size() == 5 + 10 + 10);
@@ -215,7 +245,9 @@ TEST_CASE("What is written in each format reads back as the same filtration", "[
   CHECK(binary.format == replay::TowerFormat::phat_binary);
   CHECK(gudhi.format == replay::TowerFormat::gudhi);
   CHECK(tower.format == replay::TowerFormat::tower);
-  for (const ReadBack& read : {phat, binary, gudhi, tower}) CHECK(read.dimensions == dimensions);
+  for (const ReadBack& read : {phat, binary, gudhi, tower}) {
+    CHECK(read.dimensions == dimensions);
+  }
   CHECK(phat.labels == faces);
   CHECK(binary.labels == faces);
   CHECK(gudhi.labels == vertices);

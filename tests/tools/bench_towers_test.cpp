@@ -32,7 +32,9 @@ std::vector<Line> lines_of(const std::string& text) {
     std::istringstream line(words);
     lines.push_back({});
     line >> lines.back().kind;
-    for (std::uint64_t label = 0; line >> label;) lines.back().labels.push_back(label);
+    for (std::uint64_t label = 0; line >> label;) {
+      lines.back().labels.push_back(label);
+    }
   }
   return lines;
 }
@@ -50,20 +52,28 @@ struct Complex {
   bool apply(const Line& line) { return line.kind == 'i' ? insert(line.labels) : contract(line.labels); }
   bool insert(const std::vector<std::uint64_t>& labels) {
     const Simplex simplex(labels.begin(), labels.end());
-    if (simplex.size() != labels.size() || dead.contains(labels[0])) return false;
+    if (simplex.size() != labels.size() || dead.contains(labels[0])) {
+      return false;
+    }
     for (const std::uint64_t label : simplex) {
       Simplex face = simplex;
       face.erase(label);
-      if (!face.empty() && !simplices.contains(face)) return false;
+      if (!face.empty() && !simplices.contains(face)) {
+        return false;
+      }
     }
     return simplices.insert(simplex).second;
   }
   bool contract(const std::vector<std::uint64_t>& labels) {
-    if (labels.size() != 2 || !simplices.contains({labels[0]}) || !simplices.contains({labels[1]})) return false;
+    if (labels.size() != 2 || !simplices.contains({labels[0]}) || !simplices.contains({labels[1]})) {
+      return false;
+    }
     dead.insert(labels[0]);
     std::set<Simplex> after;
     for (Simplex simplex : simplices) {
-      if (simplex.erase(labels[0]) == 1) simplex.insert(labels[1]);
+      if (simplex.erase(labels[0]) == 1) {
+        simplex.insert(labels[1]);
+      }
       after.insert(simplex);
     }
     simplices = after;
@@ -100,7 +110,9 @@ TEST_CASE("A random tower uses all dimensions it may, and no more", "[bench]") {
   for (const int largest : {0, 1, 2, 3}) {
     std::set<std::size_t> sizes;
     for (const Line& line : lines_of(text_of({500, 20, largest, 0.1, false, 1}))) {
-      if (line.kind == 'i') sizes.insert(line.labels.size());
+      if (line.kind == 'i') {
+        sizes.insert(line.labels.size());
+      }
     }
     CHECK(sizes.size() == static_cast<std::size_t>(largest) + 1);
     CHECK(*sizes.rbegin() == static_cast<std::size_t>(largest) + 1);

@@ -18,7 +18,9 @@ using sparse::Terms;
 Terms<Integers> vector_of(const std::vector<int>& entries) {
   Terms<Integers> terms;
   for (Index i = 0; i < entries.size(); ++i) {
-    if (entries[i] != 0) terms.push_back({i, entries[i]});
+    if (entries[i] != 0) {
+      terms.push_back({i, entries[i]});
+    }
   }
   return terms;
 }
@@ -26,7 +28,9 @@ Terms<Integers> vector_of(const std::vector<int>& entries) {
 /// Whether vectors can be completed to a basis: their invariant factors are units, as many as vectors.
 bool is_saturated(Index rank, const std::vector<Terms<Integers>>& vectors) {
   sparse::Matrix<Integers> matrix{Integers{}, rank, 0};
-  for (const auto& vector : vectors) matrix.append_column(vector);
+  for (const auto& vector : vectors) {
+    matrix.append_column(vector);
+  }
   const auto factors = sparse::invariant_factors(matrix);
   return factors.size() == vectors.size() &&
          std::all_of(factors.begin(), factors.end(), [](const Integer& factor) { return factor == 1; });
@@ -43,15 +47,21 @@ TEST_CASE("vectors are taken exactly as long as they can be completed to a basis
     std::vector<Terms<Integers>> taken;
     for (int tries = 0; tries < 12; ++tries) {
       std::vector<int> entries(rank);
-      for (int& x : entries) x = entry(random);
+      for (int& x : entries) {
+        x = entry(random);
+      }
       auto with = taken;
       with.push_back(vector_of(entries));
       const bool fits = is_saturated(rank, with);
       REQUIRE(selection.take(with.back()) == fits);
-      if (fits) taken = with;
+      if (fits) {
+        taken = with;
+      }
       REQUIRE(selection.missing() == rank - taken.size());
     }
-    for (const auto& vector : selection.completion()) taken.push_back(vector);
+    for (const auto& vector : selection.completion()) {
+      taken.push_back(vector);
+    }
     REQUIRE(taken.size() == rank);
     REQUIRE(is_saturated(rank, taken));
   }

@@ -60,7 +60,9 @@ TEST_CASE("sesame mesh --json gives one object with validity, groups and generat
   CHECK(object.at("validity").at("components").at(0).at("genus") == 1);
   CHECK(object.at("generators").size() == 4);
   for (const json& generator : object.at("generators")) {
-    if (generator.at("dim") != 1) continue;
+    if (generator.at("dim") != 1) {
+      continue;
+    }
     CHECK(generator.at("closed") == true);
     CHECK(generator.at("order") == 0);
     CHECK(generator.at("length").get<double>() > 0);
@@ -102,7 +104,9 @@ TEST_CASE("sesame mesh tells people what they need to know") {
 TEST_CASE("numbers that no double holds are strings in the JSON, and never inf or nan anywhere") {
   const std::string size = GENERATE("1e155", "1e200", "1.7e308", "1e-200", "5e-324");
   std::string text = "OFF 4 4 0\n0 0 0\nX 0 0\n0 X 0\n0 0 -X\n3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n";
-  for (auto at = text.find('X'); at != std::string::npos; at = text.find('X')) text.replace(at, 1, size);
+  for (auto at = text.find('X'); at != std::string::npos; at = text.find('X')) {
+    text.replace(at, 1, size);
+  }
   const tests::TemporaryFile file{text};
   const Run people = run({file.path()});
   const Run programs = run({file.path(), "--json"});
@@ -114,7 +118,9 @@ TEST_CASE("numbers that no double holds are strings in the JSON, and never inf o
   REQUIRE(surface.at("dim") == 2);
   CHECK(surface.at("area").is_string());
   CHECK(surface.at("volume").is_string());
-  for (const json& x : surface.at("centre")) CHECK(x.is_number());
+  for (const json& x : surface.at("centre")) {
+    CHECK(x.is_number());
+  }
 }
 
 TEST_CASE("faces that are left out are counted on standard error and in the JSON") {
@@ -122,7 +128,9 @@ TEST_CASE("faces that are left out are counted on standard error and in the JSON
     const Run result = as_json ? run({mesh_path("mended.off"), "--json"}) : run({mesh_path("mended.off")});
     CHECK(result.status == 0);
     CHECK(result.errors == mesh_path("mended.off") + ": left out 2 of 6 faces (1 degenerate, 1 duplicate)\n");
-    if (!as_json) continue;
+    if (!as_json) {
+      continue;
+    }
     const json validity = json::parse(result.out).at("validity");
     CHECK(validity.at("faces_in_file") == 6);
     CHECK(validity.at("faces") == 3);

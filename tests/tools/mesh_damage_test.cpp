@@ -37,8 +37,12 @@ void check_answer(const Result<Mesh>& mesh, const std::string& name) {
     REQUIRE(mesh.error().what.starts_with(name + ":"));
     return;
   }
-  for (const auto corner : mesh->faces.corners()) REQUIRE(corner < mesh->points.size());
-  for (const auto& line : mesh->lines) REQUIRE(std::max(line[0], line[1]) < mesh->points.size());
+  for (const auto corner : mesh->faces.corners()) {
+    REQUIRE(corner < mesh->points.size());
+  }
+  for (const auto& line : mesh->lines) {
+    REQUIRE(std::max(line[0], line[1]) < mesh->points.size());
+  }
   const auto validity = validate(*mesh);
   REQUIRE(validity.vertices <= mesh->points.size());
   REQUIRE_FALSE(to_text(validity).empty());
@@ -69,7 +73,9 @@ TEST_CASE("every change of one byte of a mesh file is answered", "[mesh][damage]
         auto damaged = bytes;
         damaged[at] = static_cast<char>(damaged[at] ^ flip);
         check_answer(parse_mesh(damaged, name), name);
-        if (flip == 0x01) check_answer(parse_mesh(damaged, "noname"), "noname");
+        if (flip == 0x01) {
+          check_answer(parse_mesh(damaged, "noname"), "noname");
+        }
       }
     }
   }

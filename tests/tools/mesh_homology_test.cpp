@@ -27,7 +27,9 @@ MeshHomology homology_of(const Mesh& mesh, const sparse::AnyRing& ring = Integer
 std::vector<const MeshGenerator*> of_degree(const MeshHomology& found, int degree) {
   std::vector<const MeshGenerator*> generators;
   for (const auto& generator : found.generators) {
-    if (generator.degree == degree) generators.push_back(&generator);
+    if (generator.degree == degree) {
+      generators.push_back(&generator);
+    }
   }
   return generators;
 }
@@ -36,9 +38,13 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> sides_of(const Mesh& mesh) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const auto face = mesh.faces[f];
-    for (std::size_t i = 0; i < face.size(); ++i) sides.insert(std::minmax(face[i], face[(i + 1) % face.size()]));
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      sides.insert(std::minmax(face[i], face[(i + 1) % face.size()]));
+    }
   }
-  for (const auto& [a, b] : mesh.lines) sides.insert(std::minmax(a, b));
+  for (const auto& [a, b] : mesh.lines) {
+    sides.insert(std::minmax(a, b));
+  }
   return sides;
 }
 
@@ -75,25 +81,33 @@ void check_basis(MeshHomology& found, int degree) {
     REQUIRE(answer.is_cycle);
     sparse::Terms<Integers> column;
     for (sparse::Index i = 0; i < rows; ++i) {
-      if (!answer.coefficients[i].is_zero()) column.push_back({i, answer.coefficients[i].numerator()});
+      if (!answer.coefficients[i].is_zero()) {
+        column.push_back({i, answer.coefficients[i].numerator()});
+      }
     }
     classes.append_column(column);
     if (!generator->order.is_zero()) {
       REQUIRE(generator->bounding);
       auto multiple = generator->chain;
-      for (auto& term : multiple.terms) term.coefficient *= generator->order;
+      for (auto& term : multiple.terms) {
+        term.coefficient *= generator->order;
+      }
       CHECK(found.engine->maps().boundary(*generator->bounding).terms == multiple.terms);
     }
   }
   // Relations of the group, then the classes: together they generate everything.
-  for (sparse::Index i = 0; i < torsion.size(); ++i) classes.append_column(sparse::Terms<Integers>{{i, torsion[i]}});
+  for (sparse::Index i = 0; i < torsion.size(); ++i) {
+    classes.append_column(sparse::Terms<Integers>{{i, torsion[i]}});
+  }
   const auto factors = sparse::invariant_factors(classes);
   CHECK(factors.size() == rows);
   CHECK(std::all_of(factors.begin(), factors.end(), [](const Integer& factor) { return factor == 1; }));
 }
 
 void check_all(const Mesh& mesh, MeshHomology& found) {
-  for (int degree = 0; degree < static_cast<int>(found.homology.betti.size()); ++degree) check_basis(found, degree);
+  for (int degree = 0; degree < static_cast<int>(found.homology.betti.size()); ++degree) {
+    check_basis(found, degree);
+  }
   for (const auto* loop : of_degree(found, 1)) {
     CHECK(loop->is_short);
     check_loop(mesh, *loop);
@@ -218,7 +232,9 @@ TEST_CASE("over Q a mesh has the tunnels and the cavities that it has over Z, an
   CHECK(loops[0]->order.is_zero());
   // It is of infinite order, which no multiple of a torsion loop is.
   auto multiple = loops[0]->chain;
-  for (auto& term : multiple.terms) term.coefficient *= 12;
+  for (auto& term : multiple.terms) {
+    term.coefficient *= 12;
+  }
   CHECK_FALSE(found.engine->classify(multiple).is_zero);
 
   CHECK(homology_of(moore_space(), sparse::Rationals{}).homology.betti == std::vector<std::int64_t>{1, 0, 0});
@@ -264,7 +280,9 @@ TEST_CASE("a surface whose faces point inwards encloses a negative volume") {
 TEST_CASE("lengths, areas, volumes and centres hold for coordinates of every size that a double can have") {
   const int exponent = GENERATE(-1000, -600, 510, 520, 1020);
   const auto grown = [exponent](Mesh mesh) {
-    for (Point& point : mesh.points) point = scaled(point, exponent);
+    for (Point& point : mesh.points) {
+      point = scaled(point, exponent);
+    }
     return mesh;
   };
   const auto check_same = [](const Measure& measure, double as_small, int shift) {
@@ -279,9 +297,13 @@ TEST_CASE("lengths, areas, volumes and centres hold for coordinates of every siz
     CHECK(found.vertices == expected.vertices);
     check_same(found.length, expected.length.to_double(), exponent);
     check_same(found.area, expected.area.to_double(), 2 * exponent);
-    if (expected.volume) check_same(found.volume.value(), expected.volume->to_double(), 3 * exponent);
+    if (expected.volume) {
+      check_same(found.volume.value(), expected.volume->to_double(), 3 * exponent);
+    }
     const Point centre = scaled(found.centre, -exponent);
-    for (std::size_t k = 0; k < 3; ++k) CHECK(centre[k] == Approx(expected.centre[k]).margin(1e-12));
+    for (std::size_t k = 0; k < 3; ++k) {
+      CHECK(centre[k] == Approx(expected.centre[k]).margin(1e-12));
+    }
   }
 }
 
@@ -317,7 +339,9 @@ TEST_CASE("a concave polygon has its own area and centre, not those of the trian
   }
   mesh.faces.push_face(std::array{3U, 2U, 1U, 0U});
   mesh.faces.push_face(std::array{4U, 5U, 6U, 7U});
-  for (std::uint32_t k = 0; k < 4; ++k) mesh.faces.push_face(std::array{k, (k + 1) % 4, 4 + (k + 1) % 4, 4 + k});
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    mesh.faces.push_face(std::array{k, (k + 1) % 4, 4 + (k + 1) % 4, 4 + k});
+  }
   const MeshHomology found = homology_of(mesh);
   const auto& surface = *of_degree(found, 2).at(0);
   const double walls = 2 * 5 + 2 * std::sqrt(10);

@@ -16,7 +16,9 @@ using FaceList = std::vector<std::vector<std::uint32_t>>;
 Mesh mesh_of(std::size_t points, const FaceList& faces, std::vector<Edge> lines = {}) {
   Mesh mesh;
   mesh.points.resize(points);
-  for (const auto& face : faces) mesh.faces.push_face(face);
+  for (const auto& face : faces) {
+    mesh.faces.push_face(face);
+  }
   mesh.lines = std::move(lines);
   return mesh;
 }

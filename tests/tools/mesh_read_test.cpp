@@ -46,7 +46,9 @@ TEST_CASE("OFF skips the numbers that its prefixes announce, wherever lines brea
                                                                         {"NCSTOFF", " 0 0 1 1 0 0 1 0.5 0.5"},
                                                                         {"ST4OFF", " 1 0.5 0.5"}}));
   std::string body;
-  for (const char* point : {"0 0 0", "2 0 0", "0 2 0", "2 2 0"}) body += point + others + "\n";
+  for (const char* point : {"0 0 0", "2 0 0", "0 2 0", "2 2 0"}) {
+    body += point + others + "\n";
+  }
   const std::string faces = "3 0 1 2 7\n3 1 3 2\n";
   std::string one_line = body;
   std::replace(one_line.begin(), one_line.end(), '\n', ' ');
@@ -87,7 +89,9 @@ TEST_CASE("OFF points may have other numbers on their lines than the head announ
   const auto [head, others] = GENERATE(table<std::string, std::string>(
       {{"OFF", " 255 0 0"}, {"OFF", " 0 0 1 255 0 0 255"}, {"COFF", " 255 0 0"}, {"COFF", ""}, {"NOFF", ""}}));
   std::string text = head + "\n3 1 0\n";
-  for (const char* point : {"0 0 0", "1 0 0", "0 1 0"}) text += point + others + "\n";
+  for (const char* point : {"0 0 0", "1 0 0", "0 1 0"}) {
+    text += point + others + "\n";
+  }
   const auto mesh = parsed(text + "3 0 1 2\n", "a.off");
   CHECK(mesh.points == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   CHECK(faces_of(mesh) == one_triangle);

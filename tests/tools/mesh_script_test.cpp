@@ -48,12 +48,20 @@ void check_face_laws(const json& cells) {
   for (const auto& cell : cells) {
     auto& own = faces[cell.at("id")];
     REQUIRE(own.empty());
-    if (!cell.contains("faces")) continue;
+    if (!cell.contains("faces")) {
+      continue;
+    }
     own = cell.at("faces").get<std::vector<std::string>>();
-    for (const auto& face : own) REQUIRE(faces.contains(face));
-    if (own.size() < 3) continue;
+    for (const auto& face : own) {
+      REQUIRE(faces.contains(face));
+    }
+    if (own.size() < 3) {
+      continue;
+    }
     for (std::size_t j = 1; j < 3; ++j) {
-      for (std::size_t i = 0; i < j; ++i) REQUIRE(faces.at(own[j]).at(i) == faces.at(own[i]).at(j - 1));
+      for (std::size_t i = 0; i < j; ++i) {
+        REQUIRE(faces.at(own[j]).at(i) == faces.at(own[i]).at(j - 1));
+      }
     }
   }
 }
@@ -70,19 +78,27 @@ class Assembly {
       add(name + "." + std::to_string(i), 0);
       place_[name + "." + std::to_string(i)] = op.at("at").at(static_cast<std::size_t>(i));
     }
-    if (dimension < 2) return;
-    for (const char* edge : {".0-1", ".0-2", ".1-2"}) add(name + edge, 1);
+    if (dimension < 2) {
+      return;
+    }
+    for (const char* edge : {".0-1", ".0-2", ".1-2"}) {
+      add(name + edge, 1);
+    }
   }
 
   void identify(const json& op) {
-    for (const auto& pair : op.at("pairs")) glue(pair.at(0), pair.at(1));
+    for (const auto& pair : op.at("pairs")) {
+      glue(pair.at(0), pair.at(1));
+    }
   }
 
   /// The classes of cells in each dimension.
   Cells cells() {
     Cells count{};
     for (const auto& [name, parent] : parent_) {
-      if (parent == name) ++count[static_cast<std::size_t>(dimension_.at(name))];
+      if (parent == name) {
+        ++count[static_cast<std::size_t>(dimension_.at(name))];
+      }
     }
     return count;
   }
@@ -98,7 +114,9 @@ class Assembly {
   }
 
   std::string find(std::string name) {
-    while (parent_.at(name) != name) name = parent_.at(name);
+    while (parent_.at(name) != name) {
+      name = parent_.at(name);
+    }
     return name;
   }
 
@@ -234,7 +252,9 @@ TEST_CASE("coherent order grows along edges, then through vertices, then to the 
   const auto script = script_of(write_assembled_script, mesh, {.source = "a.obj"});
   std::vector<std::string> names;
   for (const auto& op : script.lines) {
-    if (op.contains("dim")) names.push_back(op.at("name"));
+    if (op.contains("dim")) {
+      names.push_back(op.at("name"));
+    }
   }
   CHECK(names == std::vector<std::string>{"f0", "f3", "f2", "l0", "f1"});
   auto assembly = assembled(script);

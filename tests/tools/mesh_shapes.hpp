@@ -15,7 +15,9 @@ namespace sesame::tools {
 inline Mesh mesh_of(std::vector<Point> points, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
   Mesh mesh;
   mesh.points = std::move(points);
-  for (const auto& triangle : triangles) mesh.faces.push_face(triangle);
+  for (const auto& triangle : triangles) {
+    mesh.faces.push_face(triangle);
+  }
   return mesh;
 }
 
@@ -63,7 +65,9 @@ inline Mesh klein_bottle(std::uint32_t n, std::uint32_t m) {
 /// Six points, ten triangles.
 inline Mesh projective_plane() {
   std::vector<Point> points{{0, 0, 1}};
-  for (int k = 0; k < 5; ++k) points.push_back({std::cos(k * 0.4 * std::numbers::pi), std::sin(k * 1.2566), 0});
+  for (int k = 0; k < 5; ++k) {
+    points.push_back({std::cos(k * 0.4 * std::numbers::pi), std::sin(k * 1.2566), 0});
+  }
   return mesh_of(
       std::move(points),
       {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}, {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}});
@@ -77,8 +81,12 @@ inline Mesh moore_space() {
     const double angle = 2 * std::numbers::pi * k / n;
     points.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
   };
-  for (int k = 0; k < 3; ++k) on_circle(1, k, 3, 0);
-  for (int k = 0; k < 9; ++k) on_circle(5, k, 9, 1);
+  for (int k = 0; k < 3; ++k) {
+    on_circle(1, k, 3, 0);
+  }
+  for (int k = 0; k < 9; ++k) {
+    on_circle(5, k, 9, 1);
+  }
   points.push_back({0, 0, 9});
   for (std::uint32_t k = 0; k < 9; ++k) {
     const std::uint32_t next = (k + 1) % 9;
@@ -115,7 +123,9 @@ inline Mesh together(Mesh a, const Mesh& b) {
   const auto shift = static_cast<std::uint32_t>(a.points.size());
   a.points.insert(a.points.end(), b.points.begin(), b.points.end());
   for (std::size_t f = 0; f < b.faces.size(); ++f) {
-    for (const auto corner : b.faces[f]) a.faces.push_corner(corner + shift);
+    for (const auto corner : b.faces[f]) {
+      a.faces.push_corner(corner + shift);
+    }
     a.faces.close_face();
   }
   return a;
@@ -127,8 +137,12 @@ inline Mesh double_torus() {
   const auto shift = static_cast<std::uint32_t>(one.points.size());
   Mesh glued;
   glued.points = one.points;
-  for (const auto& [x, y, z] : one.points) glued.points.push_back({-x + 12, y, z});
-  for (std::size_t f = 1; f < one.faces.size(); ++f) glued.faces.push_face(one.faces[f]);
+  for (const auto& [x, y, z] : one.points) {
+    glued.points.push_back({-x + 12, y, z});
+  }
+  for (std::size_t f = 1; f < one.faces.size(); ++f) {
+    glued.faces.push_face(one.faces[f]);
+  }
   for (std::size_t f = 1; f < one.faces.size(); ++f) {
     for (const auto corner : one.faces[f]) {
       const auto seam = one.faces[0];

@@ -42,7 +42,9 @@ inline std::string complaint(std::string_view text, std::string_view name) {
 
 inline std::vector<std::vector<std::uint32_t>> faces_of(const Mesh& mesh) {
   std::vector<std::vector<std::uint32_t>> faces;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) faces.emplace_back(mesh.faces[f].begin(), mesh.faces[f].end());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    faces.emplace_back(mesh.faces[f].begin(), mesh.faces[f].end());
+  }
   return faces;
 }
 
@@ -51,7 +53,9 @@ template <class T>
 void append_bytes(std::string& out, T value, bool highest_first = false) {
   std::string bytes(sizeof(T), '\0');
   std::memcpy(bytes.data(), &value, sizeof(T));  // the machines that run these tests are little-endian
-  if (highest_first) bytes = {bytes.rbegin(), bytes.rend()};
+  if (highest_first) {
+    bytes = {bytes.rbegin(), bytes.rend()};
+  }
   out += bytes;
 }
 
@@ -62,9 +66,13 @@ inline std::string binary_stl(std::string_view head,
   bytes.resize(80, ' ');
   append_bytes(bytes, static_cast<std::uint32_t>(triangles.size()));
   for (const auto& triangle : triangles) {
-    for (int i = 0; i < 3; ++i) append_bytes(bytes, 0.0F);
+    for (int i = 0; i < 3; ++i) {
+      append_bytes(bytes, 0.0F);
+    }
     for (const auto& point : triangle) {
-      for (const float x : point) append_bytes(bytes, x);
+      for (const float x : point) {
+        append_bytes(bytes, x);
+      }
     }
     append_bytes(bytes, std::uint16_t{0});
   }
@@ -86,12 +94,16 @@ inline std::string binary_ply(bool big_endian) {
   }
   for (const std::uint16_t length : {std::uint16_t{2}, std::uint16_t{0}}) {
     append_bytes(bytes, length, big_endian);
-    for (int i = 0; i < length; ++i) append_bytes(bytes, 0.5F, big_endian);
+    for (int i = 0; i < length; ++i) {
+      append_bytes(bytes, 0.5F, big_endian);
+    }
   }
   const std::array<std::array<std::uint32_t, 3>, 4> faces{{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
   for (const auto& face : faces) {
     append_bytes(bytes, std::uint8_t{3});
-    for (const auto corner : face) append_bytes(bytes, corner, big_endian);
+    for (const auto corner : face) {
+      append_bytes(bytes, corner, big_endian);
+    }
     append_bytes(bytes, std::int8_t{-1});
   }
   return bytes;

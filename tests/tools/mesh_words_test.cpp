@@ -142,7 +142,9 @@ const std::vector<Space> spaces{
 /// The sixteen corners of a box of 3 by 3 by 1 with a hole of 1 by 1; shapes with fewer points take the first.
 Mesh mesh_of(const Words& words) {
   std::uint32_t points = 0;
-  for (const auto& word : words) points = std::max(points, 1 + *std::max_element(word.begin(), word.end()));
+  for (const auto& word : words) {
+    points = std::max(points, 1 + *std::max_element(word.begin(), word.end()));
+  }
   Mesh mesh;
   for (const auto& [low, high] : {std::pair{0.0, 3.0}, std::pair{1.0, 2.0}}) {
     for (const double z : {0.0, 1.0}) {
@@ -150,7 +152,9 @@ Mesh mesh_of(const Words& words) {
     }
   }
   mesh.points.resize(points);
-  for (const auto& word : words) mesh.faces.push_face(word);
+  for (const auto& word : words) {
+    mesh.faces.push_face(word);
+  }
   return mesh;
 }
 
@@ -158,7 +162,9 @@ std::vector<Numbers> as_numbers(const std::vector<std::vector<Integer>>& torsion
   std::vector<Numbers> result;
   for (const auto& degree : torsion) {
     auto& factors = result.emplace_back();
-    for (const Integer& factor : degree) factors.push_back(factor.to_int64().value());
+    for (const Integer& factor : degree) {
+      factors.push_back(factor.to_int64().value());
+    }
   }
   return result;
 }
@@ -173,7 +179,9 @@ engine::Homology replayed(Writer write, const Mesh& mesh, Polygons polygons, con
   engine::Engine engine{ring};
   for (auto operation = reader.next();; operation = reader.next()) {
     REQUIRE(operation);
-    if (!operation->has_value()) return engine.homology();
+    if (!operation->has_value()) {
+      return engine.homology();
+    }
     const auto report = engine.apply(**operation);
     INFO((report ? std::string{} : report.error().what));
     REQUIRE(report);
@@ -182,7 +190,9 @@ engine::Homology replayed(Writer write, const Mesh& mesh, Polygons polygons, con
 
 void check_groups(const engine::Homology& found, const Space& space, bool modulo_2) {
   CHECK(found.betti == (modulo_2 ? space.betti_modulo_2 : space.betti));
-  if (!modulo_2) CHECK(as_numbers(found.torsion) == space.torsion);
+  if (!modulo_2) {
+    CHECK(as_numbers(found.torsion) == space.torsion);
+  }
 }
 
 }  // namespace
@@ -213,7 +223,9 @@ TEST_CASE("the report on a polygon that meets itself is about the surface, not a
   CHECK(found.is_orientable() == space.is_orientable);
   CHECK(found.is_closed() == (space.edge_kinds[0] == 0));
   long long alternating = 0;
-  for (std::size_t p = 0; p < space.betti.size(); ++p) alternating += (p % 2 == 0 ? 1 : -1) * space.betti[p];
+  for (std::size_t p = 0; p < space.betti.size(); ++p) {
+    alternating += (p % 2 == 0 ? 1 : -1) * space.betti[p];
+  }
   CHECK(found.euler() == alternating);
 }
 
@@ -243,7 +255,9 @@ TEST_CASE("cutting polygons changes nothing in the report but the numbers of cel
   for (int round = 0; round < 400; ++round) {
     Words words(1 + below(4));
     for (auto& word : words) {
-      for (auto corners = 1 + below(10); corners > 0; --corners) word.push_back(below(3 + below(9)));
+      for (auto corners = 1 + below(10); corners > 0; --corners) {
+        word.push_back(below(3 + below(9)));
+      }
     }
     Mesh polygons = mesh_of(words);
     normalise(polygons);
@@ -300,7 +314,9 @@ TEST_CASE("the same walk from another corner, or backwards, is the same polygon"
 
 TEST_CASE("a polygon of very many corners that are all alike is read in time", "[mesh]") {
   std::vector<std::uint32_t> word;
-  for (std::uint32_t i = 0; i < 200'000; ++i) word.push_back(i % 2 == 0 ? 0 : 1 + i % 3);
+  for (std::uint32_t i = 0; i < 200'000; ++i) {
+    word.push_back(i % 2 == 0 ? 0 : 1 + i % 3);
+  }
   Mesh mesh = mesh_of({word, {word.rbegin(), word.rend()}});
   CHECK(normalise(mesh).duplicate_faces == 1);
 }

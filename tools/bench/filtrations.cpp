@@ -126,19 +126,29 @@ void for_each_rips_simplex(const PointCloud& cloud, double longest, Visit&& visi
     }
   }
   for (std::uint32_t a = 0; a < cloud.size(); ++a) {
-    if (!visit(0.0, {a})) return;
+    if (!visit(0.0, {a})) {
+      return;
+    }
     for (std::size_t i = 0; i < larger[a].size(); ++i) {
       const auto [b, ab] = larger[a][i];
-      if (!visit(ab, {a, b})) return;
+      if (!visit(ab, {a, b})) {
+        return;
+      }
       for (std::size_t j = i + 1; j < larger[a].size(); ++j) {
         const auto [c, ac] = larger[a][j];
         const double abc = std::max({ab, ac, cloud.distance(b, c)});
-        if (abc > longest) continue;
-        if (!visit(abc, {a, b, c})) return;
+        if (abc > longest) {
+          continue;
+        }
+        if (!visit(abc, {a, b, c})) {
+          return;
+        }
         for (std::size_t k = j + 1; k < larger[a].size(); ++k) {
           const auto [d, ad] = larger[a][k];
           const double abcd = std::max({abc, ad, cloud.distance(b, d), cloud.distance(c, d)});
-          if (abcd <= longest && !visit(abcd, {a, b, c, d})) return;
+          if (abcd <= longest && !visit(abcd, {a, b, c, d})) {
+            return;
+          }
         }
       }
     }
@@ -159,7 +169,9 @@ double length_for(const PointCloud& cloud, std::size_t cells) {
       lengths.push_back(cloud.distance(a, b));
     }
   }
-  if (lengths.empty()) return 0;
+  if (lengths.empty()) {
+    return 0;
+  }
   std::sort(lengths.begin(), lengths.end());
   const auto found = std::partition_point(lengths.begin(), lengths.end() - 1,
                                           [&](double length) { return !has_cells(cloud, length, cells); });

@@ -86,7 +86,9 @@ class LiveComplex {
       }
     }
     for (const Corners& corners : moved) {
-      if (has(corners, v)) continue;
+      if (has(corners, v)) {
+        continue;
+      }
       if (const Corners image = replaced(corners, u, v); !contains(image)) {
         insert(image);
       }
@@ -97,7 +99,9 @@ class LiveComplex {
   [[nodiscard]] std::vector<Label> extensions(const Corners& simplex) const {
     std::vector<Label> found;
     for (const auto& [id, size, birth] : stars_.at(simplex[0]).entries) {
-      if (size != 2 || cells_[id].birth != birth) continue;
+      if (size != 2 || cells_[id].birth != birth) {
+        continue;
+      }
       const Corners& edge = cells_[id].corners;
       const Label other = edge[0] == simplex[0] ? edge[1] : edge[0];
       if (!has(simplex, other) && extends(simplex, other)) {
@@ -159,7 +163,9 @@ class LiveComplex {
 
   [[nodiscard]] bool extends(const Corners& simplex, Label vertex) const {
     for (std::size_t i = 0; i < size_of(simplex); ++i) {
-      if (!contains_replaced(simplex, simplex[i], vertex)) return false;
+      if (!contains_replaced(simplex, simplex[i], vertex)) {
+        return false;
+      }
     }
     return !contains_replaced(simplex, no_label, vertex);
   }
@@ -193,11 +199,15 @@ class RandomTower {
   bool contract() {
     Corners pair{no_label, no_label, no_label, no_label};
     if (options_.along_edges) {
-      if (complex_.count(1) == 0) return false;
+      if (complex_.count(1) == 0) {
+        return false;
+      }
       pair = complex_.simplex(1, draws_.below(complex_.count(1)));
     } else {
       const auto vertices = complex_.count(0);
-      if (vertices < 2) return false;
+      if (vertices < 2) {
+        return false;
+      }
       const std::uint32_t one = draws_.below(vertices), other = draws_.below(vertices - 1);
       pair[0] = complex_.simplex(0, one)[0];
       pair[1] = complex_.simplex(0, other < one ? other : other + 1)[0];
@@ -214,10 +224,14 @@ class RandomTower {
     const bool has_room = complex_.count(0) < options_.most_vertices;
     const auto largest = static_cast<std::size_t>(options_.largest_dimension);
     const std::size_t lowest = has_room ? 0 : 1;
-    if (largest < lowest) return false;
+    if (largest < lowest) {
+      return false;
+    }
     for (std::size_t dimension = lowest + draws_.below(largest - lowest + 1); dimension > 0; --dimension) {
       for (int attempt = 0; attempt < 4; ++attempt) {
-        if (extend_simplex(dimension - 1)) return true;
+        if (extend_simplex(dimension - 1)) {
+          return true;
+        }
       }
     }
     if (has_room) {
@@ -227,18 +241,26 @@ class RandomTower {
   }
 
   bool extend_simplex(std::size_t dimension) {
-    if (complex_.count(dimension) == 0) return false;
+    if (complex_.count(dimension) == 0) {
+      return false;
+    }
     const Corners& simplex = complex_.simplex(dimension, draws_.below(complex_.count(dimension)));
-    if (dimension == 0) return join(simplex, complex_.simplex(0, draws_.below(complex_.count(0)))[0]);
+    if (dimension == 0) {
+      return join(simplex, complex_.simplex(0, draws_.below(complex_.count(0)))[0]);
+    }
     const std::vector<Label> found = complex_.extensions(simplex);
     return !found.empty() && join(simplex, found[draws_.below(found.size())]);
   }
 
   /// Inserts the simplex with one vertex more, unless it is there.
   bool join(const Corners& simplex, Label vertex) {
-    if (has(simplex, vertex)) return false;
+    if (has(simplex, vertex)) {
+      return false;
+    }
     const Corners joined = extended(simplex, vertex);
-    if (complex_.contains(joined)) return false;
+    if (complex_.contains(joined)) {
+      return false;
+    }
     insert(joined);
     return true;
   }

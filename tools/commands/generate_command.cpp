@@ -89,9 +89,15 @@ std::string objection(const Arguments& arguments, const TowerWorkload&) {
 void write(std::ostream& out, const Arguments& arguments, const FiltrationWorkload& workload) {
   const auto size = static_cast<std::uint32_t>(arguments.size.value_or(workload.size));
   const Filtration filtration = workload.make(size, arguments.seed);
-  if (arguments.format == "phat") return write_phat(out, filtration);
-  if (arguments.format == "gudhi") return write_gudhi(out, filtration);
-  if (arguments.format == "tower") return write_tower(out, filtration);
+  if (arguments.format == "phat") {
+    return write_phat(out, filtration);
+  }
+  if (arguments.format == "gudhi") {
+    return write_gudhi(out, filtration);
+  }
+  if (arguments.format == "tower") {
+    return write_tower(out, filtration);
+  }
   write_phat_binary(out, filtration);
 }
 
@@ -108,10 +114,14 @@ int run_generate(const Arguments& arguments) {
     return wrong_usage("there is no \"" + arguments.name + "\"; there are " + names());
   }
   const std::string objected = std::visit([&](const auto& kind) { return objection(arguments, kind); }, found->second);
-  if (!objected.empty()) return wrong_usage(objected);
+  if (!objected.empty()) {
+    return wrong_usage(objected);
+  }
   OutputFiles outputs({});
   const Result<std::ostream*> out = outputs.open(arguments.out);
-  if (!out) return wrong_usage(out.error().what);
+  if (!out) {
+    return wrong_usage(out.error().what);
+  }
   std::visit([&](const auto& kind) { write(**out, arguments, kind); }, found->second);
   const Status written = outputs.commit();
   return written ? 0 : wrong_usage(written.error().what);

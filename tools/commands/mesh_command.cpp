@@ -30,12 +30,18 @@ int fail(const std::string& what, Outcome outcome) {
 int run_mesh(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const Result<sparse::AnyRing> ring = sparse::parse_ring(arguments.ring);
-  if (!ring) return fail("sesame mesh: --ring: " + ring.error().what, Outcome::wrong_usage);
+  if (!ring) {
+    return fail("sesame mesh: --ring: " + ring.error().what, Outcome::wrong_usage);
+  }
   const Result<Mesh> mesh = read(arguments.mesh);
-  if (!mesh) return refuse(mesh.error());
+  if (!mesh) {
+    return refuse(mesh.error());
+  }
   const std::string name = name_of(arguments.mesh);
   const auto found = mesh_homology(*mesh, {name, *ring, arguments.generators_limit != std::size_t{0}});
-  if (!found) return refuse(found.error());
+  if (!found) {
+    return refuse(found.error());
+  }
   if (const std::string left_out = found->validity.left_out_faces(); !left_out.empty()) {
     std::cerr << name << ": " << left_out << '\n';
   }

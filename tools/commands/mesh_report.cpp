@@ -57,7 +57,9 @@ Json validity_object(const Validity& validity, const std::vector<std::string>& m
                           {"genus", genus ? Json(*genus) : Json(nullptr)}});
   }
   Json remarks = validity.remarks;
-  for (const std::string& remark : more_remarks) remarks.push_back(remark);
+  for (const std::string& remark : more_remarks) {
+    remarks.push_back(remark);
+  }
   return {{"points_in_file", validity.points_in_file},
           {"faces_in_file", validity.faces_in_file},
           {"vertices", validity.vertices},
@@ -83,7 +85,9 @@ Json validity_object(const Validity& validity, const std::vector<std::string>& m
 
 Json generator_object(const MeshGenerator& generator, const ops::Structure& structure) {
   Json out{{"dim", generator.degree}, {"order", number(generator.order)}};
-  if (generator.degree < 2) out["vertices"] = generator.vertices;
+  if (generator.degree < 2) {
+    out["vertices"] = generator.vertices;
+  }
   if (generator.degree == 1) {
     out["length"] = number(generator.length);
     out["closed"] = !generator.vertices.empty();
@@ -97,7 +101,9 @@ Json generator_object(const MeshGenerator& generator, const ops::Structure& stru
   out["centre"] = generator.centre;
   out["box"] = generator.box;
   out["chain"] = chain(generator.chain, structure);
-  if (generator.bounding) out["bounds"] = chain(*generator.bounding, structure);
+  if (generator.bounding) {
+    out["bounds"] = chain(*generator.bounding, structure);
+  }
   return out;
 }
 
@@ -108,7 +114,9 @@ void write_json(std::ostream& out, const MeshHomology& found, const MeshReportOp
   Json torsion = Json::array();
   for (const auto& factors : found.homology.torsion) {
     Json& degree = torsion.emplace_back(Json::array());
-    for (const Integer& factor : factors) degree.push_back(number(factor));
+    for (const Integer& factor : factors) {
+      degree.push_back(number(factor));
+    }
   }
   Json generators = Json::array();
   for (const MeshGenerator& generator : found.generators) {
@@ -135,7 +143,9 @@ namespace {
 std::string point_text(const Point& point, const std::array<Point, 2>& box) {
   double size = 0;
   for (const Point& corner : box) {
-    for (const double x : corner) size = std::max(size, std::abs(x));
+    for (const double x : corner) {
+      size = std::max(size, std::abs(x));
+    }
   }
   const auto shown = [size](double x) { return std::abs(x) < 1e-12 * size ? 0 : x; };
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", shown(point[0]), shown(point[1]), shown(point[2]));
@@ -151,7 +161,9 @@ std::string origin_of_tunnels(const Validity& validity) {
   std::size_t handles = 0;
   for (const Component& component : validity.components) {
     const auto genus = component.genus();
-    if (!genus) return {};
+    if (!genus) {
+      return {};
+    }
     handles += static_cast<std::size_t>(*genus);
   }
   std::string text =
@@ -167,7 +179,9 @@ std::string origin_of_tunnels(const Validity& validity) {
 std::vector<std::string> meaning(const MeshHomology& found, std::size_t degree) {
   const auto betti = static_cast<std::size_t>(found.homology.betti[degree]);
   const bool has_torsion = !found.homology.torsion[degree].empty();
-  if (degree == 0) return {counted(betti, "connected piece", "connected pieces")};
+  if (degree == 0) {
+    return {counted(betti, "connected piece", "connected pieces")};
+  }
   if (degree == 2) {
     return {betti == 0 ? "no cavities: no closed surface encloses anything"
                        : counted(betti, "cavity: a closed surface that encloses space",
@@ -177,11 +191,15 @@ std::vector<std::string> meaning(const MeshHomology& found, std::size_t degree) 
   if (betti > 0) {
     lines.push_back(
         counted(betti, "tunnel: a loop that nothing fills in", "tunnels: independent loops that nothing fills in"));
-    if (const std::string origin = origin_of_tunnels(found.validity); !origin.empty()) lines.push_back(origin);
+    if (const std::string origin = origin_of_tunnels(found.validity); !origin.empty()) {
+      lines.push_back(origin);
+    }
   } else {
     lines.emplace_back(has_torsion ? "no tunnels" : "no tunnels: every loop is filled in");
   }
-  if (has_torsion) lines.emplace_back("torsion: loops that are filled in only when they are run several times");
+  if (has_torsion) {
+    lines.emplace_back("torsion: loops that are filled in only when they are run several times");
+  }
   return lines;
 }
 
@@ -189,7 +207,9 @@ void print_groups(std::ostream& out, const MeshHomology& found) {
   const sparse::AnyRing& ring = found.ring;
   const std::vector<std::string> groups = replay::group_names(found.homology, ring);
   std::size_t width = 0;
-  for (const std::string& group : groups) width = std::max(width, group.size());
+  for (const std::string& group : groups) {
+    width = std::max(width, group.size());
+  }
   out << "\nhomology over " << sparse::ring_name(ring) << '\n';
   for (std::size_t degree = 0; degree < groups.size(); ++degree) {
     std::string head = fmt::format("  H{} = {:<{}}  ", degree, groups[degree], width);
@@ -262,24 +282,32 @@ void print_notes(std::ostream& out, const MeshHomology& found, const MeshReportO
 
 void write_text(std::ostream& out, const MeshHomology& found, const MeshReportOptions& options) {
   out << options.source << '\n' << to_text(found.validity);
-  for (const std::string& remark : found.remarks) out << "remark                " << remark << '\n';
+  for (const std::string& remark : found.remarks) {
+    out << "remark                " << remark << '\n';
+  }
   print_groups(out, found);
   const std::size_t limit = options.generators_limit.value_or(generators_shown_by_default);
   const std::array<const char*, 3> titles{"one vertex per piece", "loops that together generate it", "closed surfaces"};
   for (int degree = 0; degree < 3; ++degree) {
     std::size_t number = 0;
     for (const MeshGenerator& generator : found.generators) {
-      if (generator.degree != degree) continue;
+      if (generator.degree != degree) {
+        continue;
+      }
       if (number == 0 && limit > 0) {
         out << fmt::format("\ngenerators of H{}: {}\n", degree, titles[static_cast<std::size_t>(degree)]);
       }
-      if (number++ < limit) print_generator(out, generator, number, found.engine->structure());
+      if (number++ < limit) {
+        print_generator(out, generator, number, found.engine->structure());
+      }
     }
     if (limit > 0 && number > limit) {
       out << fmt::format("        and {} more; --generators-limit {} shows all\n", number - limit, number);
     }
   }
-  if (limit > 0) print_notes(out, found, options);
+  if (limit > 0) {
+    print_notes(out, found, options);
+  }
   out << fmt::format("{:.2f} s\n", options.seconds);
 }
 

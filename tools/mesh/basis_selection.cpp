@@ -25,7 +25,9 @@ bool is_primitive(const R& ring, const Terms<R>& vector) {
     sparse::Integer divisor;
     for (const auto& term : vector) {
       divisor = sparse::gcd(divisor, term.coefficient);
-      if (ring.is_unit(divisor)) return true;
+      if (ring.is_unit(divisor)) {
+        return true;
+      }
     }
     return false;
   }
@@ -35,7 +37,9 @@ bool is_primitive(const R& ring, const Terms<R>& vector) {
 
 template <sparse::Ring R>
 BasisSelection<R>::BasisSelection(R ring, Index rank) : ring_{ring}, missing_{rank}, is_coordinate_(rank, true) {
-  for (Index i = 0; i < rank; ++i) images_.push_back({{i, ring_.one()}});
+  for (Index i = 0; i < rank; ++i) {
+    images_.push_back({{i, ring_.one()}});
+  }
   lifts_ = images_;
 }
 
@@ -43,7 +47,9 @@ template <sparse::Ring R>
 typename BasisSelection<R>::Vector BasisSelection<R>::image(const Vector& vector) const {
   Vector sum;
   for (const auto& [index, factor] : vector) {
-    for (const auto& [coordinate, entry] : images_[index]) sum.push_back({coordinate, ring_.multiply(factor, entry)});
+    for (const auto& [coordinate, entry] : images_[index]) {
+      sum.push_back({coordinate, ring_.multiply(factor, entry)});
+    }
   }
   sparse::normalize(ring_, sum);
   return sum;
@@ -52,7 +58,9 @@ typename BasisSelection<R>::Vector BasisSelection<R>::image(const Vector& vector
 template <sparse::Ring R>
 bool BasisSelection<R>::take(const Vector& vector) {
   Vector taken = image(vector);
-  if (!is_primitive(ring_, taken)) return false;
+  if (!is_primitive(ring_, taken)) {
+    return false;
+  }
   make_unit(taken);
   const auto pivot = std::find_if(taken.begin(), taken.end(),
                                   [this](const sparse::Term<R>& term) { return ring_.is_unit(term.coefficient); });
@@ -60,7 +68,9 @@ bool BasisSelection<R>::take(const Vector& vector) {
   const auto inverse = ring_.inverse(pivot->coefficient);
   for (Vector& column : images_) {
     const auto entry = entry_at<R>(column, gone);
-    if (entry == column.end()) continue;
+    if (entry == column.end()) {
+      continue;
+    }
     const auto factor = ring_.negate(ring_.multiply(entry->coefficient, inverse));
     sparse::add_multiple<R>(ring_, column, factor, taken);
   }
@@ -81,9 +91,13 @@ void BasisSelection<R>::make_unit(Vector& image) {
       const Index by = least->index;
       std::vector<Index> others;
       for (const auto& term : image) {
-        if (term.index != by) others.push_back(term.index);
+        if (term.index != by) {
+          others.push_back(term.index);
+        }
       }
-      for (const Index reduced : others) change_basis(image, reduced, by);
+      for (const Index reduced : others) {
+        change_basis(image, reduced, by);
+      }
     }
   }
 }
@@ -95,11 +109,15 @@ void BasisSelection<R>::change_basis(Vector& image, Index reduced, Index by) {
   const auto q = ring_.quotient(entry_at<R>(image, reduced)->coefficient, entry_at<R>(image, by)->coefficient);
   const auto reduce = [&](Vector& column) {
     const auto entry = entry_at<R>(column, by);
-    if (entry == column.end()) return;
+    if (entry == column.end()) {
+      return;
+    }
     const Vector change{{reduced, ring_.negate(ring_.multiply(q, entry->coefficient))}};
     sparse::add_multiple<R>(ring_, column, ring_.one(), change);
   };
-  for (Vector& column : images_) reduce(column);
+  for (Vector& column : images_) {
+    reduce(column);
+  }
   reduce(image);
   sparse::add_multiple<R>(ring_, lifts_[by], q, lifts_[reduced]);
 }
@@ -108,7 +126,9 @@ template <sparse::Ring R>
 std::vector<typename BasisSelection<R>::Vector> BasisSelection<R>::completion() const {
   std::vector<Vector> rest;
   for (Index i = 0; i < is_coordinate_.size(); ++i) {
-    if (is_coordinate_[i]) rest.push_back(lifts_[i]);
+    if (is_coordinate_[i]) {
+      rest.push_back(lifts_[i]);
+    }
   }
   return rest;
 }

@@ -21,7 +21,9 @@ struct Fingerprint {
 struct FingerprintHash {
   std::size_t operator()(const Fingerprint& f) const {
     std::uint64_t hash = 0;
-    for (const std::uint32_t lane : f.lanes) hash = hash * 0x9e3779b97f4a7c15U + lane;
+    for (const std::uint32_t lane : f.lanes) {
+      hash = hash * 0x9e3779b97f4a7c15U + lane;
+    }
     return static_cast<std::size_t>(hash ^ (hash >> 32U));
   }
 };
@@ -56,7 +58,9 @@ class Fingerprinter {
         value ^= by.lanes[lane];
       } else {
         value += by.lanes[lane];  // below 2^32: both are below 2^31
-        if (value >= modulus_) value -= modulus_;
+        if (value >= modulus_) {
+          value -= modulus_;
+        }
       }
     }
   }

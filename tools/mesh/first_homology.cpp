@@ -29,7 +29,9 @@ sparse::Matrix<Integers> small_boundary(engine::Engine& engine, Index rows, std:
       column.push_back({x, coefficient.numerator()});
     }
     sparse::normalize(Integers{}, column);
-    if (!column.empty()) boundary.append_column(column);
+    if (!column.empty()) {
+      boundary.append_column(column);
+    }
   }
   return boundary;
 }
@@ -41,16 +43,22 @@ Coordinates by_smith_form(const sparse::Matrix<Integers>& boundary, FirstHomolog
   std::vector<std::optional<Index>> coordinate(generators);  // of a row of the diagonal, within its kind
   for (Index row = 0; row < generators; ++row) {
     const bool is_free = row >= smith.factors.size();
-    if (!is_free && smith.factors[row].is_unit()) continue;
+    if (!is_free && smith.factors[row].is_unit()) {
+      continue;
+    }
     auto& cycles = is_free ? h.free_cycles : h.torsion_cycles;
     coordinate[row] = static_cast<Index>(cycles.size());
     cycles.push_back(small_chain(smith.left_inverse.column(row)));
-    if (!is_free) h.orders.push_back(smith.factors[row]);
+    if (!is_free) {
+      h.orders.push_back(smith.factors[row]);
+    }
   }
   Coordinates coordinates{std::vector<Terms<Integers>>(generators), std::vector<Terms<Integers>>(generators)};
   for (Index x = 0; x < generators; ++x) {
     smith.left.for_each_in_column(x, [&](const sparse::Term<Integers>& term) {
-      if (!coordinate[term.index]) return;
+      if (!coordinate[term.index]) {
+        return;
+      }
       auto& kind = term.index >= smith.factors.size() ? coordinates.free : coordinates.torsion;
       kind[x].push_back({*coordinate[term.index], term.coefficient});
     });
@@ -61,7 +69,9 @@ Coordinates by_smith_form(const sparse::Matrix<Integers>& boundary, FirstHomolog
 /// Every generator of S_1 is a cycle: the boundary of an edge has unit coefficients, so nothing of it is left in dS.
 Coordinates coordinates_of_small(engine::Engine& engine, FirstHomology& h) {
   const engine::Homology homology = engine.homology();
-  if (homology.small.size() < 2) return {};
+  if (homology.small.size() < 2) {
+    return {};
+  }
   const Index generators = homology.small[1];
   if (generators != static_cast<Index>(homology.betti[1])) {
     return by_smith_form(small_boundary(engine, generators, homology.small.at(2)), h);
@@ -96,7 +106,9 @@ FirstHomology first_homology(engine::Engine& engine, const std::vector<ops::Cell
 
 SmallChain small_chain(const Terms<Integers>& terms) {
   SmallChain chain{1, {}};
-  for (const auto& [index, coefficient] : terms) chain.terms.push_back({coefficient, index});
+  for (const auto& [index, coefficient] : terms) {
+    chain.terms.push_back({coefficient, index});
+  }
   return chain;
 }
 

@@ -12,7 +12,9 @@ Parts connected_parts(std::size_t nodes, const std::vector<Edge>& links) {
   std::vector<std::uint32_t> parent(nodes);
   std::iota(parent.begin(), parent.end(), 0U);
   boost::disjoint_sets<std::uint32_t*, std::uint32_t*> sets{rank.data(), parent.data()};
-  for (const auto& [a, b] : links) sets.union_set(a, b);
+  for (const auto& [a, b] : links) {
+    sets.union_set(a, b);
+  }
 
   constexpr auto unnumbered = static_cast<std::uint32_t>(-1);
   Parts parts;
@@ -20,7 +22,9 @@ Parts connected_parts(std::size_t nodes, const std::vector<Edge>& links) {
   parts.of.reserve(nodes);
   for (std::uint32_t node = 0; node < nodes; ++node) {
     auto& number = number_of[sets.find_set(node)];
-    if (number == unnumbered) number = static_cast<std::uint32_t>(parts.count++);
+    if (number == unnumbered) {
+      number = static_cast<std::uint32_t>(parts.count++);
+    }
     parts.of.push_back(number);
   }
   return parts;

@@ -12,7 +12,9 @@ double Measure::to_double() const { return std::ldexp(value, exponent); }
 
 std::string to_text(const Measure& measure) {
   const double number = measure.to_double();
-  if (measure.value == 0 || std::isnormal(number)) return fmt::format("{:.6g}", number);
+  if (measure.value == 0 || std::isnormal(number)) {
+    return fmt::format("{:.6g}", number);
+  }
   const double decimal =
       std::log10(std::abs(measure.value)) + measure.exponent * (std::numbers::ln2 / std::numbers::ln10);
   const double power = std::floor(decimal);
@@ -27,7 +29,9 @@ std::string to_text(const Measure& measure) {
 int binary_exponent(std::span<const Point> points) {
   double largest = 0;
   for (const Point& point : points) {
-    for (const double x : point) largest = std::max(largest, std::abs(x));
+    for (const double x : point) {
+      largest = std::max(largest, std::abs(x));
+    }
   }
   int exponent = 0;
   std::frexp(largest, &exponent);

@@ -23,7 +23,9 @@ bool has_obj_vertex(std::string_view bytes) {
   LineReader lines{bytes, {}};
   while (lines.next_with_words()) {
     auto rest = lines.line();
-    if (next_word(rest) == "v") return true;
+    if (next_word(rest) == "v") {
+      return true;
+    }
   }
   return false;
 }
@@ -32,8 +34,12 @@ bool has_obj_vertex(std::string_view bytes) {
 bool has_zero(std::string_view bytes) { return bytes.find('\0') != std::string_view::npos; }
 
 Format format_of_content(std::string_view bytes) {
-  if (bytes.starts_with("ply")) return Format::ply;
-  if (has_off_head(bytes)) return Format::off;
+  if (bytes.starts_with("ply")) {
+    return Format::ply;
+  }
+  if (has_off_head(bytes)) {
+    return Format::off;
+  }
   if (bytes.size() == binary_stl_size(bytes) ||
       lower_case(bytes.substr(bytes.find_first_not_of(" \t\r\n"), 5)) == "solid") {
     return Format::stl;
@@ -91,7 +97,9 @@ Status check_readable(std::string_view bytes, std::string_view name) {
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {
     return Error{Errc::bad_input, fmt::format("{}:1: the text is UTF-16, save it as UTF-8", name)};
   }
-  if (bytes.size() >= size_limit) return too_large(name);
+  if (bytes.size() >= size_limit) {
+    return too_large(name);
+  }
   return Done{};
 }
 
@@ -99,14 +107,26 @@ Status check_readable(std::string_view bytes, std::string_view name) {
 
 Format format_of_extension(std::string_view name) {
   constexpr std::string_view packed = ".gz";
-  if (name.ends_with(packed)) name.remove_suffix(packed.size());
+  if (name.ends_with(packed)) {
+    name.remove_suffix(packed.size());
+  }
   const auto dot = name.find_last_of("./\\");
-  if (dot == std::string_view::npos || name[dot] != '.') return Format::automatic;
+  if (dot == std::string_view::npos || name[dot] != '.') {
+    return Format::automatic;
+  }
   const std::string extension = lower_case(name.substr(dot + 1));
-  if (extension == "off") return Format::off;
-  if (extension == "obj") return Format::obj;
-  if (extension == "ply") return Format::ply;
-  if (extension == "stl") return Format::stl;
+  if (extension == "off") {
+    return Format::off;
+  }
+  if (extension == "obj") {
+    return Format::obj;
+  }
+  if (extension == "ply") {
+    return Format::ply;
+  }
+  if (extension == "stl") {
+    return Format::stl;
+  }
   return Format::automatic;
 }
 
@@ -114,26 +134,46 @@ Result<Mesh> parse_mesh(std::string_view bytes, std::string_view name, const Rea
   if (options.weld && !(std::isfinite(*options.weld) && *options.weld >= 0)) {
     return Error{Errc::bad_input, fmt::format("the welding tolerance {} is not a finite number >= 0", *options.weld)};
   }
-  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
-  if (auto readable = check_readable(bytes, name); !readable) return readable.error();
+  if (bytes.starts_with("\xef\xbb\xbf")) {
+    bytes.remove_prefix(3);
+  }
+  if (auto readable = check_readable(bytes, name); !readable) {
+    return readable.error();
+  }
   auto format = options.format;
-  if (format == Format::automatic) format = format_of_extension(name);
-  if (format == Format::automatic) format = format_of_content(bytes);
+  if (format == Format::automatic) {
+    format = format_of_extension(name);
+  }
+  if (format == Format::automatic) {
+    format = format_of_content(bytes);
+  }
   auto mesh = read_as(format, bytes, name);
-  if (mesh && (options.weld || format == Format::stl)) weld(*mesh, options.weld.value_or(0));
+  if (mesh && (options.weld || format == Format::stl)) {
+    weld(*mesh, options.weld.value_or(0));
+  }
   return mesh;
 }
 
 Result<Mesh> read_mesh(const std::string& path, const ReadOptions& options) {
   Result<replay::ByteSource> source = replay::ByteSource::open(path);
-  if (!source) return source.error();
+  if (!source) {
+    return source.error();
+  }
   bool is_first = true;
   while (true) {
     const Result<bool> got = source->more();
-    if (!got) return got.error();
-    if (!*got) return parse_mesh(source->window(), source->name(), options);
-    if (source->window().size() >= size_limit) return too_large(source->name());
-    if (!std::exchange(is_first, false)) continue;
+    if (!got) {
+      return got.error();
+    }
+    if (!*got) {
+      return parse_mesh(source->window(), source->name(), options);
+    }
+    if (source->window().size() >= size_limit) {
+      return too_large(source->name());
+    }
+    if (!std::exchange(is_first, false)) {
+      continue;
+    }
     if (const Status mesh = check_beginning(source->window(), source->name(), options.format); !mesh) {
       return mesh.error();
     }

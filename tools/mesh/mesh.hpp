@@ -41,7 +41,9 @@ class Faces {
   }
   /// Replaces every point number p by to[p].
   void renumber(std::span<const std::uint32_t> to) {
-    for (auto& corner : corners_) corner = to[corner];
+    for (auto& corner : corners_) {
+      corner = to[corner];
+    }
   }
 
  private:

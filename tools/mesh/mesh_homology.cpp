@@ -39,7 +39,9 @@ struct Normalised {
 /// What is left out depends on the numbers of points alone, so they can carry their numbers through as coordinates.
 Normalised normalised(const Mesh& raw) {
   Mesh mesh = raw;
-  for (std::size_t p = 0; p < raw.points.size(); ++p) mesh.points[p] = {static_cast<double>(p), 0, 0};
+  for (std::size_t p = 0; p < raw.points.size(); ++p) {
+    mesh.points[p] = {static_cast<double>(p), 0, 0};
+  }
   normalise(mesh);
   std::vector<std::uint32_t> point_in_file;
   for (Point& point : mesh.points) {
@@ -54,17 +56,23 @@ bool is_rational(const sparse::AnyRing& ring) { return std::holds_alternative<sp
 /// Builds the complex by the step that `sesame import` writes, so that cells have the same names here and there.
 Result<std::unique_ptr<engine::Engine>> build(const Mesh& triangulated, const MeshHomologyOptions& options) {
   auto complex = make_complex(triangulated, {options.source, "Z", Polygons::fan, BuildOrder::breadth_first, false});
-  if (!complex) return complex.error();
+  if (!complex) {
+    return complex.error();
+  }
   auto engine =
       std::make_unique<engine::Engine>(is_rational(options.ring) ? sparse::AnyRing{Integers{}} : options.ring);
-  if (const auto report = engine->apply(std::move(*complex)); !report) return report.error();
+  if (const auto report = engine->apply(std::move(*complex)); !report) {
+    return report.error();
+  }
   return engine;
 }
 
 /// The points, scaled to within 1 of the origin, so that no distance between them is too large for a double.
 std::vector<Point> within_one(std::vector<Point> points) {
   const int exponent = binary_exponent(points);
-  for (Point& point : points) point = scaled(point, -exponent);
+  for (Point& point : points) {
+    point = scaled(point, -exponent);
+  }
   return points;
 }
 
@@ -87,14 +95,22 @@ class Generators {
         engine_{*result.engine},
         edges_{incidence_of(polygons.mesh).edges},
         graph_{within_one(polygons.mesh.points), edges_} {
-    for (std::uint32_t v = 0; v < triangles_.points.size(); ++v) vertex_of_cell_[cell("v{}", v)] = v;
-    for (const auto& [low, high] : edges_) cell_of_edge_.push_back(cell("e{}-{}", low, high));
+    for (std::uint32_t v = 0; v < triangles_.points.size(); ++v) {
+      vertex_of_cell_[cell("v{}", v)] = v;
+    }
+    for (const auto& [low, high] : edges_) {
+      cell_of_edge_.push_back(cell("e{}-{}", low, high));
+    }
   }
 
   void find() {
     find_components();
-    if (!edges_.empty()) find_loops();
-    for (const auto& generator : engine_.generators(2)) add_surface(generator);
+    if (!edges_.empty()) {
+      find_loops();
+    }
+    for (const auto& generator : engine_.generators(2)) {
+      add_surface(generator);
+    }
   }
 
  private:
@@ -120,7 +136,9 @@ class Generators {
       extend(component.box, points[v]);
     }
     for (MeshGenerator& component : components) {
-      for (std::size_t i = 0; i < 3; ++i) component.centre[i] = std::midpoint(component.box[0][i], component.box[1][i]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        component.centre[i] = std::midpoint(component.box[0][i], component.box[1][i]);
+      }
       result_.generators.push_back(std::move(component));
     }
   }
@@ -128,9 +146,13 @@ class Generators {
   // ---- H_1
   void find_loops() {
     const FirstHomology h = first_homology(engine_, cell_of_edge_);
-    if (!is_rational(ring_)) find_torsion_loops(h);
+    if (!is_rational(ring_)) {
+      find_torsion_loops(h);
+    }
     const LoopBasis free_loops = short_loops(graph_, {ring_, &h.free});
-    for (const Loop& loop : free_loops.loops) result_.generators.push_back(from_loop(loop, 0));
+    for (const Loop& loop : free_loops.loops) {
+      result_.generators.push_back(from_loop(loop, 0));
+    }
     for (const auto& rest : free_loops.completion)
       result_.generators.push_back(from_engine(sum(rest, h.free_cycles), 0));
     result_.loops_tried += free_loops.tried;
@@ -142,21 +164,29 @@ class Generators {
     const auto prime = common_prime(h.orders);
     if (prime) {
       torsion_loops = short_loops(graph_, {*prime, &h.torsion, &h.free});
-      for (const Loop& loop : torsion_loops.loops) finite.push_back(from_loop(loop, h.orders[0]));
+      for (const Loop& loop : torsion_loops.loops) {
+        finite.push_back(from_loop(loop, h.orders[0]));
+      }
       for (const auto& rest : torsion_loops.completion) {
         finite.push_back(from_engine(sum(rest, h.torsion_cycles), h.orders[0]));
       }
     } else {
-      for (std::size_t k = 0; k < h.orders.size(); ++k) finite.push_back(from_engine(h.torsion_cycles[k], h.orders[k]));
+      for (std::size_t k = 0; k < h.orders.size(); ++k) {
+        finite.push_back(from_engine(h.torsion_cycles[k], h.orders[k]));
+      }
     }
-    for (MeshGenerator& generator : finite) generator.bounding = bounding(generator);
+    for (MeshGenerator& generator : finite) {
+      generator.bounding = bounding(generator);
+    }
     result_.loops_tried += torsion_loops.tried;
     std::move(finite.begin(), finite.end(), std::back_inserter(result_.generators));
   }
 
   /// Z/p when all orders are one prime p: then bases of the torsion are bases over Z/p.
   [[nodiscard]] static std::optional<sparse::AnyRing> common_prime(const std::vector<Integer>& orders) {
-    if (orders.empty() || orders.front() != orders.back()) return std::nullopt;
+    if (orders.empty() || orders.front() != orders.back()) {
+      return std::nullopt;
+    }
     const auto field = sparse::parse_ring("Z/" + orders.front().to_string());
     return field ? std::optional{*field} : std::nullopt;
   }
@@ -164,7 +194,9 @@ class Generators {
   [[nodiscard]] static SmallChain sum(const Terms<Integers>& factors, const std::vector<SmallChain>& cycles) {
     Terms<Integers> terms;
     for (const auto& [k, factor] : factors) {
-      for (const auto& [coefficient, x] : cycles[k].terms) terms.push_back({x, factor * coefficient.numerator()});
+      for (const auto& [coefficient, x] : cycles[k].terms) {
+        terms.push_back({x, factor * coefficient.numerator()});
+      }
     }
     sparse::normalize(Integers{}, terms);
     return small_chain(terms);
@@ -206,13 +238,17 @@ class Generators {
   [[nodiscard]] std::vector<std::uint32_t> simple_loop(const CellChain& chain) const {
     std::map<std::uint32_t, std::vector<std::uint32_t>> neighbours;
     for (const auto& [coefficient, edge] : chain.terms) {
-      if (coefficient != 1 && coefficient != minus_one()) return {};
+      if (coefficient != 1 && coefficient != minus_one()) {
+        return {};
+      }
       const auto [low, high] = ends(edge);
       neighbours[low].push_back(high);
       neighbours[high].push_back(low);
     }
     for (const auto& [point, others] : neighbours) {
-      if (others.size() != 2) return {};
+      if (others.size() != 2) {
+        return {};
+      }
     }
     const std::uint32_t first = neighbours.begin()->first;
     std::vector<std::uint32_t> loop{in_file(first)};
@@ -227,7 +263,9 @@ class Generators {
 
   [[nodiscard]] std::optional<CellChain> bounding(const MeshGenerator& generator) {
     CellChain multiple = generator.chain;
-    for (auto& term : multiple.terms) term.coefficient *= generator.order;
+    for (auto& term : multiple.terms) {
+      term.coefficient *= generator.order;
+    }
     auto answer = engine_.classify(multiple);
     sparse::expects(answer.is_zero, "a torsion generator times its order is a boundary");
     return std::move(answer.bounds);
@@ -236,7 +274,9 @@ class Generators {
   void measure_cycle(MeshGenerator& generator) const {
     start_box(generator.box);
     for (const auto& term : generator.chain.terms) {
-      for (const auto end : ends(term.cell)) extend(generator.box, triangles_.points[end]);
+      for (const auto end : ends(term.cell)) {
+        extend(generator.box, triangles_.points[end]);
+      }
     }
     const int exponent = binary_exponent(generator.box);
     double length = 0;
@@ -247,7 +287,9 @@ class Generators {
       const Point q = scaled(triangles_.points[b], -exponent);
       const double weight = times(coefficient) * std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
       length += weight;
-      for (std::size_t i = 0; i < 3; ++i) moment[i] += weight * std::midpoint(p[i], q[i]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        moment[i] += weight * std::midpoint(p[i], q[i]);
+      }
     }
     generator.length = {length, exponent};
     place_centre(generator, moment, length, exponent);
@@ -271,11 +313,17 @@ class Generators {
     start_box(generator.box);
     const Integer sign = orientation(found.cycle);
     for (auto& [coefficient, triangle] : generator.chain.terms) {
-      if (sign != 1) coefficient = coefficient * sign;
-      for (const auto corner : corners_of(triangle)) extend(generator.box, triangles_.points[corner]);
+      if (sign != 1) {
+        coefficient = coefficient * sign;
+      }
+      for (const auto corner : corners_of(triangle)) {
+        extend(generator.box, triangles_.points[corner]);
+      }
     }
     measure_surface(generator);
-    if (has_signs()) generator.volume = volume(generator);
+    if (has_signs()) {
+      generator.volume = volume(generator);
+    }
     result_.generators.push_back(std::move(generator));
   }
 
@@ -288,7 +336,9 @@ class Generators {
       const auto t = triangle_of_cell(term.cell);
       Point& sum = normal_of_face[face_of_triangle_[t]];
       const Point normal = normal_of(t, generator.box[0], exponent);
-      for (std::size_t i = 0; i < 3; ++i) sum[i] += normal[i];
+      for (std::size_t i = 0; i < 3; ++i) {
+        sum[i] += normal[i];
+      }
     }
     double area = 0;
     Point moment{};
@@ -298,11 +348,15 @@ class Generators {
       const double weight = times(term.coefficient) * part(normal, normal_of_face.at(face_of_triangle_[t])) / 2;
       area += weight;
       for (const Point& corner : corners_from(generator.box[0], triangles_.faces[t], exponent)) {
-        for (std::size_t i = 0; i < 3; ++i) moment[i] += weight * corner[i] / 3;
+        for (std::size_t i = 0; i < 3; ++i) {
+          moment[i] += weight * corner[i] / 3;
+        }
       }
     }
     const Point origin = scaled(generator.box[0], -exponent);
-    for (std::size_t i = 0; i < 3; ++i) moment[i] += area * origin[i];
+    for (std::size_t i = 0; i < 3; ++i) {
+      moment[i] += area * origin[i];
+    }
     generator.area = {area, 2 * exponent};
     place_centre(generator, moment, area, exponent);
   }
@@ -333,7 +387,9 @@ class Generators {
 
   /// 1 when the chain runs through its lowest triangle as the file does, else -1; 1 over Z/p.
   [[nodiscard]] Integer orientation(const CellChain& chain) {
-    if (!has_signs()) return 1;
+    if (!has_signs()) {
+      return 1;
+    }
     const CellChain::Term* lowest = nullptr;
     std::uint32_t triangle = 0;
     for (const auto& term : chain.terms) {
@@ -360,7 +416,9 @@ class Generators {
   }
   [[nodiscard]] std::uint32_t triangle_of_cell(CellId cell_of_triangle) {
     if (triangle_of_cell_.empty()) {
-      for (std::uint32_t t = 0; t < triangles_.faces.size(); ++t) triangle_of_cell_.emplace(cell("f{}", t), t);
+      for (std::uint32_t t = 0; t < triangles_.faces.size(); ++t) {
+        triangle_of_cell_.emplace(cell("f{}", t), t);
+      }
     }
     return triangle_of_cell_.at(cell_of_triangle);
   }
@@ -375,7 +433,9 @@ class Generators {
   }
   [[nodiscard]] std::uint32_t in_file(std::uint32_t point) const {
     const auto& known = polygons_.point_in_file;
-    if (point < known.size()) return known[point];
+    if (point < known.size()) {
+      return known[point];
+    }
     return static_cast<std::uint32_t>(result_.validity.points_in_file + (point - known.size()));
   }
 
@@ -428,14 +488,20 @@ Result<MeshHomology> mesh_homology(const Mesh& mesh, const MeshHomologyOptions& 
   triangles.face_of_triangle = triangulate(triangles.mesh, Polygons::fan);
   result.remarks = triangles.mesh.remarks;
   auto engine = build(triangles.mesh, options);
-  if (!engine) return engine.error();
+  if (!engine) {
+    return engine.error();
+  }
   result.engine = std::move(*engine);
   result.ring = options.ring;
   result.homology = result.engine->homology();
   if (is_rational(options.ring)) {
-    for (auto& factors : result.homology.torsion) factors.clear();
+    for (auto& factors : result.homology.torsion) {
+      factors.clear();
+    }
   }
-  if (options.generators) Generators{polygons, triangles, options, result}.find();
+  if (options.generators) {
+    Generators{polygons, triangles, options, result}.find();
+  }
   return result;
 }
 

@@ -21,13 +21,17 @@ struct Tally {
   std::size_t first = 0;
 
   void add(std::size_t which) {
-    if (count++ == 0) first = which;
+    if (count++ == 0) {
+      first = which;
+    }
   }
 };
 
 /// `kind` stands before the noun, as in "left out 2 duplicate faces"; it may be empty.
 void remark(Mesh& mesh, const Tally& tally, std::string_view verb, std::string_view kind, std::string_view reason) {
-  if (tally.count == 0) return;
+  if (tally.count == 0) {
+    return;
+  }
   mesh.remarks.push_back(fmt::format("{} {} {}{} ({}), the first is face {}, counted from 0", verb, tally.count, kind,
                                      tally.count == 1 ? "face" : "faces", reason, tally.first));
 }
@@ -36,9 +40,13 @@ void remark(Mesh& mesh, const Tally& tally, std::string_view verb, std::string_v
 void without_repeats_in_a_row(std::span<const std::uint32_t> face, Corners& corners) {
   corners.clear();
   for (const auto corner : face) {
-    if (corners.empty() || corners.back() != corner) corners.push_back(corner);
+    if (corners.empty() || corners.back() != corner) {
+      corners.push_back(corner);
+    }
   }
-  while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
+  while (corners.size() > 1 && corners.back() == corners.front()) {
+    corners.pop_back();
+  }
 }
 
 /// Whether nothing is left of the walk along the boundary once every step that the next one takes back is dropped.
@@ -72,8 +80,12 @@ void mend_faces(Mesh& mesh, Cleaning& cleaning, std::vector<std::uint32_t>& orig
     } else if (corners.size() < 3) {
       degenerate.add(f);
     } else {
-      if (corners.size() < face.size()) shortened.add(f);
-      if (folds_up(corners, scratch)) folded.add(f);
+      if (corners.size() < face.size()) {
+        shortened.add(f);
+      }
+      if (folds_up(corners, scratch)) {
+        folded.add(f);
+      }
       kept.push_face(corners);
       origin.push_back(static_cast<std::uint32_t>(f));
     }
@@ -104,7 +116,9 @@ std::size_t least_rotation(std::span<const std::uint32_t> word) {
       continue;
     }
     (at_a > at_b ? a : b) += same + 1;
-    if (a == b) ++b;
+    if (a == b) {
+      ++b;
+    }
     same = 0;
   }
   return std::min(a, b);
@@ -132,7 +146,9 @@ void drop_duplicates(Mesh& mesh, Cleaning& cleaning, const std::vector<std::uint
     return std::span{cycles}.subspan(mesh.faces.start(f), mesh.faces.start(f + 1) - mesh.faces.start(f));
   };
   Corners scratch;
-  for (std::size_t f = 0; f < count; ++f) to_canonical_cycle(cycle(f), scratch);
+  for (std::size_t f = 0; f < count; ++f) {
+    to_canonical_cycle(cycle(f), scratch);
+  }
 
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0U);
@@ -144,7 +160,9 @@ void drop_duplicates(Mesh& mesh, Cleaning& cleaning, const std::vector<std::uint
     return std::is_neq(sign) ? std::is_lt(sign) : a < b;
   });
   std::vector<bool> doubled(count, false);
-  for (std::size_t i = 1; i < count; ++i) doubled[order[i]] = std::is_eq(compare(order[i - 1], order[i]));
+  for (std::size_t i = 1; i < count; ++i) {
+    doubled[order[i]] = std::is_eq(compare(order[i - 1], order[i]));
+  }
 
   Tally duplicates;
   Faces kept;
@@ -155,7 +173,9 @@ void drop_duplicates(Mesh& mesh, Cleaning& cleaning, const std::vector<std::uint
       kept.push_face(mesh.faces[f]);
     }
   }
-  if (duplicates.count == 0) return;
+  if (duplicates.count == 0) {
+    return;
+  }
   mesh.faces = std::move(kept);
   cleaning.duplicate_faces = duplicates.count;
   remark(mesh, duplicates, "left out", "duplicate ", "an earlier face has the same corners in the same order");
@@ -164,15 +184,21 @@ void drop_duplicates(Mesh& mesh, Cleaning& cleaning, const std::vector<std::uint
 Edge ordered(Edge edge) { return edge[0] < edge[1] ? edge : Edge{edge[1], edge[0]}; }
 
 void drop_lines(Mesh& mesh, Cleaning& cleaning) {
-  if (mesh.lines.empty()) return;
+  if (mesh.lines.empty()) {
+    return;
+  }
   std::vector<Edge> sides;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const auto face = mesh.faces[f];
-    for (std::size_t i = 0; i < face.size(); ++i) sides.push_back(ordered({face[i], face[(i + 1) % face.size()]}));
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      sides.push_back(ordered({face[i], face[(i + 1) % face.size()]}));
+    }
   }
   std::sort(sides.begin(), sides.end());
   std::vector<std::pair<Edge, std::size_t>> order;
-  for (std::size_t l = 0; l < mesh.lines.size(); ++l) order.emplace_back(ordered(mesh.lines[l]), l);
+  for (std::size_t l = 0; l < mesh.lines.size(); ++l) {
+    order.emplace_back(ordered(mesh.lines[l]), l);
+  }
   std::sort(order.begin(), order.end());
 
   std::vector<bool> redundant(order.size(), false);
@@ -183,21 +209,31 @@ void drop_lines(Mesh& mesh, Cleaning& cleaning) {
   }
   std::vector<Edge> kept;
   for (std::size_t l = 0; l < mesh.lines.size(); ++l) {
-    if (!redundant[l]) kept.push_back(mesh.lines[l]);
+    if (!redundant[l]) {
+      kept.push_back(mesh.lines[l]);
+    }
   }
   cleaning.redundant_lines = mesh.lines.size() - kept.size();
   mesh.lines = std::move(kept);
-  if (cleaning.redundant_lines == 0) return;
+  if (cleaning.redundant_lines == 0) {
+    return;
+  }
   mesh.remarks.push_back(fmt::format("left out {} (without length, listed before, or a side of a face)",
                                      counted(cleaning.redundant_lines, "line", "lines")));
 }
 
 void drop_points(Mesh& mesh, Cleaning& cleaning) {
-  if (mesh.faces.empty() && mesh.lines.empty()) return;
+  if (mesh.faces.empty() && mesh.lines.empty()) {
+    return;
+  }
   std::vector<bool> used(mesh.points.size(), false);
-  for (const auto corner : mesh.faces.corners()) used[corner] = true;
+  for (const auto corner : mesh.faces.corners()) {
+    used[corner] = true;
+  }
   for (const auto& line : mesh.lines) {
-    for (const auto point : line) used[point] = true;
+    for (const auto point : line) {
+      used[point] = true;
+    }
   }
   std::vector<std::uint32_t> to(mesh.points.size());
   std::size_t kept = 0;
@@ -211,10 +247,14 @@ void drop_points(Mesh& mesh, Cleaning& cleaning) {
     }
   }
   cleaning.unused_points = mesh.points.size() - kept;
-  if (cleaning.unused_points == 0) return;
+  if (cleaning.unused_points == 0) {
+    return;
+  }
   mesh.points.resize(kept);
   mesh.faces.renumber(to);
-  for (auto& line : mesh.lines) line = {to[line[0]], to[line[1]]};
+  for (auto& line : mesh.lines) {
+    line = {to[line[0]], to[line[1]]};
+  }
   mesh.remarks.push_back(fmt::format("left out {} on no face and no line, the first is point {}, counted from 0",
                                      counted(cleaning.unused_points, "point", "points"), first_unused));
 }

@@ -23,10 +23,16 @@ class ObjReader {
 
   Result<Mesh> read() {
     while (lines_.next()) {
-      if (auto done = read_statement(logical_line()); !done) return done.error();
+      if (auto done = read_statement(logical_line()); !done) {
+        return done.error();
+      }
     }
-    if (auto done = check_forward(); !done) return done.error();
-    if (mesh_.points.empty()) return lines_.error("there is no point, lines `v X Y Z` are expected in an OBJ file");
+    if (auto done = check_forward(); !done) {
+      return done.error();
+    }
+    if (mesh_.points.empty()) {
+      return lines_.error("there is no point, lines `v X Y Z` are expected in an OBJ file");
+    }
     if (unknown_ > 0) {
       mesh_.remarks.push_back(fmt::format("left out {} that this reader does not know, the first is {} on line {}",
                                           counted(unknown_, "statement", "statements"), first_unknown_,
@@ -41,12 +47,16 @@ class ObjReader {
   std::string_view logical_line() {
     statement_line_ = lines_.number();
     auto line = without_comment(lines_.line());
-    if (!line.ends_with('\\')) return line;
+    if (!line.ends_with('\\')) {
+      return line;
+    }
     joined_.clear();
     while (line.ends_with('\\')) {
       line.remove_suffix(1);
       joined_.append(line).push_back(' ');
-      if (!lines_.next()) return joined_;
+      if (!lines_.next()) {
+        return joined_;
+      }
       line = without_comment(lines_.line());
     }
     joined_.append(line);
@@ -55,11 +65,21 @@ class ObjReader {
 
   Status read_statement(std::string_view rest) {
     const auto keyword = next_word(rest);
-    if (keyword.empty()) return Done{};
-    if (keyword == "v") return read_point(rest);
-    if (keyword == "f") return read_face(rest);
-    if (keyword == "l") return read_polyline(rest);
-    if (std::find(skipped.begin(), skipped.end(), keyword) != skipped.end()) return Done{};
+    if (keyword.empty()) {
+      return Done{};
+    }
+    if (keyword == "v") {
+      return read_point(rest);
+    }
+    if (keyword == "f") {
+      return read_face(rest);
+    }
+    if (keyword == "l") {
+      return read_polyline(rest);
+    }
+    if (std::find(skipped.begin(), skipped.end(), keyword) != skipped.end()) {
+      return Done{};
+    }
     if (unknown_++ == 0) {
       first_unknown_ = shown(keyword);
       first_unknown_line_ = statement_line_;
@@ -71,7 +91,9 @@ class ObjReader {
     Point point{};
     for (double& x : point) {
       const auto word = next_word(rest);
-      if (!parse_coordinate(word, x)) return error(fmt::format("a point: {}", not_a_coordinate(word)));
+      if (!parse_coordinate(word, x)) {
+        return error(fmt::format("a point: {}", not_a_coordinate(word)));
+      }
     }
     mesh_.points.push_back(point);
     return Done{};
@@ -101,10 +123,14 @@ class ObjReader {
     std::size_t corners = 0;
     for (auto word = next_word(rest); !word.empty(); word = next_word(rest), ++corners) {
       std::uint32_t point = 0;
-      if (auto done = read_corner(word, point); !done) return done;
+      if (auto done = read_corner(word, point); !done) {
+        return done;
+      }
       mesh_.faces.push_corner(point);
     }
-    if (corners == 0) return error("a face without corners, `f` and at least three points are expected");
+    if (corners == 0) {
+      return error("a face without corners, `f` and at least three points are expected");
+    }
     mesh_.faces.close_face();
     return Done{};
   }
@@ -114,16 +140,24 @@ class ObjReader {
     std::uint32_t before = 0;
     for (auto word = next_word(rest); !word.empty(); word = next_word(rest), ++corners) {
       std::uint32_t point = 0;
-      if (auto done = read_corner(word, point); !done) return done;
-      if (corners > 0) mesh_.lines.push_back({before, point});
+      if (auto done = read_corner(word, point); !done) {
+        return done;
+      }
+      if (corners > 0) {
+        mesh_.lines.push_back({before, point});
+      }
       before = point;
     }
-    if (corners < 2) return error("a line with fewer than two points, `l` and at least two points are expected");
+    if (corners < 2) {
+      return error("a line with fewer than two points, `l` and at least two points are expected");
+    }
     return Done{};
   }
 
   Status check_forward() const {
-    if (furthest_ <= static_cast<std::int64_t>(mesh_.points.size())) return Done{};
+    if (furthest_ <= static_cast<std::int64_t>(mesh_.points.size())) {
+      return Done{};
+    }
     return lines_.error_at(furthest_line_,
                            fmt::format("point {} is named, but the file has only {}", furthest_, mesh_.points.size()));
   }

@@ -31,10 +31,14 @@ struct Head {
 /// there is none, or nothing when the word is not of this form.
 std::optional<std::string_view> parse_keyword(std::string_view word, Head& head) {
   const std::size_t end = word.find_last_not_of("0123456789") + 1;  // npos + 1 is 0
-  if (end < 3 || lower_case(word.substr(end - 3, 3)) != "off") return std::nullopt;
+  if (end < 3 || lower_case(word.substr(end - 3, 3)) != "off") {
+    return std::nullopt;
+  }
   std::string_view prefixes = word.substr(0, end - 3);
   const auto take = [&prefixes](std::string_view prefix, bool& is_there) {
-    if (is_there || lower_case(prefixes.substr(0, prefix.size())) != prefix) return false;
+    if (is_there || lower_case(prefixes.substr(0, prefix.size())) != prefix) {
+      return false;
+    }
     prefixes.remove_prefix(prefix.size());
     return is_there = true;
   };
@@ -42,7 +46,9 @@ std::optional<std::string_view> parse_keyword(std::string_view word, Head& head)
     bool& n = prefixes[0] == 'n' ? head.has_dimension : head.has_normals;
     const bool is_known =
         take("st", head.has_texture) || take("c", head.has_colours) || take("4", head.is_homogeneous) || take("n", n);
-    if (!is_known) return std::nullopt;
+    if (!is_known) {
+      return std::nullopt;
+    }
   }
   head.is_ambiguous = head.has_dimension && word[end - 1] == 'f';
   head.coordinates = head.is_homogeneous ? 4 : 3;
@@ -68,15 +74,27 @@ class HeadReader {
     } else {
       has_keyword_ = false;
     }
-    if (word == "BINARY") return words_.error("binary OFF is not read, save the mesh as ASCII OFF or binary PLY");
+    if (word == "BINARY") {
+      return words_.error("binary OFF is not read, save the mesh as ASCII OFF or binary PLY");
+    }
     if (head_.has_dimension) {
-      if (auto done = read_dimension(word); !done) return done.error();
+      if (auto done = read_dimension(word); !done) {
+        return done.error();
+      }
       word = words_.next();
     }
-    if (auto done = read_count(word, "points", head_.points); !done) return done.error();
-    if (auto done = read_count(words_.next(), "faces", head_.faces); !done) return done.error();
-    if (auto done = skip_count_of_edges(); !done) return done.error();
-    if (auto done = check_counts(); !done) return done.error();
+    if (auto done = read_count(word, "points", head_.points); !done) {
+      return done.error();
+    }
+    if (auto done = read_count(words_.next(), "faces", head_.faces); !done) {
+      return done.error();
+    }
+    if (auto done = skip_count_of_edges(); !done) {
+      return done.error();
+    }
+    if (auto done = check_counts(); !done) {
+      return done.error();
+    }
     return head_;
   }
 
@@ -95,8 +113,12 @@ class HeadReader {
 
   Status read_dimension(std::string_view word) {
     std::uint64_t dimension = 0;
-    if (auto done = read_count(word, "coordinates", dimension); !done) return done;
-    if (dimension == 0 || dimension > 1000) return words_.error("points of nOFF have 1 to 1000 coordinates");
+    if (auto done = read_count(word, "coordinates", dimension); !done) {
+      return done;
+    }
+    if (dimension == 0 || dimension > 1000) {
+      return words_.error("points of nOFF have 1 to 1000 coordinates");
+    }
     head_.coordinates = static_cast<std::size_t>(dimension) + (head_.is_homogeneous ? 1 : 0);
     return Done{};
   }
@@ -105,18 +127,24 @@ class HeadReader {
   Status skip_count_of_edges() {
     std::uint64_t edges = 0;
     auto word = words_.next_in_line();
-    if (!word.empty()) return read_count(word, "edges", edges);
+    if (!word.empty()) {
+      return read_count(word, "edges", edges);
+    }
     WordReader ahead = words_;
     word = ahead.next();
     const bool is_alone = ahead.next_in_line().empty();
-    if (head_.points > 0 && is_alone && read_count(word, "edges", edges)) words_ = ahead;
+    if (head_.points > 0 && is_alone && read_count(word, "edges", edges)) {
+      words_ = ahead;
+    }
     return Done{};
   }
 
   /// Claims that no file of this size can keep are refused here; those that come close, where the file ends.
   Status check_counts() const {
     const std::size_t room = words_.remaining();
-    if (head_.points <= room && head_.faces <= room) return Done{};
+    if (head_.points <= room && head_.faces <= room) {
+      return Done{};
+    }
     return words_.error(fmt::format("{} and {} are announced, but only {}", counted(head_.points, "point", "points"),
                                     counted(head_.faces, "face", "faces"),
                                     counted(room, "byte follows", "bytes follow")));
@@ -136,12 +164,18 @@ class BodyReader {
   BodyReader(const Head& head, const WordReader& words, Layout layout) : head_{head}, words_{words}, layout_{layout} {}
 
   Status read() {
-    if (auto done = read_points(); !done) return done;
+    if (auto done = read_points(); !done) {
+      return done;
+    }
     for (std::uint64_t f = 0; f < head_.faces; ++f) {
-      if (auto done = read_face(f); !done) return done;
+      if (auto done = read_face(f); !done) {
+        return done;
+      }
     }
     WordReader rest = words_;
-    if (!rest.next().empty()) line_left_out_ = rest.lines().number();
+    if (!rest.next().empty()) {
+      line_left_out_ = rest.lines().number();
+    }
     return Done{};
   }
 
@@ -175,7 +209,9 @@ class BodyReader {
     // A coordinate and the blank after it take two bytes.
     mesh_.points.reserve(std::min<std::size_t>(head_.points, words_.remaining() / (2 * head_.coordinates) + 1));
     for (std::uint64_t p = 0; p < head_.points; ++p) {
-      if (auto done = read_point(p); !done) return done;
+      if (auto done = read_point(p); !done) {
+        return done;
+      }
     }
     return Done{};
   }
@@ -185,23 +221,33 @@ class BodyReader {
     double last = 1;
     for (std::size_t i = 0; i < head_.coordinates; ++i) {
       const auto word = words_.next();
-      if (word.empty()) return ends_after(p);
+      if (word.empty()) {
+        return ends_after(p);
+      }
       if (!parse_coordinate(word, last)) {
         return words_.error(fmt::format("coordinate {} of point {}: {}", i, p, not_a_coordinate(word)));
       }
-      if (i < 3) point[i] = last;
+      if (i < 3) {
+        point[i] = last;
+      }
     }
     for (std::size_t i = 0; layout_ == Layout::free && i < head_.other_numbers; ++i) {
       const auto word = words_.next();
       double unused = 0;
-      if (word.empty()) return ends_after(p);
+      if (word.empty()) {
+        return ends_after(p);
+      }
       if (!parse_real(word, unused)) {
         return words_.error(fmt::format("{} in the place of number {} of the normal, colour or texture of point {}",
                                         shown(word), i, p));
       }
     }
-    if (layout_ == Layout::line_per_point) words_.skip_line();
-    if (head_.is_homogeneous && !head_.has_dimension) point = divided(point, last);
+    if (layout_ == Layout::line_per_point) {
+      words_.skip_line();
+    }
+    if (head_.is_homogeneous && !head_.has_dimension) {
+      point = divided(point, last);
+    }
     mesh_.points.push_back(point);
     return Done{};
   }
@@ -212,7 +258,9 @@ class BodyReader {
 
   Point divided(const Point& point, double by) {
     const Point result{point[0] / by, point[1] / by, point[2] / by};
-    if (by != 0 && std::all_of(result.begin(), result.end(), [](double x) { return std::isfinite(x); })) return result;
+    if (by != 0 && std::all_of(result.begin(), result.end(), [](double x) { return std::isfinite(x); })) {
+      return result;
+    }
     ++at_infinity_;
     return point;
   }
@@ -248,8 +296,12 @@ class BodyReader {
   void skip_colour(std::uint64_t f) {
     constexpr std::size_t most = 4;
     std::size_t numbers = 0;
-    while (numbers <= most && !words_.next_in_line().empty()) ++numbers;
-    if (numbers > most && overlong_++ == 0) first_overlong_ = f;
+    while (numbers <= most && !words_.next_in_line().empty()) {
+      ++numbers;
+    }
+    if (numbers > most && overlong_++ == 0) {
+      first_overlong_ = f;
+    }
     words_.skip_line();
   }
 
@@ -266,12 +318,20 @@ class BodyReader {
 /// How many words each of the next lines has, when they all have as many.
 std::optional<std::size_t> common_width(WordReader words, std::uint64_t lines) {
   std::size_t common = 0;
-  if (!words.next_in_line().empty()) return std::nullopt;
+  if (!words.next_in_line().empty()) {
+    return std::nullopt;
+  }
   for (std::uint64_t i = 0; i < lines; ++i) {
-    if (words.next().empty()) return std::nullopt;
+    if (words.next().empty()) {
+      return std::nullopt;
+    }
     std::size_t width = 1;
-    while (!words.next_in_line().empty()) ++width;
-    if (i > 0 && width != common) return std::nullopt;
+    while (!words.next_in_line().empty()) {
+      ++width;
+    }
+    if (i > 0 && width != common) {
+      return std::nullopt;
+    }
     common = width;
   }
   return common;
@@ -279,7 +339,9 @@ std::optional<std::size_t> common_width(WordReader words, std::uint64_t lines) {
 
 std::vector<std::string> remarks_of(const Head& head, bool has_keyword) {
   std::vector<std::string> remarks;
-  if (!has_keyword) remarks.emplace_back("the file does not begin with `OFF`; it was read as if it did");
+  if (!has_keyword) {
+    remarks.emplace_back("the file does not begin with `OFF`; it was read as if it did");
+  }
   if (head.is_homogeneous && !head.has_dimension) {
     remarks.emplace_back("points have a fourth, homogeneous coordinate, by which they were divided");
   } else if (head.coordinates != 3) {
@@ -294,10 +356,14 @@ std::vector<std::string> remarks_of(const Head& head, bool has_keyword) {
 Result<Mesh> read_body(const Head& head, const WordReader& words) {
   BodyReader free{head, words, Layout::free};
   const Status free_done = free.read();
-  if (free_done && !free.line_left_out()) return free.take();
+  if (free_done && !free.line_left_out()) {
+    return free.take();
+  }
   const auto width = common_width(words, head.points);
   if (!width || *width < head.coordinates || *width == head.numbers()) {
-    if (!free_done) return free_done.error();
+    if (!free_done) {
+      return free_done.error();
+    }
     return free.take();
   }
   BodyReader lines{head, words, Layout::line_per_point};
@@ -310,7 +376,9 @@ Result<Mesh> read_body(const Head& head, const WordReader& words) {
                     counted(*width, "number", "numbers"), head.numbers(), head.coordinates));
     return mesh;
   }
-  if (free_done) return free.take();
+  if (free_done) {
+    return free.take();
+  }
   return free.line() <= lines.line() ? lines_done.error() : free_done.error();
 }
 
@@ -320,9 +388,13 @@ Result<Mesh> read_off(std::string_view bytes, std::string_view name) {
   WordReader words{LineReader{bytes, name}, WordReader::Comments::hash};
   HeadReader reader{words};
   const auto head = reader.read();
-  if (!head) return head.error();
+  if (!head) {
+    return head.error();
+  }
   auto mesh = read_body(*head, words);
-  if (!mesh) return mesh;
+  if (!mesh) {
+    return mesh;
+  }
   const auto remarks = remarks_of(*head, reader.has_keyword());
   mesh->remarks.insert(mesh->remarks.begin(), remarks.begin(), remarks.end());
   return mesh;

@@ -47,7 +47,9 @@ std::size_t size_of(Type type) {
 std::optional<Type> type_of(std::string_view name) {
   const auto* const found =
       std::find_if(type_names.begin(), type_names.end(), [name](const TypeName& entry) { return entry.name == name; });
-  if (found == type_names.end()) return std::nullopt;
+  if (found == type_names.end()) {
+    return std::nullopt;
+  }
   return found->type;
 }
 
@@ -83,7 +85,9 @@ class HeaderReader {
   explicit HeaderReader(LineReader& lines) : lines_{lines} {}
 
   Result<Header> read() {
-    if (!lines_.next() || word_of_line() != "ply") return lines_.error("a PLY file begins with a line `ply`");
+    if (!lines_.next() || word_of_line() != "ply") {
+      return lines_.error("a PLY file begins with a line `ply`");
+    }
     bool has_format = false;
     while (lines_.next()) {
       const auto keyword = word_of_line();
@@ -105,7 +109,9 @@ class HeaderReader {
         return lines_.error(fmt::format(
             "{} in the header, `element`, `property`, `comment` or `end_header` is expected", shown(keyword)));
       }
-      if (!done) return done.error();
+      if (!done) {
+        return done.error();
+      }
     }
     return lines_.error("the file ends before `end_header`");
   }
@@ -148,7 +154,9 @@ class HeaderReader {
   }
 
   Status read_property() {
-    if (header_.elements.empty()) return lines_.error("a property before any `element`");
+    if (header_.elements.empty()) {
+      return lines_.error("a property before any `element`");
+    }
     Property property{};
     auto word = next_word(rest_);
     if (word == "list") {
@@ -188,7 +196,9 @@ class Values {
         at_{std::min(lines.offset(), text_.size())} {
     // Where lines end in \r alone, a \n after `end_header` is data.
     const bool lone_returns = text_.starts_with("ply\r") && !text_.starts_with("ply\r\n");
-    if (lone_returns && at_ >= 2 && text_.substr(at_ - 2, 2) == "\r\n") --at_;
+    if (lone_returns && at_ >= 2 && text_.substr(at_ - 2, 2) == "\r\n") {
+      --at_;
+    }
   }
 
   [[nodiscard]] bool is_ascii() const { return encoding_ == Encoding::ascii; }
@@ -202,11 +212,15 @@ class Values {
   }
   /// What follows the last value, as remarks name it; empty when nothing does.
   [[nodiscard]] std::string rest() {
-    if (!is_ascii()) return remaining() == 0 ? "" : counted(remaining(), "byte", "bytes");
+    if (!is_ascii()) {
+      return remaining() == 0 ? "" : counted(remaining(), "byte", "bytes");
+    }
     return words_.next().empty() ? "" : fmt::format("line {} and what follows", words_.lines().number());
   }
   [[nodiscard]] std::string problem() const {
-    if (!is_ascii() || word_.empty()) return "the file ends";
+    if (!is_ascii() || word_.empty()) {
+      return "the file ends";
+    }
     return fmt::format("{} is not a number", shown(word_));
   }
 
@@ -219,7 +233,9 @@ class Values {
   bool read_binary(Type type, double& value) {
     const std::size_t size = size_of(type);
     value_at_ = at_;
-    if (text_.size() - at_ < size) return false;
+    if (text_.size() - at_ < size) {
+      return false;
+    }
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < size; ++i) {
       const std::size_t place = encoding_ == Encoding::big_endian ? i : size - 1 - i;
@@ -265,24 +281,40 @@ class PlyReader {
 
   Result<Mesh> read() {
     auto header = HeaderReader{lines_}.read();
-    if (!header) return header.error();
+    if (!header) {
+      return header.error();
+    }
     Values values{header->encoding, lines_, name_};
     bool has_points = false;
     for (const auto& element : header->elements) {
-      if (element.name != "vertex") continue;
+      if (element.name != "vertex") {
+        continue;
+      }
       points_ = element.count;
       has_points = true;
     }
     for (const auto& element : header->elements) {
-      if (auto done = check(element, values); !done) return done.error();
+      if (auto done = check(element, values); !done) {
+        return done.error();
+      }
       for (std::uint64_t row = 0; row < element.count; ++row) {
-        if (auto done = read_row(element, row, values); !done) return done.error();
-        if (auto done = use_row(element, row, values); !done) return done.error();
+        if (auto done = read_row(element, row, values); !done) {
+          return done.error();
+        }
+        if (auto done = use_row(element, row, values); !done) {
+          return done.error();
+        }
       }
     }
-    if (!has_points) return lines_.error("the header announces no element `vertex`");
-    if (mesh_.points.size() != points_) return lines_.error("element `vertex` is announced twice");
-    for (const auto& element : header->elements) remark_skipped(element);
+    if (!has_points) {
+      return lines_.error("the header announces no element `vertex`");
+    }
+    if (mesh_.points.size() != points_) {
+      return lines_.error("element `vertex` is announced twice");
+    }
+    for (const auto& element : header->elements) {
+      remark_skipped(element);
+    }
     if (const auto rest = values.rest(); !rest.empty()) {
       mesh_.remarks.push_back(fmt::format("left out {} after the last element", rest));
     }
@@ -324,8 +356,12 @@ class PlyReader {
   }
 
   static std::string_view needed_of(const Element& element) {
-    if (element.name == "vertex") return "`x`, `y` and `z`, numbers,";
-    if (has_corners(element)) return "`vertex_indices` or `vertex_index`, a list,";
+    if (element.name == "vertex") {
+      return "`x`, `y` and `z`, numbers,";
+    }
+    if (has_corners(element)) {
+      return "`vertex_indices` or `vertex_index`, a list,";
+    }
     return "`vertex1` and `vertex2`, numbers,";
   }
 
@@ -337,9 +373,15 @@ class PlyReader {
       const bool fits = place < element.properties.size() && element.properties[place].count.has_value() == list;
       return fits ? place : element.properties.size();
     };
-    if (element.name == "vertex") return {find("x", false), find("y", false), find("z", false)};
-    if (element.name == "edge") return {find("vertex1", false), find("vertex2", false), 0};
-    if (!has_corners(element)) return {};
+    if (element.name == "vertex") {
+      return {find("x", false), find("y", false), find("z", false)};
+    }
+    if (element.name == "edge") {
+      return {find("vertex1", false), find("vertex2", false), 0};
+    }
+    if (!has_corners(element)) {
+      return {};
+    }
     const auto list = std::min(find("vertex_indices", true), find("vertex_index", true));
     return {list, list, list};
   }
@@ -351,13 +393,19 @@ class PlyReader {
       const auto& property = element.properties[i];
       const bool is_corners = has_corners(element) && i == uses_[0];
       double& value = row_[i];
-      if (is_corners) corners_.clear();
+      if (is_corners) {
+        corners_.clear();
+      }
       bool there = values.read(property.count.value_or(property.type), value);
       if (there && property.count) {
-        if (value < 0 || value != std::floor(value)) return values.error("the length of a list is not a number from 0");
+        if (value < 0 || value != std::floor(value)) {
+          return values.error("the length of a list is not a number from 0");
+        }
         for (double k = value; there && k > 0; --k) {
           there = values.read(property.type, value);
-          if (there && is_corners) corners_.push_back(value);
+          if (there && is_corners) {
+            corners_.push_back(value);
+          }
         }
       }
       if (!there) {
@@ -373,7 +421,9 @@ class PlyReader {
       Point point{};
       for (std::size_t i = 0; i < 3; ++i) {
         point[i] = row_[uses_[i]];
-        if (!std::isfinite(point[i])) return values.error(fmt::format("a coordinate of point {} is not finite", row));
+        if (!std::isfinite(point[i])) {
+          return values.error(fmt::format("a coordinate of point {} is not finite", row));
+        }
       }
       mesh_.points.push_back(point);
     } else if (element.name == "tristrips") {
@@ -381,14 +431,18 @@ class PlyReader {
     } else if (element.name == "face") {
       for (const double corner : corners_) {
         std::uint32_t point = 0;
-        if (auto done = to_point(corner, values, point); !done) return done;
+        if (auto done = to_point(corner, values, point); !done) {
+          return done;
+        }
         mesh_.faces.push_corner(point);
       }
       mesh_.faces.close_face();
     } else if (element.name == "edge") {
       Edge edge{};
       for (std::size_t i = 0; i < 2; ++i) {
-        if (auto done = to_point(row_[uses_[i]], values, edge[i]); !done) return done;
+        if (auto done = to_point(row_[uses_[i]], values, edge[i]); !done) {
+          return done;
+        }
       }
       mesh_.lines.push_back(edge);
     }
@@ -401,7 +455,9 @@ class PlyReader {
     constexpr double unsigned_restart = 0xffffffff;
     std::vector<std::uint32_t> strip;
     const auto end_strip = [&] {
-      if (!strip.empty() && strip.size() < 3) ++short_strips_;
+      if (!strip.empty() && strip.size() < 3) {
+        ++short_strips_;
+      }
       strip.clear();
     };
     for (const double corner : corners_) {
@@ -409,8 +465,12 @@ class PlyReader {
         end_strip();
         continue;
       }
-      if (auto done = to_point(corner, values, strip.emplace_back()); !done) return done;
-      if (strip.size() < 3) continue;
+      if (auto done = to_point(corner, values, strip.emplace_back()); !done) {
+        return done;
+      }
+      if (strip.size() < 3) {
+        continue;
+      }
       const auto* const last = &strip.back();
       const bool is_turned = strip.size() % 2 == 0;
       mesh_.faces.push_face(std::array{last[is_turned ? -1 : -2], last[is_turned ? -2 : -1], *last});
@@ -429,7 +489,9 @@ class PlyReader {
   }
 
   void remark_skipped(const Element& element) {
-    if (is_used(element) || element.count == 0) return;
+    if (is_used(element) || element.count == 0) {
+      return;
+    }
     mesh_.remarks.push_back(
         fmt::format("left out {} of element {}", counted(element.count, "row", "rows"), shown(element.name)));
   }

@@ -46,14 +46,20 @@ class Items {
     const auto count = static_cast<std::uint32_t>(size());
     for (std::uint32_t item = 0; item < count; ++item) {
       const auto simplex = (*this)[item];
-      for (const auto v : simplex.all_vertices()) ++items_at_begin_[v + 1];
+      for (const auto v : simplex.all_vertices()) {
+        ++items_at_begin_[v + 1];
+      }
     }
-    for (std::size_t v = 0; v < mesh_.points.size(); ++v) items_at_begin_[v + 1] += items_at_begin_[v];
+    for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
+      items_at_begin_[v + 1] += items_at_begin_[v];
+    }
     items_at_.resize(items_at_begin_.back());
     auto next = items_at_begin_;
     for (std::uint32_t item = 0; item < count; ++item) {
       const auto simplex = (*this)[item];
-      for (const auto v : simplex.all_vertices()) items_at_[next[v]++] = item;
+      for (const auto v : simplex.all_vertices()) {
+        items_at_[next[v]++] = item;
+      }
     }
   }
 
@@ -104,7 +110,9 @@ class BreadthFirst {
 
   std::vector<std::uint32_t> run() {
     for (std::uint32_t seed = 0; seed < items_.size(); ++seed) {
-      if (placed_[seed]) continue;
+      if (placed_[seed]) {
+        continue;
+      }
       place(seed);
       grow();
     }
@@ -133,7 +141,9 @@ class BreadthFirst {
     for (const auto edge : simplex.all_edges()) {
       for (const auto side : items_.incidence().sides_of(edge)) {
         const auto face = items_.incidence().face_of_corner[side];
-        if (!placed_[face]) place(face);
+        if (!placed_[face]) {
+          place(face);
+        }
       }
     }
   }
@@ -143,7 +153,9 @@ class BreadthFirst {
     order_.push_back(item);
     const auto simplex = items_[item];
     for (const auto v : simplex.all_vertices()) {
-      if (!seen_[v]) frontier_.push_back(v);
+      if (!seen_[v]) {
+        frontier_.push_back(v);
+      }
       seen_[v] = true;
     }
   }
@@ -157,9 +169,13 @@ class BreadthFirst {
 };
 
 std::vector<std::uint32_t> build_order(const Items& items, BuildOrder order) {
-  if (order == BuildOrder::breadth_first) return BreadthFirst{items}.run();
+  if (order == BuildOrder::breadth_first) {
+    return BreadthFirst{items}.run();
+  }
   std::vector<std::uint32_t> given(items.size());
-  for (std::uint32_t i = 0; i < given.size(); ++i) given[i] = i;
+  for (std::uint32_t i = 0; i < given.size(); ++i) {
+    given[i] = i;
+  }
   return given;
 }
 
@@ -173,7 +189,9 @@ class ScriptWriter {
   void print(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     constexpr std::size_t enough = 1U << 16U;
     fmt::format_to(std::back_inserter(buffer_), format, std::forward<Arguments>(arguments)...);
-    if (buffer_.size() > enough) flush();
+    if (buffer_.size() > enough) {
+      flush();
+    }
   }
 
   void print_point(std::uint32_t vertex) {
@@ -189,18 +207,26 @@ class ScriptWriter {
     print("# {}, {}, {}; they are counted from 0\n", counted(mesh.points.size(), "vertex", "vertices"),
           counted(items_.incidence().edges.size(), "edge", "edges"),
           counted(mesh.faces.size(), "triangle", "triangles"));
-    for (const auto& remark : mesh.remarks) print("# {}\n", printable(remark));
+    for (const auto& remark : mesh.remarks) {
+      print("# {}\n", printable(remark));
+    }
   }
 
   /// The cells are counted on the mesh, so this holds of any engine that works.
   void expectation() {
-    if (!options_.expect) return;
+    if (!options_.expect) {
+      return;
+    }
     const auto vertices = static_cast<long long>(items_.mesh().points.size());
     const auto edges = static_cast<long long>(items_.incidence().edges.size());
     const auto triangles = static_cast<long long>(items_.mesh().faces.size());
     print("{{\"op\":\"expect\",\"cells\":[{}", vertices);
-    if (edges > 0) print(",{}", edges);
-    if (triangles > 0) print(",{}", triangles);
+    if (edges > 0) {
+      print(",{}", edges);
+    }
+    if (triangles > 0) {
+      print(",{}", triangles);
+    }
     print("],\"euler\":{}}}\n", vertices - edges + triangles);
     ++steps_;
   }
@@ -233,19 +259,29 @@ void for_each_cell(const Items& items, BuildOrder order, Vertex&& vertex, Edge&&
   std::vector<bool> has_vertex(items.mesh().points.size(), false);
   std::vector<bool> has_edge(items.incidence().edges.size(), false);
   const auto visit_vertex = [&](std::uint32_t v) {
-    if (!has_vertex[v]) vertex(v);
+    if (!has_vertex[v]) {
+      vertex(v);
+    }
     has_vertex[v] = true;
   };
   for (const auto item : build_order(items, order)) {
     const auto simplex = items[item];
-    for (const auto v : simplex.all_vertices()) visit_vertex(v);
+    for (const auto v : simplex.all_vertices()) {
+      visit_vertex(v);
+    }
     for (const auto e : simplex.all_edges()) {
-      if (!has_edge[e]) edge(e);
+      if (!has_edge[e]) {
+        edge(e);
+      }
       has_edge[e] = true;
     }
-    if (!items.is_line(item)) triangle(item);
+    if (!items.is_line(item)) {
+      triangle(item);
+    }
   }
-  for (std::uint32_t v = 0; v < items.mesh().points.size(); ++v) visit_vertex(v);
+  for (std::uint32_t v = 0; v < items.mesh().points.size(); ++v) {
+    visit_vertex(v);
+  }
 }
 
 Result<ScriptSummary> write_complex(const Items& items, std::ostream& out, const ScriptOptions& options) {
@@ -336,7 +372,9 @@ class AssembledScript {
     print_name(item);
     writer_.print("\",\"dim\":{},\"at\":[", simplex.dimension);
     for (std::size_t i = 0; i <= simplex.dimension; ++i) {
-      if (i > 0) writer_.print(",");
+      if (i > 0) {
+        writer_.print(",");
+      }
       writer_.print_point(simplex.vertices[i]);
     }
     writer_.print("]}}\n");
@@ -348,24 +386,32 @@ class AssembledScript {
     std::array<bool, 3> is_glued{};
     for (std::size_t k = 0; simplex.dimension == 2 && k < 3; ++k) {
       const auto& owner = edge_owner_[simplex.edges[k]];
-      if (owner.item == none) continue;
+      if (owner.item == none) {
+        continue;
+      }
       begin_pair();
       print_edge(item, k);
       writer_.print("\",\"");
       print_edge(owner.item, owner.place);
       writer_.print("\"]");
-      for (std::size_t i = 0; i < 3; ++i) is_glued[i] = is_glued[i] || i != k;
+      for (std::size_t i = 0; i < 3; ++i) {
+        is_glued[i] = is_glued[i] || i != k;
+      }
     }
     for (std::size_t i = 0; i <= simplex.dimension; ++i) {
       const auto& owner = vertex_owner_[simplex.vertices[i]];
-      if (is_glued[i] || owner.item == none) continue;
+      if (is_glued[i] || owner.item == none) {
+        continue;
+      }
       begin_pair();
       print_name(item);
       writer_.print(".{}\",\"", i);
       print_name(owner.item);
       writer_.print(".{}\"]", owner.place);
     }
-    if (pairs_ > 0) writer_.print("]}}\n");
+    if (pairs_ > 0) {
+      writer_.print("]}}\n");
+    }
   }
 
   void begin_pair() {
@@ -380,11 +426,15 @@ class AssembledScript {
   void take_ownership(std::uint32_t item, const Simplex& simplex) {
     for (std::size_t i = 0; i <= simplex.dimension; ++i) {
       auto& owner = vertex_owner_[simplex.vertices[i]];
-      if (owner.item == none) owner = {item, i};
+      if (owner.item == none) {
+        owner = {item, i};
+      }
     }
     for (std::size_t k = 0; k < simplex.all_edges().size(); ++k) {
       auto& owner = edge_owner_[simplex.edges[k]];
-      if (owner.item == none) owner = {item, k};
+      if (owner.item == none) {
+        owner = {item, k};
+      }
     }
   }
 
@@ -420,33 +470,45 @@ Result<Items> items_of(const Mesh& mesh, const ScriptOptions& options) {
 
 Result<ScriptSummary> write_complex_script(const Mesh& mesh, std::ostream& out, const ScriptOptions& options) {
   auto items = items_of(mesh, options);
-  if (!items) return items.error();
+  if (!items) {
+    return items.error();
+  }
   return write_complex(*items, out, options);
 }
 
 Result<ops::MakeComplex> make_complex(const Mesh& mesh, const ScriptOptions& options) {
   auto items = items_of(mesh, options);
-  if (!items) return items.error();
+  if (!items) {
+    return items.error();
+  }
   return complex_of(*items, options);
 }
 
 Result<ScriptSummary> write_assembled_script(const Mesh& mesh, std::ostream& out, const ScriptOptions& options) {
   auto items = items_of(mesh, options);
-  if (!items) return items.error();
+  if (!items) {
+    return items.error();
+  }
   return AssembledScript{*items, out, options}.write();
 }
 
 std::string name_of_source(std::string_view path) {
   path.remove_prefix(path.find_last_of("/\\") + 1);  // npos + 1 is 0
   constexpr std::string_view packed = ".gz";
-  if (path.ends_with(packed)) path.remove_suffix(packed.size());
+  if (path.ends_with(packed)) {
+    path.remove_suffix(packed.size());
+  }
   const auto dot = path.rfind('.');
-  if (dot != std::string_view::npos && dot > 0) path = path.substr(0, dot);
+  if (dot != std::string_view::npos && dot > 0) {
+    path = path.substr(0, dot);
+  }
   std::string name{path};
   for (char& c : name) {
     const bool stays =
         (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
-    if (!stays) c = '_';
+    if (!stays) {
+      c = '_';
+    }
   }
   return name.empty() ? "mesh" : name;
 }

@@ -43,8 +43,12 @@ class PathTree {
     while (!queue.empty()) {
       const auto [distance, point] = queue.top();
       queue.pop();
-      if (steps_[point].is_settled) continue;
-      if (distance > radius) break;
+      if (steps_[point].is_settled) {
+        continue;
+      }
+      if (distance > radius) {
+        break;
+      }
       steps_[point].is_settled = true;
       settled_.push_back(point);
       for (const auto& way : graph_.ways(point)) {
@@ -89,13 +93,17 @@ class PathTree {
   using Queue = std::priority_queue<Reached, std::vector<Reached>, std::greater<>>;
 
   void reach(std::uint32_t point, const Step& step, Queue& queue) {
-    if (steps_[point].distance == infinite) touched_.push_back(point);
+    if (steps_[point].distance == infinite) {
+      touched_.push_back(point);
+    }
     steps_[point] = step;
     queue.emplace(step.distance, point);
   }
 
   void clear() {
-    for (const auto point : touched_) steps_[point] = Step{};
+    for (const auto point : touched_) {
+      steps_[point] = Step{};
+    }
     touched_.clear();
     settled_.clear();
   }
@@ -109,7 +117,9 @@ class PathTree {
 void to_canonical(Loop& loop) {
   auto& points = loop.points;
   std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
-  if (points.size() > 2 && points.back() < points[1]) std::reverse(points.begin() + 1, points.end());
+  if (points.size() > 2 && points.back() < points[1]) {
+    std::reverse(points.begin() + 1, points.end());
+  }
 }
 
 bool is_shorter(const Loop& a, const Loop& b) {
@@ -122,7 +132,9 @@ class Potential {
   Potential(const EdgeGraph& graph, const Annotation& annotation, const sparse::AnyRing& ring)
       : fingerprinter_{ring}, of_point_(graph.points()) {
     of_edge_.reserve(annotation.of_edge.size());
-    for (const auto& vector : annotation.of_edge) of_edge_.push_back(fingerprinter_.of(vector));
+    for (const auto& vector : annotation.of_edge) {
+      of_edge_.push_back(fingerprinter_.of(vector));
+    }
   }
 
   void follow(const PathTree& tree) {
@@ -163,11 +175,15 @@ class Search {
  public:
   Search(const EdgeGraph& graph, const LoopSearch& search)
       : graph_{graph}, search_{search}, tree_{graph}, wanted_{graph, *search.wanted, search.ring} {
-    if (search_.zero != nullptr) zero_.emplace(graph, *search_.zero, sparse::Integers{});
+    if (search_.zero != nullptr) {
+      zero_.emplace(graph, *search_.zero, sparse::Integers{});
+    }
   }
 
   LoopBasis run() {
-    if (search_.wanted->rank == 0) return std::move(found_);
+    if (search_.wanted->rank == 0) {
+      return std::move(found_);
+    }
     look_at_each_component();
     select();
     look_from_spread_points();
@@ -176,7 +192,9 @@ class Search {
       const double before = total_length();
       look_along_loops();
       select();
-      if (total_length() > (1 - 1e-9) * before) break;
+      if (total_length() > (1 - 1e-9) * before) {
+        break;
+      }
     }
     return std::move(found_);
   }
@@ -190,13 +208,21 @@ class Search {
   void look_at_each_component() {
     std::vector<bool> is_seen(graph_.points(), false);
     for (std::uint32_t point = 0; point < graph_.points(); ++point) {
-      if (is_seen[point] || graph_.ways(point).empty()) continue;
+      if (is_seen[point] || graph_.ways(point).empty()) {
+        continue;
+      }
       const bool has_loops = look_from(point, infinite);
       const auto& reached = tree_.settled();
-      for (const auto other : reached) is_seen[other] = true;
-      if (!has_loops) continue;
+      for (const auto other : reached) {
+        is_seen[other] = true;
+      }
+      if (!has_loops) {
+        continue;
+      }
       const std::size_t spread = std::min(spread_per_component, reached.size() - 1);
-      for (std::size_t i = 1; i <= spread; ++i) spread_.push_back(reached[i * (reached.size() - 1) / spread]);
+      for (std::size_t i = 1; i <= spread; ++i) {
+        spread_.push_back(reached[i * (reached.size() - 1) / spread]);
+      }
     }
     walked_ = 0;
   }
@@ -204,7 +230,9 @@ class Search {
   /// Half of the effort goes to points that are spread, half to those on the loops found.
   void look_from_spread_points() {
     for (const auto root : spread_) {
-      if (walked_ > search_.effort / 2) return;
+      if (walked_ > search_.effort / 2) {
+        return;
+      }
       look_from(root, longest_ / 2);
     }
   }
@@ -215,7 +243,9 @@ class Search {
     for (const Loop& loop : longest_first) {
       const std::size_t count = std::min(roots_per_loop, loop.points.size());
       for (std::size_t i = 0; i < count; ++i) {
-        if (walked_ > search_.effort) return;
+        if (walked_ > search_.effort) {
+          return;
+        }
         look_from(loop.points[i * loop.points.size() / count], loop.length / 2);
       }
     }
@@ -225,26 +255,40 @@ class Search {
   bool look_from(std::uint32_t root, double radius) {
     walked_ += tree_.grow(root, radius);
     wanted_.follow(tree_);
-    if (zero_) zero_->follow(tree_);
+    if (zero_) {
+      zero_->follow(tree_);
+    }
     bool has_loops = false;
     for (const auto from : tree_.settled()) {
       for (const auto& way : graph_.ways(from)) {
-        if (from > way.to || !tree_.step(way.to).is_settled) continue;
-        if (way.edge == tree_.step(from).edge || way.edge == tree_.step(way.to).edge) continue;
+        if (from > way.to || !tree_.step(way.to).is_settled) {
+          continue;
+        }
+        if (way.edge == tree_.step(from).edge || way.edge == tree_.step(way.to).edge) {
+          continue;
+        }
         const Fingerprint fingerprint = wanted_.around(from, way);
-        if (fingerprint == Fingerprint{}) continue;
-        if (zero_ && zero_->around(from, way) != Fingerprint{}) continue;
+        if (fingerprint == Fingerprint{}) {
+          continue;
+        }
+        if (zero_ && zero_->around(from, way) != Fingerprint{}) {
+          continue;
+        }
         has_loops = true;
         pool(wanted_.up_to_sign(fingerprint), tree_.loop(from, way));
       }
     }
-    if (pooled_points_ > most_pooled_points) select();
+    if (pooled_points_ > most_pooled_points) {
+      select();
+    }
     return has_loops;
   }
 
   void pool(const Fingerprint& fingerprint, Loop loop) {
     ++found_.tried;
-    if (loop.length >= longest_) return;
+    if (loop.length >= longest_) {
+      return;
+    }
     const auto [at, is_new] = place_in_pool_.emplace(fingerprint, pool_.size());
     if (is_new) {
       pool_.emplace_back();
@@ -259,7 +303,9 @@ class Search {
 
   /// The best basis of what is pooled and what was taken before.
   void select() {
-    for (Loop& loop : pool_) to_canonical(loop);
+    for (Loop& loop : pool_) {
+      to_canonical(loop);
+    }
     std::move(found_.loops.begin(), found_.loops.end(), std::back_inserter(pool_));
     std::sort(pool_.begin(), pool_.end(), is_shorter);
     found_.loops.clear();
@@ -269,31 +315,43 @@ class Search {
     place_in_pool_.clear();
     pooled_points_ = 0;
     longest_ = infinite;
-    if (found_.completion.empty() && !found_.loops.empty()) longest_ = found_.loops.back().length;
+    if (found_.completion.empty() && !found_.loops.empty()) {
+      longest_ = found_.loops.back().length;
+    }
   }
 
   template <sparse::Ring R>
   void select_over(const R& ring) {
     BasisSelection<R> selection{ring, search_.wanted->rank};
     for (Loop& loop : pool_) {
-      if (selection.missing() == 0) break;
-      if (search_.zero != nullptr && !class_of(graph_, *search_.zero, loop).empty()) continue;
+      if (selection.missing() == 0) {
+        break;
+      }
+      if (search_.zero != nullptr && !class_of(graph_, *search_.zero, loop).empty()) {
+        continue;
+      }
       Terms<R> vector;
       for (const auto& [index, coefficient] : class_of(graph_, *search_.wanted, loop)) {
         vector.push_back({index, ring.from(coefficient)});
       }
       sparse::normalize(ring, vector);
-      if (selection.take(vector)) found_.loops.push_back(std::move(loop));
+      if (selection.take(vector)) {
+        found_.loops.push_back(std::move(loop));
+      }
     }
     for (const auto& vector : selection.completion()) {
       auto& integers = found_.completion.emplace_back();
-      for (const auto& [index, coefficient] : vector) integers.push_back({index, ring.to_integer(coefficient)});
+      for (const auto& [index, coefficient] : vector) {
+        integers.push_back({index, ring.to_integer(coefficient)});
+      }
     }
   }
 
   [[nodiscard]] double total_length() const {
     double sum = 0;
-    for (const Loop& loop : found_.loops) sum += loop.length;
+    for (const Loop& loop : found_.loops) {
+      sum += loop.length;
+    }
     return sum;
   }
 
@@ -315,9 +373,13 @@ class Search {
 
 EdgeGraph::EdgeGraph(std::span<const Point> points, std::span<const Edge> edges) : begin_(points.size() + 1, 0) {
   for (const auto& edge : edges) {
-    for (const auto end : edge) ++begin_[end + 1];
+    for (const auto end : edge) {
+      ++begin_[end + 1];
+    }
   }
-  for (std::size_t p = 0; p < points.size(); ++p) begin_[p + 1] += begin_[p];
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    begin_[p + 1] += begin_[p];
+  }
   ways_.resize(2 * edges.size());
   std::vector<std::uint32_t> next = begin_;
   for (std::uint32_t e = 0; e < edges.size(); ++e) {

@@ -18,7 +18,9 @@ constexpr std::size_t triangle_size = 50;
 
 std::uint32_t word_at(std::string_view bytes, std::size_t offset) {
   std::uint32_t value = 0;
-  for (std::size_t i = 4; i-- > 0;) value = (value << 8) | static_cast<unsigned char>(bytes[offset + i]);
+  for (std::size_t i = 4; i-- > 0;) {
+    value = (value << 8) | static_cast<unsigned char>(bytes[offset + i]);
+  }
   return value;
 }
 
@@ -71,19 +73,25 @@ class TextStlReader {
     bool inside = false;
     while (true) {
       const bool is_known = inside ? find({"facet", "endsolid"}) : find({"solid"});
-      if (keyword_.empty()) break;
+      if (keyword_.empty()) {
+        break;
+      }
       if (!is_known) {
         return words_.error(fmt::format("{} in a place where {} is expected", shown(word_),
                                         inside ? "`facet` or `endsolid`" : "`solid`"));
       }
       if (keyword_ == "facet") {
-        if (auto done = read_facet(); !done) return done.error();
+        if (auto done = read_facet(); !done) {
+          return done.error();
+        }
       } else {
         inside = !inside;
         words_.skip_line();  // a name, of any words
       }
     }
-    if (inside) mesh_.remarks.emplace_back("the file ends without `endsolid`; it may have been cut");
+    if (inside) {
+      mesh_.remarks.emplace_back("the file ends without `endsolid`; it may have been cut");
+    }
     return std::move(mesh_);
   }
 
@@ -93,7 +101,9 @@ class TextStlReader {
   bool find(std::initializer_list<std::string_view> keywords) {
     const auto is_one = [&] { return std::find(keywords.begin(), keywords.end(), keyword_) != keywords.end(); };
     for (take(words_.next_in_line()); !keyword_.empty(); take(words_.next_in_line())) {
-      if (is_one()) return true;
+      if (is_one()) {
+        return true;
+      }
     }
     take(words_.next());
     return is_one();
@@ -103,28 +113,40 @@ class TextStlReader {
   void take(std::string_view word) {
     word_ = word;
     keyword_ = lower_case(word);
-    if (keyword_ == "end") keyword_ += lower_case(words_.next_in_line());
+    if (keyword_ == "end") {
+      keyword_ += lower_case(words_.next_in_line());
+    }
   }
 
   Status expect(std::string_view keyword) {
-    if (find({keyword})) return Done{};
+    if (find({keyword})) {
+      return Done{};
+    }
     return words_.error(fmt::format("{} in the place of `{}` of a facet", shown(word_), keyword));
   }
 
   Status read_facet() {
-    if (auto done = expect("outer"); !done) return done;
+    if (auto done = expect("outer"); !done) {
+      return done;
+    }
     for (int corner = 0; corner < 3; ++corner) {
-      if (auto done = expect("vertex"); !done) return done;
+      if (auto done = expect("vertex"); !done) {
+        return done;
+      }
       Point point{};
       for (double& x : point) {
         const auto word = words_.next_in_line();
-        if (!parse_coordinate(word, x)) return words_.error(not_a_coordinate(word));
+        if (!parse_coordinate(word, x)) {
+          return words_.error(not_a_coordinate(word));
+        }
       }
       mesh_.faces.push_corner(static_cast<std::uint32_t>(mesh_.points.size()));
       mesh_.points.push_back(point);
     }
     mesh_.faces.close_face();
-    if (auto done = expect("endloop"); !done) return done;
+    if (auto done = expect("endloop"); !done) {
+      return done;
+    }
     return expect("endfacet");
   }
 
@@ -149,12 +171,16 @@ bool is_text(std::string_view bytes) {
 }  // namespace
 
 std::optional<std::size_t> binary_stl_size(std::string_view bytes) {
-  if (bytes.size() < head_size) return std::nullopt;
+  if (bytes.size() < head_size) {
+    return std::nullopt;
+  }
   return head_size + std::size_t{word_at(bytes, 80)} * triangle_size;
 }
 
 Result<Mesh> read_stl(std::string_view bytes, std::string_view name) {
-  if (bytes.size() == binary_stl_size(bytes) || !is_text(bytes)) return read_binary(bytes, name);
+  if (bytes.size() == binary_stl_size(bytes) || !is_text(bytes)) {
+    return read_binary(bytes, name);
+  }
   return TextStlReader{bytes, name}.read();
 }
 

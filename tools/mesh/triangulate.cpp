@@ -44,13 +44,19 @@ class Triangulator {
   }
 
   void note_edges() {
-    if (how_ == Polygons::cone) return;
+    if (how_ == Polygons::cone) {
+      return;
+    }
     edges_.reserve(mesh_.faces.corners().size());
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
       const auto face = mesh_.faces[f];
-      for (std::size_t i = 0; i < face.size(); ++i) edges_.insert(key(face[i], face[(i + 1) % face.size()]));
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        edges_.insert(key(face[i], face[(i + 1) % face.size()]));
+      }
     }
-    for (const auto& [from, to] : mesh_.lines) edges_.insert(key(from, to));
+    for (const auto& [from, to] : mesh_.lines) {
+      edges_.insert(key(from, to));
+    }
   }
 
   bool meets_a_point_twice(std::uint32_t f) {
@@ -61,7 +67,9 @@ class Triangulator {
 
   bool diagonals_are_new(std::span<const std::uint32_t> face, std::size_t apex) const {
     for (std::size_t i = 2; i + 1 < face.size(); ++i) {
-      if (edges_.contains(key(face[apex], face[(apex + i) % face.size()]))) return false;
+      if (edges_.contains(key(face[apex], face[(apex + i) % face.size()]))) {
+        return false;
+      }
     }
     return true;
   }
@@ -70,9 +78,13 @@ class Triangulator {
     // A limit, so that a polygon with very many corners costs no more than a few passes over it.
     const std::size_t tries = std::min<std::size_t>(face.size(), 16);
     for (std::size_t apex = 0; apex < tries; ++apex) {
-      if (!diagonals_are_new(face, apex)) continue;
+      if (!diagonals_are_new(face, apex)) {
+        continue;
+      }
       fan_from(face, apex);
-      for (std::size_t i = 2; i + 1 < face.size(); ++i) edges_.insert(key(face[apex], face[(apex + i) % face.size()]));
+      for (std::size_t i = 2; i + 1 < face.size(); ++i) {
+        edges_.insert(key(face[apex], face[(apex + i) % face.size()]));
+      }
       ++fans_;
       return true;
     }
@@ -98,7 +110,9 @@ class Triangulator {
     std::vector<std::uint32_t> ring;
     for (const auto corner : face) {
       Point point{};
-      for (std::size_t i = 0; i < 3; ++i) point[i] = std::midpoint(mesh_.points[corner][i], centre[i]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        point[i] = std::midpoint(mesh_.points[corner][i], centre[i]);
+      }
       ring.push_back(add_point(point));
     }
     for (std::size_t i = 0; i < face.size(); ++i) {
@@ -118,7 +132,9 @@ class Triangulator {
   [[nodiscard]] Point middle(std::span<const std::uint32_t> face) const {
     Point centre{};
     for (const auto corner : face) {
-      for (std::size_t i = 0; i < 3; ++i) centre[i] += mesh_.points[corner][i] / static_cast<double>(face.size());
+      for (std::size_t i = 0; i < 3; ++i) {
+        centre[i] += mesh_.points[corner][i] / static_cast<double>(face.size());
+      }
     }
     return centre;
   }
@@ -160,8 +176,12 @@ class Triangulator {
 
 std::vector<std::uint32_t> triangulate(Mesh& mesh, Polygons how) {
   bool has_polygons = false;
-  for (std::size_t f = 0; f < mesh.faces.size() && !has_polygons; ++f) has_polygons = mesh.faces[f].size() > 3;
-  if (has_polygons) return Triangulator{mesh, how}.run();
+  for (std::size_t f = 0; f < mesh.faces.size() && !has_polygons; ++f) {
+    has_polygons = mesh.faces[f].size() > 3;
+  }
+  if (has_polygons) {
+    return Triangulator{mesh, how}.run();
+  }
   std::vector<std::uint32_t> face_of_triangle(mesh.faces.size());
   std::iota(face_of_triangle.begin(), face_of_triangle.end(), 0U);
   return face_of_triangle;

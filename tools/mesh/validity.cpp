@@ -32,7 +32,9 @@ class Examination {
     count_boundary_loops();
     examine_orientability();
     for (auto& component : validity_.components) {
-      if (component.faces == 0 || component.lines > 0) component.is_manifold = false;
+      if (component.faces == 0 || component.lines > 0) {
+        component.is_manifold = false;
+      }
     }
     return std::move(validity_);
   }
@@ -44,11 +46,17 @@ class Examination {
     validity_.vertices = mesh_.points.size();
     validity_.edges = incidence_.edges.size();
     validity_.faces = mesh_.faces.size();
-    for (std::uint32_t v = 0; v < mesh_.points.size(); ++v) ++component_of(v).vertices;
-    for (const auto& edge : incidence_.edges) ++component_of(edge[0]).edges;
+    for (std::uint32_t v = 0; v < mesh_.points.size(); ++v) {
+      ++component_of(v).vertices;
+    }
+    for (const auto& edge : incidence_.edges) {
+      ++component_of(edge[0]).edges;
+    }
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
       ++component_of(mesh_.faces[f][0]).faces;
-      if (mesh_.faces[f].size() > 3) ++validity_.polygons;
+      if (mesh_.faces[f].size() > 3) {
+        ++validity_.polygons;
+      }
     }
   }
 
@@ -94,19 +102,29 @@ class Examination {
     std::vector<std::uint32_t> link_of(mesh_.points.size(), unseen);
     std::vector<bool> has_face(mesh_.points.size(), false);
     std::vector<bool> is_singular(mesh_.points.size(), false);
-    for (const auto corner : mesh_.faces.corners()) has_face[corner] = true;
+    for (const auto corner : mesh_.faces.corners()) {
+      has_face[corner] = true;
+    }
     for (std::uint32_t e = 0; e < incidence_.edges.size(); ++e) {
       for (std::uint32_t end = 0; end < 2; ++end) {
         const auto point = incidence_.edges[e][end];
         const auto link = links.of[2 * e + end];
-        if (link_of[point] == unseen) link_of[point] = link;
-        if (link_of[point] != link || incidence_.sides_of(e).size() > 2) is_singular[point] = true;
+        if (link_of[point] == unseen) {
+          link_of[point] = link;
+        }
+        if (link_of[point] != link || incidence_.sides_of(e).size() > 2) {
+          is_singular[point] = true;
+        }
       }
     }
     for (std::uint32_t v = 0; v < mesh_.points.size(); ++v) {
-      if (!is_singular[v] || !has_face[v]) continue;
+      if (!is_singular[v] || !has_face[v]) {
+        continue;
+      }
       component_of(v).is_manifold = false;
-      if (validity_.non_manifold_vertices++ == 0) validity_.first_non_manifold_vertex = mesh_.points[v];
+      if (validity_.non_manifold_vertices++ == 0) {
+        validity_.first_non_manifold_vertex = mesh_.points[v];
+      }
     }
   }
 
@@ -118,14 +136,20 @@ class Examination {
     std::vector<Edge> boundary;
     std::vector<bool> on_boundary(mesh_.points.size(), false);
     for (std::size_t e = 0; e < incidence_.edges.size(); ++e) {
-      if (incidence_.sides_of(e).size() != 1) continue;
+      if (incidence_.sides_of(e).size() != 1) {
+        continue;
+      }
       boundary.push_back(incidence_.edges[e]);
-      for (const auto point : incidence_.edges[e]) on_boundary[point] = true;
+      for (const auto point : incidence_.edges[e]) {
+        on_boundary[point] = true;
+      }
     }
     const auto loops = connected_parts(mesh_.points.size(), boundary);
     std::vector<bool> counted_already(loops.count, false);
     for (std::uint32_t v = 0; v < mesh_.points.size(); ++v) {
-      if (!on_boundary[v] || counted_already[loops.of[v]]) continue;
+      if (!on_boundary[v] || counted_already[loops.of[v]]) {
+        continue;
+      }
       counted_already[loops.of[v]] = true;
       ++component_of(v).boundary_loops;
       ++validity_.boundary_loops;
@@ -138,7 +162,9 @@ class Examination {
     std::vector<Edge> links;
     for (std::size_t e = 0; e < incidence_.edges.size(); ++e) {
       const auto sides = incidence_.sides_of(e);
-      if (sides.size() != 2) continue;
+      if (sides.size() != 2) {
+        continue;
+      }
       const auto a = incidence_.face_of_corner[sides[0]];
       const auto b = incidence_.face_of_corner[sides[1]];
       const bool agree = runs_upwards(mesh_, incidence_, sides[0]) != runs_upwards(mesh_, incidence_, sides[1]);
@@ -148,7 +174,9 @@ class Examination {
     }
     const auto cover = connected_parts(2 * mesh_.faces.size(), links);
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
-      if (cover.of[2 * f] == cover.of[2 * f + 1]) component_of(mesh_.faces[f][0]).is_orientable = false;
+      if (cover.of[2 * f] == cover.of[2 * f + 1]) {
+        component_of(mesh_.faces[f][0]).is_orientable = false;
+      }
     }
   }
 
@@ -165,13 +193,21 @@ std::string describe(const Component& component) {
                           counted(component.edges, "edge", "edges"), counted(component.faces, "face", "faces"),
                           component.euler());
   const auto out = std::back_inserter(text);
-  if (component.faces == 0) return text + (component.edges == 0 ? ", a point" : ", lines only");
+  if (component.faces == 0) {
+    return text + (component.edges == 0 ? ", a point" : ", lines only");
+  }
   fmt::format_to(out, ", {}",
                  component.is_closed() ? std::string{"closed"}
                                        : counted(component.boundary_loops, "boundary loop", "boundary loops"));
-  if (!component.is_orientable) fmt::format_to(out, ", not orientable");
-  if (!component.is_manifold) fmt::format_to(out, ", not a surface");
-  if (const auto genus = component.genus()) fmt::format_to(out, ", genus {}", *genus);
+  if (!component.is_orientable) {
+    fmt::format_to(out, ", not orientable");
+  }
+  if (!component.is_manifold) {
+    fmt::format_to(out, ", not a surface");
+  }
+  if (const auto genus = component.genus()) {
+    fmt::format_to(out, ", genus {}", *genus);
+  }
   return text;
 }
 
@@ -184,7 +220,9 @@ std::string describe_edges(const Validity& validity) {
   } else {
     fmt::format_to(out, "no boundary edges");
   }
-  if (validity.lines > 0) fmt::format_to(out, ", {} on no face", counted(validity.lines, "line", "lines"));
+  if (validity.lines > 0) {
+    fmt::format_to(out, ", {} on no face", counted(validity.lines, "line", "lines"));
+  }
   return text;
 }
 
@@ -204,20 +242,28 @@ std::string describe_singularities(const Validity& validity) {
 
 std::string describe_remarks(const Validity& validity) {
   std::string text;
-  for (const auto& remark : validity.remarks) text += fmt::format("remark                {}\n", remark);
+  for (const auto& remark : validity.remarks) {
+    text += fmt::format("remark                {}\n", remark);
+  }
   return text;
 }
 
 std::string describe_orientation(const Validity& validity) {
-  if (!validity.is_orientable()) return "not orientable";
-  if (validity.is_consistently_oriented()) return "orientable, and the faces agree";
+  if (!validity.is_orientable()) {
+    return "not orientable";
+  }
+  if (validity.is_consistently_oriented()) {
+    return "orientable, and the faces agree";
+  }
   return fmt::format("orientable, but the faces disagree across {}", counted(validity.reversed_edges, "edge", "edges"));
 }
 
 }  // namespace
 
 std::optional<long long> Component::genus() const {
-  if (!is_manifold || !is_orientable) return std::nullopt;
+  if (!is_manifold || !is_orientable) {
+    return std::nullopt;
+  }
   return (2 - euler() - static_cast<long long>(boundary_loops)) / 2;
 }
 
@@ -242,7 +288,9 @@ bool Validity::is_orientable() const {
 
 std::string Validity::left_out_faces() const {
   const std::size_t left_out = cleaning.degenerate_faces + cleaning.duplicate_faces;
-  if (left_out == 0) return {};
+  if (left_out == 0) {
+    return {};
+  }
   return fmt::format("left out {} of {} ({} degenerate, {} duplicate)", left_out,
                      counted(faces_in_file, "face", "faces"), cleaning.degenerate_faces, cleaning.duplicate_faces);
 }
@@ -258,13 +306,17 @@ std::string to_text(const Validity& validity) {
                  counted(validity.faces, "face", "faces"), validity.euler());
   fmt::format_to(out, "boundary              {}\n", describe_edges(validity));
   text += describe_singularities(validity);
-  if (validity.faces > 0) fmt::format_to(out, "orientation           {}\n", describe_orientation(validity));
+  if (validity.faces > 0) {
+    fmt::format_to(out, "orientation           {}\n", describe_orientation(validity));
+  }
   const char* verdict = !validity.is_manifold() ? "not a surface"
                         : validity.is_closed()  ? "a closed surface"
                                                 : "a surface with boundary";
   fmt::format_to(out, "verdict               {}, {}\n", verdict,
                  counted(validity.components.size(), "component", "components"));
-  if (validity.edges == 0) return text + describe_remarks(validity);  // every point is a component
+  if (validity.edges == 0) {  // every point is a component
+    return text + describe_remarks(validity);
+  }
   for (std::size_t i = 0; i < std::min(validity.components.size(), most_components); ++i) {
     fmt::format_to(out, "  component {:<10}{}\n", i, describe(validity.components[i]));
   }

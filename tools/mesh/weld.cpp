@@ -54,7 +54,9 @@ class Grid {
  private:
   /// Adding 0.0 turns -0.0 into 0.0, so that both hash alike.
   [[nodiscard]] Point cube(const Point& point) const {
-    if (tolerance_ == 0) return {point[0] + 0.0, point[1] + 0.0, point[2] + 0.0};
+    if (tolerance_ == 0) {
+      return {point[0] + 0.0, point[1] + 0.0, point[2] + 0.0};
+    }
     return {std::floor(point[0] / tolerance_) + 0.0, std::floor(point[1] / tolerance_) + 0.0,
             std::floor(point[2] / tolerance_) + 0.0};
   }
@@ -66,7 +68,9 @@ class Grid {
       const auto& other = kept[at];
       const bool near = std::abs(other[0] - point[0]) <= tolerance_ && std::abs(other[1] - point[1]) <= tolerance_ &&
                         std::abs(other[2] - point[2]) <= tolerance_;
-      if (near) best = std::min(best, at);
+      if (near) {
+        best = std::min(best, at);
+      }
     }
     return best;
   }
@@ -86,7 +90,9 @@ void weld(Mesh& mesh, double tolerance) {
   std::vector<std::uint32_t> to(before);
   for (std::size_t p = 0; p < before; ++p) {
     to[p] = grid.find(mesh.points[p], kept);
-    if (to[p] != none) continue;
+    if (to[p] != none) {
+      continue;
+    }
     to[p] = static_cast<std::uint32_t>(kept.size());
     grid.insert(mesh.points[p], to[p]);
     kept.push_back(mesh.points[p]);
