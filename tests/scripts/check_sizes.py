@@ -17,7 +17,6 @@ LARGE_FILES = {
     "engine/towers/cycle_tracker.cpp": (409, "one algorithm"),
     "tools/bench/eager_equivalence.cpp": (437, "the published method on columns of its own; reductions/ should carry it"),
     "tools/bench/scenarios.cpp": (513, "a list"),
-    "tools/commands/tower_command.cpp": (606, "the loops over fields, Z and scripts have yet to part"),
     "tools/mesh/mesh_homology.cpp": (442, "choosing short loops has yet to part from the groups"),
     "tools/mesh/ply.cpp": (451, FORMAT),
     "tools/mesh/script.cpp": (454, FORMAT),

@@ -1,0 +1,30 @@
+/// \file
+/// What the command line says to `sesame tower`.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "replay/barcode/bars.hpp"
+#include "replay/script/generators.hpp"
+#include "replay/tower/tower_reader.hpp"
+
+namespace sesame::tools {
+
+struct TowerArguments {
+  std::string file;
+  replay::TowerFormat format = replay::TowerFormat::automatic;
+  std::string ring;
+  std::vector<std::string> rings;
+  std::string pers, csv, svg, html;
+  replay::BarSelection selection;
+  std::optional<int> max_dimension;
+  std::uint64_t until = 0, every = 0;
+  std::size_t longest_line = replay::longest_line;
+  std::optional<replay::GeneratorOptions> generators;
+  bool json = false, add_faces = false, all_bars = false, partial = false, quiet = false;
+};
+
+}  // namespace sesame::tools

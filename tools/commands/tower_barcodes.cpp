@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+
+#include "engine/towers/cycle_tracker.hpp"
+#include "tools/commands/bar_sink.hpp"
+#include "tools/commands/tower_loops.hpp"
+
+namespace sesame::tools {
+
+using engine::Bar;
+using replay::Outcome;
+using replay::TowerOperation;
+using replay::TowerResult;
+
+namespace {
+
+/// A tracker and a sink for each ring.
+struct Trackers {
+  std::vector<BarSink> sinks;
+  std::vector<std::unique_ptr<engine::BarcodeTracker>> trackers;
+  std::vector<engine::BarcodeTracker*> told;
+  engine::CycleTracker* cycles = nullptr;  ///< when generators are asked for
+};
+
+Trackers trackers_of(const TowerRun& run, replay::PersWriter* pers) {
+  const TowerArguments& arguments = run.arguments();
+  const bool keeps_bars = arguments.json || run.rings().size() > 1 || run.outputs().need_barcode();
+  const engine::Slots slots = run.is_matrix() ? engine::Slots::shared : engine::Slots::by_dimension;
+  Trackers made;
+  made.sinks.reserve(run.rings().size());  // trackers point to them
+  for (const sparse::AnyRing& ring : run.rings()) {
+    made.sinks.emplace_back(arguments.selection, run.dimensions(), keeps_bars, pers);
+    const auto add = [sink = &made.sinks.back()](const Bar& bar) { sink->add(bar); };
+    if (arguments.generators) {
+      auto tracker = engine::make_cycle_tracker(ring, add, run.dimensions());
+      made.cycles = tracker.get();
+      made.trackers.push_back(std::move(tracker));
+    } else {
+      made.trackers.push_back(engine::make_barcode_tracker(ring, add, slots, run.dimensions()));
+    }
+    made.told.push_back(made.trackers.back().get());
+  }
+  return made;
+}
+
+/// With --every: cells and Betti numbers now and then.
+void report_state(const TowerRun& run, const TowerOperation& operation, const replay::TowerReplay& tower,
+                  std::span<engine::BarcodeTracker* const> trackers) {
+  const TowerArguments& arguments = run.arguments();
+  if (arguments.every == 0 || run.operations() % arguments.every != 0 || !(run.prints() || arguments.json)) {
+    return;
+  }
+  for (const engine::BarcodeTracker* tracker : trackers) {
+    if (arguments.json) {
+      std::cout << fmt::format(R"({{"ops":{},"time":{},"ring":"{}","cells":[{}],"betti":[{}]}})", run.operations(),
+                               replay::json_number_text(operation.time), sparse::ring_name(tracker->ring()),
+                               fmt::join(tower.cells(), ","), fmt::join(tracker->betti(), ","))
+                << '\n';
+    } else {
+      std::cout << fmt::format("{:>10}  {:<24}  Betti numbers over {}: {}\n", run.operations(),
+                               fmt::format("{} cells", fmt::join(tower.cells(), " ")),
+                               sparse::ring_name(tracker->ring()), fmt::join(tracker->betti(), " "));
+    }
+  }
+  std::cout << std::flush;  // somebody may be waiting at the end of a pipe
+}
+
+}  // namespace
+
+Outcome run_barcodes(TowerRun& run) {
+  std::optional<replay::PersWriter> pers = run.pers_writer();
+  Trackers over = trackers_of(run, pers ? &*pers : nullptr);
+  replay::TowerHistory history;
+  replay::TowerReplay tower(over.told, over.cycles != nullptr ? &history : nullptr);
+  TowerRun::Drawn drawn;
+  const Outcome outcome =
+      run.read_all([&](const TowerOperation& operation) { return run.faces().apply(tower, operation); },
+                   [&](const TowerOperation& operation) {
+                     drawn.has_contractions |= operation.kind == TowerOperation::Kind::contract;
+                     report_state(run, operation, tower, over.told);
+                   });
+  drawn.top_dimension = static_cast<int>(tower.cells().size()) - 1;
+  if (!run.is_reported(outcome)) {
+    return outcome;
+  }
+  std::vector<TowerResult> results;
+  for (std::size_t r = 0; r < run.rings().size(); ++r) {
+    over.trackers[r]->for_each_open_bar([&](const Bar& bar) { over.sinks[r].add(bar); });
+    results.push_back(
+        over.sinks[r].finish(run.provenance(run.rings()[r], run.operations()), over.trackers[r]->hidden()));
+  }
+  if (pers) {
+    pers->finish(run.operations(), results[0].hidden);
+  }
+  std::optional<replay::CycleReport> report;
+  if (over.cycles != nullptr) {
+    // What was interrupted once writes its cycles, since a second interrupt ends it at once.
+    const std::atomic<bool>* stop = outcome == Outcome::interrupted ? nullptr : &stop_requested();
+    report.emplace(*over.cycles, history, tower.operations(), run.arguments().selection, *run.arguments().generators,
+                   stop);
+  }
+  run.write(results, report ? &*report : nullptr, drawn);
+  return outcome == Outcome::done && stop_requested().load() ? Outcome::interrupted : outcome;
+}
+
+}  // namespace sesame::tools
