@@ -37,8 +37,8 @@ void drop_trailing(std::vector<T>& list, const T& nothing) {
   }
 }
 
-std::string difference(std::vector<std::int64_t> betti, std::vector<std::vector<Integer>> torsion,
-                       std::vector<std::int64_t> right_betti, std::vector<std::vector<Integer>> right_torsion) {
+Status check(std::vector<std::int64_t> betti, std::vector<std::vector<Integer>> torsion,
+             std::vector<std::int64_t> right_betti, std::vector<std::vector<Integer>> right_torsion) {
   for (auto* list : {&betti, &right_betti}) {
     drop_trailing(*list, std::int64_t{0});
   }
@@ -46,9 +46,10 @@ std::string difference(std::vector<std::int64_t> betti, std::vector<std::vector<
     drop_trailing(*list, {});
   }
   if (betti == right_betti && torsion == right_torsion) {
-    return "";
+    return Done{};
   }
-  return "found " + text_of(betti, torsion) + "; right is " + text_of(right_betti, right_torsion);
+  return Error{Errc::expectation,
+               "found " + text_of(betti, torsion) + "; right is " + text_of(right_betti, right_torsion)};
 }
 
 std::unique_ptr<Method> method_to_compare_with(const std::string& method, const std::string& ring_name) {
@@ -60,12 +61,12 @@ std::unique_ptr<Method> method_to_compare_with(const std::string& method, const 
 
 }  // namespace
 
-std::string difference(const engine::Homology& found, const Answer& answer) {
+Status check(const engine::Homology& found, const Answer& answer) {
   std::vector<std::vector<Integer>> torsion;
   for (const auto& factors : answer.torsion) {
     torsion.emplace_back(factors.begin(), factors.end());
   }
-  return difference(found.betti, found.torsion, answer.betti, std::move(torsion));
+  return check(found.betti, found.torsion, answer.betti, std::move(torsion));
 }
 
 AnswerCheck::AnswerCheck(const Scenario& scenario, std::uint64_t size, const std::string& method, std::size_t steps)
@@ -82,17 +83,17 @@ Status AnswerCheck::after(const ops::Operation& operation, const engine::Homolog
     return followed;
   }
   ++done_;
-  std::string wrong = wrong_euler(homology);
-  if (wrong.empty()) {
-    wrong = wrong_groups(homology);
+  Status right = check_euler(homology);
+  if (right) {
+    right = check_groups(homology);
   }
-  if (wrong.empty() && done_ == steps_ && last_) {
-    wrong = difference(homology, *last_);
+  if (right && done_ == steps_ && last_) {
+    right = check(homology, *last_);
   }
-  if (!wrong.empty()) {
-    return Error{Errc::expectation, fmt::format("after step {} of {}: {}", done_, steps_, wrong)};
+  if (!right) {
+    return Error{Errc::expectation, fmt::format("after step {} of {}: {}", done_, steps_, right.error().what)};
   }
-  return Done{};
+  return right;
 }
 
 Status AnswerCheck::follow(const ops::Operation& operation) {
@@ -111,31 +112,33 @@ Status AnswerCheck::follow(const ops::Operation& operation) {
   return Done{};
 }
 
-std::string AnswerCheck::wrong_euler(const engine::Homology& homology) const {
+Status AnswerCheck::check_euler(const engine::Homology& homology) const {
   const std::int64_t found = alternating_sum(homology.betti);
   const std::int64_t right = alternating_sum(object_.structure().counts());
-  return found == right
-             ? ""
-             : fmt::format("found Betti numbers {} with the Euler characteristic {}; that of the cells is {}",
-                           fmt::join(homology.betti, " "), found, right);
+  if (found != right) {
+    return Error{Errc::expectation,
+                 fmt::format("found Betti numbers {} with the Euler characteristic {}; that of the cells is {}",
+                             fmt::join(homology.betti, " "), found, right)};
+  }
+  return Done{};
 }
 
-std::string AnswerCheck::wrong_groups(const engine::Homology& homology) {
+Status AnswerCheck::check_groups(const engine::Homology& homology) {
   if (known_) {
     const std::optional<Answer> answer = known_(done_ - 1);
     compared_ += answer ? 1 : 0;
-    return answer ? difference(homology, *answer) : "";
+    return answer ? check(homology, *answer) : Done{};
   }
   const auto counts = object_.structure().counts();
   const double cells = std::accumulate(counts.begin(), counts.end(), 1.0);
   effort_ += most_cells / static_cast<double>(steps_);
   if (cells > effort_) {
-    return "";
+    return Done{};
   }
   effort_ -= cells;
   ++compared_;
   const engine::Homology right = other_->homology();
-  return difference(homology.betti, homology.torsion, right.betti, right.torsion);
+  return check(homology.betti, homology.torsion, right.betti, right.torsion);
 }
 
 }  // namespace sesame::tools

@@ -26,8 +26,8 @@ template <class Numbers>
   return sum;
 }
 
-/// What differs from the answer, or an empty text.
-[[nodiscard]] std::string difference(const engine::Homology& found, const Answer& answer);
+/// Whether groups are those of the answer. Errors, expectation: what differs.
+[[nodiscard]] Status check(const engine::Homology& found, const Answer& answer);
 
 /// Follows a run of a method and compares its answers.
 ///
@@ -51,8 +51,8 @@ class AnswerCheck {
 
  private:
   Status follow(const ops::Operation& operation);
-  [[nodiscard]] std::string wrong_euler(const engine::Homology& homology) const;
-  std::string wrong_groups(const engine::Homology& homology);
+  [[nodiscard]] Status check_euler(const engine::Homology& homology) const;
+  Status check_groups(const engine::Homology& homology);
 
   AnswerAfter known_;
   std::optional<Answer> last_;

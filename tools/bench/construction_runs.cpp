@@ -40,8 +40,10 @@ Sample run_construction(const Scenario& scenario, std::uint64_t size, const std:
   }
   const std::optional<Answer> answer = scenario.answer(size);
   if (sample.verdict == Verdict::right && answer) {
-    sample.remark = difference(homology, *answer);
-    sample.verdict = sample.remark.empty() ? Verdict::right : Verdict::wrong;
+    if (const Status right = check(homology, *answer); !right) {
+      sample.remark = right.error().what;
+      sample.verdict = Verdict::wrong;
+    }
   }
   return sample;
 }

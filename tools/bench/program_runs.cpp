@@ -180,18 +180,22 @@ std::vector<std::string> FiltrationProgram::command(const std::string& options) 
   return {program_, directory_.path("cells")};
 }
 
-Result<std::string> FiltrationProgram::wrong_answer(const std::string& printed) const {
+Status FiltrationProgram::check_answer(const std::string& printed) const {
   if (method_ == "gudhi") {
     const std::optional<Answer> answer = scenario_.answer(size_);
-    return answer ? difference({betti_from_line(printed), {}, {}, {}}, *answer) : std::string{};
+    return answer ? check({betti_from_line(printed), {}, {}, {}}, *answer) : Done{};
   }
-  return in_child(  // so that what the files need is not memory of this process
+  const Result<std::string> wrong = in_child(  // so that what the files need is not memory of this process
       [&]() -> std::string {
         const std::string out = directory_.path("out");
         const BarSet bars = method_ == "phat" ? bars_of_pairs(directory_.path("cells"), out) : bars_of_lines(out);
         return bars == bars_ ? "" : fmt::format("found {} other bars than the {} of sesame", bars.size, bars_.size);
       },
       3600);
+  if (!wrong) {
+    return wrong.error();
+  }
+  return wrong->empty() ? Status{Done{}} : Error{Errc::expectation, *wrong};
 }
 
 Sample FiltrationProgram::run_with(const std::string& options, unsigned most_seconds) {
@@ -206,14 +210,12 @@ Sample FiltrationProgram::run_with(const std::string& options, unsigned most_sec
   sample.seconds = run->seconds;
   sample.busy = run->processor_seconds / run->seconds;
   sample.memory.resident = run->peak_bytes;
-  const Result<std::string> wrong = wrong_answer(run->output);
-  if (!wrong) {
-    sample.verdict = Verdict::failed;
-    sample.remark = wrong.error().what;
+  if (const Status right = check_answer(run->output); !right) {
+    sample.verdict = right.error().code == Errc::expectation ? Verdict::wrong : Verdict::failed;
+    sample.remark = right.error().what;
     return sample;
   }
-  sample.verdict = wrong->empty() ? Verdict::right : Verdict::wrong;
-  sample.remark = wrong->empty() ? options : *wrong;
+  sample.remark = options;
   return sample;
 }
 

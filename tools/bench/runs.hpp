@@ -56,8 +56,8 @@ class FiltrationProgram {
  private:
   [[nodiscard]] Sample run_with(const std::string& options, unsigned most_seconds);
   [[nodiscard]] std::vector<std::string> command(const std::string& options) const;
-  /// What is wrong, or an empty text. Errors: what the program wrote cannot be read.
-  [[nodiscard]] Result<std::string> wrong_answer(const std::string& printed) const;
+  /// Errors: expectation, what is wrong with the answer; others, why what the program wrote cannot be read.
+  [[nodiscard]] Status check_answer(const std::string& printed) const;
 
   const Scenario& scenario_;
   std::uint64_t size_;

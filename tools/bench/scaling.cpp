@@ -202,8 +202,9 @@ Result<ScalingPoint> measure_point(const Experiment& experiment, Method& method,
     microseconds.push_back(clock.lap() / steps);
     count += static_cast<double>(touched(method) - before + terms) / steps;
     for (std::size_t step = 0; step < found.size(); ++step) {
-      if (const std::string wrong = difference(found[step], workload.answer(number, step)); !wrong.empty()) {
-        return Error{Errc::expectation, fmt::format("step {} of round {}: {}", step + 1, number + 1, wrong)};
+      if (const Status right = check(found[step], workload.answer(number, step)); !right) {
+        return Error{Errc::expectation,
+                     fmt::format("step {} of round {}: {}", step + 1, number + 1, right.error().what)};
       }
     }
   }

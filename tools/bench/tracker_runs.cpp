@@ -120,16 +120,26 @@ engine::Homology homology_of(const std::vector<std::uint64_t>& betti) {
   return {{betti.begin(), betti.end()}, {}, {}, {}};
 }
 
-std::string wrong_euler(const Tracked& tracked, const replay::TowerReplay& tower) {
-  return alternating_sum(tracked.betti()) == alternating_sum(tower.cells())
-             ? ""
-             : "the Euler characteristics of cells and of homology differ";
+Status check_euler(const Tracked& tracked, const replay::TowerReplay& tower) {
+  if (alternating_sum(tracked.betti()) != alternating_sum(tower.cells())) {
+    return Error{Errc::expectation, "the Euler characteristics of cells and of homology differ"};
+  }
+  return Done{};
 }
 
-/// What is wrong in the end, or an empty text.
-std::string wrong_end(const Tracked& tracked, const replay::TowerReplay& tower, const std::optional<Answer>& answer) {
-  const std::string wrong = wrong_euler(tracked, tower);
-  return wrong.empty() && answer ? difference(homology_of(tracked.betti()), *answer) : wrong;
+Status check_end(const Tracked& tracked, const replay::TowerReplay& tower, const std::optional<Answer>& answer) {
+  Status right = check_euler(tracked, tower);
+  return right && answer ? check(homology_of(tracked.betti()), *answer) : right;
+}
+
+Status check_against(const Tracked& tracked, const Tracked& other) {
+  if (tracked.betti() != other.betti()) {
+    return Error{Errc::expectation, "another tracker has other Betti numbers"};
+  }
+  if (tracked.bars() != other.bars()) {
+    return Error{Errc::expectation, "another tracker has other bars"};
+  }
+  return Done{};
 }
 
 }  // namespace
@@ -162,8 +172,10 @@ Sample run_tracker(const Scenario& scenario, std::uint64_t size, const std::stri
                    {"classes_held", work.classes_held},
                    {"bars", tracked.bars().size}};
   if (sample.verdict == Verdict::right) {
-    sample.remark = wrong_end(tracked, tower, scenario.answer(size));
-    sample.verdict = sample.remark.empty() ? Verdict::right : Verdict::wrong;
+    if (const Status right = check_end(tracked, tower, scenario.answer(size)); !right) {
+      sample.remark = right.error().what;
+      sample.verdict = Verdict::wrong;
+    }
   }
   return sample;
 }
@@ -177,15 +189,14 @@ Sample check_tracker(const Scenario& scenario, std::uint64_t size, const std::st
     if (Status status = tower.apply(operations[k]); !status) {
       return status;
     }
-    std::string wrong = wrong_euler(tracked, tower);
-    if (wrong.empty() && tracked.betti() != other.betti()) {
-      wrong = "another tracker has other Betti numbers";
+    Status right = check_euler(tracked, tower);
+    if (right) {
+      right = check_against(tracked, other);
     }
-    if (wrong.empty() && tracked.bars() != other.bars()) {
-      wrong = "another tracker has other bars";
+    if (!right) {
+      return Error{Errc::expectation, "after operation " + std::to_string(k + 1) + ": " + right.error().what};
     }
-    return wrong.empty() ? Status{Done{}}
-                         : Error{Errc::expectation, "after operation " + std::to_string(k + 1) + ": " + wrong};
+    return right;
   };
   Sample sample = measure_steps(std::min<std::size_t>(steps, operations.size()), {most_seconds}, times, checked_step);
   sample.checked = sample.steps;

@@ -33,8 +33,8 @@ struct Arguments {
   bool list = false, quick = false, large = false, json = false;
 };
 
-int wrong_usage(const std::string& what) {
-  std::cerr << "sesame bench: " << what << '\n';
+int wrong_usage(const Error& error) {
+  std::cerr << "sesame bench: " << error.what << '\n';
   return static_cast<int>(Outcome::wrong_usage);
 }
 
@@ -60,16 +60,16 @@ class Bench {
   explicit Bench(const Arguments& arguments) : arguments_{arguments} {}
 
   int run() {
-    if (std::string problem = prepare(); !problem.empty()) {
-      return wrong_usage(problem);
+    if (const Status prepared = prepare(); !prepared) {
+      return wrong_usage(prepared.error());
     }
     if (arguments_.from.empty()) {
       measure_everything();
     } else if (prints_table()) {
       write_tables();
     }
-    if (std::string problem = write_files(); !problem.empty()) {
-      return wrong_usage(problem);
+    if (const Status written = write_files(); !written) {
+      return wrong_usage(written.error());
     }
     return conclude();
   }
@@ -102,21 +102,21 @@ class Bench {
     }
   }
 
-  /// Reads and opens everything that there is to read and to open. Says what is wrong, or nothing.
-  std::string prepare() {
+  /// Reads and opens everything that there is to read and to open.
+  Status prepare() {
     std::vector<std::string> names = arguments_.scenarios;
     wants_scaling_ = std::erase(names, scaling_name) > 0;
     for (const std::string& path : arguments_.meshes) {
       auto scenario = mesh_scenario(path);
       if (!scenario) {
-        return scenario.error().what;
+        return scenario.error();
       }
       meshes_.push_back(*std::move(scenario));
     }
     if (!names.empty() || (!wants_scaling_ && meshes_.empty())) {
       const auto found = find_scenarios(names);
       if (!found) {
-        return found.error().what;
+        return found.error();
       }
       scenarios_ = *found;
     }
@@ -124,36 +124,36 @@ class Bench {
       scenarios_.push_back(&mesh);
     }
     if (const Status known = check_method_names(arguments_.methods); !known) {
-      return known.error().what;
+      return known.error();
     }
     if (arguments_.size && scenarios_.size() != 1) {
-      return "--size is for one scenario; name it";
+      return Error{Errc::refused, "--size is for one scenario; name it"};
     }
     if (!arguments_.from.empty()) {
       auto stored = read_report(arguments_.from);
       if (!stored) {
-        return stored.error().what;
+        return stored.error();
       }
       report_ = *std::move(stored);
     }
     if (!arguments_.compare.empty()) {
       auto old = read_report(arguments_.compare);
       if (!old) {
-        return old.error().what;
+        return old.error();
       }
       old_ = *std::move(old);
     }
     if (!arguments_.against.empty()) {
       auto golden = read_counts(arguments_.against);
       if (!golden) {
-        return golden.error().what;
+        return golden.error();
       }
       golden_ = *std::move(golden);
     }
     return open_outputs();
   }
 
-  std::string open_outputs() {
+  Status open_outputs() {
     std::vector<std::string> inputs = arguments_.meshes;
     inputs.insert(inputs.end(), {arguments_.from, arguments_.compare, arguments_.against});
     outputs_.emplace(std::move(inputs));
@@ -161,11 +161,11 @@ class Bench {
                                      std::pair{&arguments_.svg, &svg_}, std::pair{&arguments_.counts, &counts_}}) {
       const Result<std::ostream*> opened = outputs_->open(*path);
       if (!opened) {
-        return opened.error().what;
+        return opened.error();
       }
       *file = *opened;
     }
-    return "";
+    return Done{};
   }
 
   /// The methods that a scenario is run with now.
@@ -219,7 +219,7 @@ class Bench {
     }
   }
 
-  std::string write_files() {
+  Status write_files() {
     if (out_ != nullptr) {
       *out_ << to_text(report_);
     }
@@ -235,8 +235,7 @@ class Bench {
     if (arguments_.json) {
       std::cout << to_text(report_);
     }
-    const Status written = outputs_->commit();
-    return written ? "" : written.error().what;
+    return outputs_->commit();
   }
 
   /// Says what is to be said at the end. The exit status.

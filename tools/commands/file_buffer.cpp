@@ -26,13 +26,11 @@ FileBuffer::FileBuffer(int descriptor)
 
 FileBuffer::~FileBuffer() { ::close(descriptor_); }
 
-std::string FileBuffer::failure() const { return error_ == 0 ? "" : std::strerror(error_); }
-
-std::string FileBuffer::settle() {
+Status FileBuffer::settle() {
   if (sync() == 0 && fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) {  // which are for what is no file
     error_ = errno;
   }
-  return failure();
+  return error_ == 0 ? Status{Done{}} : Error{Errc::io, std::strerror(error_)};
 }
 
 bool FileBuffer::write_pending() {

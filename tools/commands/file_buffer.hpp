@@ -5,8 +5,9 @@
 #include <sys/types.h>
 
 #include <streambuf>
-#include <string>
 #include <vector>
+
+#include "sparse/result.hpp"
 
 namespace sesame::tools {
 
@@ -22,10 +23,9 @@ class FileBuffer final : public std::streambuf {
   [[nodiscard]] int descriptor() const { return descriptor_; }
   /// Forgets what was not flushed and has not been written.
   void drop() { setp(room_.data(), room_.data() + room_.size()); }
-  /// Flushes, and waits until a regular file is where a power cut leaves it. Why it failed, now or earlier, or nothing.
-  std::string settle();
-  /// Why writing failed, or nothing.
-  [[nodiscard]] std::string failure() const;
+  /// Flushes, and waits until a regular file is where a power cut leaves it. Errors, io: why writing failed, now or
+  /// earlier.
+  Status settle();
 
  protected:
   int_type overflow(int_type c) override;

@@ -90,16 +90,16 @@ Status LogFile::go_on() {
 }
 
 Status LogFile::close(bool is_whole) {
-  std::string failure;
+  Status settled = Done{};
   if (buffer() != nullptr) {
     buffer()->drop();  // no line: a flush ends one
-    failure = buffer()->settle();
+    settled = buffer()->settle();
   }
-  if (!failure.empty()) {
+  if (!settled) {
     if (part_ != nullptr) {
       part_->remove();
     }
-    return cannot_write(place_.path, failure);
+    return cannot_write(place_.path, settled.error().what);
   }
   if (part_ == nullptr || !is_whole) {
     return Done{};

@@ -38,7 +38,7 @@ bool is_same(const FileStatus& one, const std::optional<FileStatus>& other) {
 }
 
 /// Which part a file plays already, for which it must not be written; or nothing.
-std::string role_of(const FileStatus& file, const std::vector<std::string>& inputs) {
+std::optional<std::string> role_of(const FileStatus& file, const std::vector<std::string>& inputs) {
   struct Stream {
     int descriptor;
     const char* role;
@@ -56,7 +56,7 @@ std::string role_of(const FileStatus& file, const std::vector<std::string>& inpu
       return stream.role;
     }
   }
-  return "";
+  return std::nullopt;
 }
 
 /// The name itself is written to the disk when the folder is.
@@ -94,8 +94,8 @@ Result<OutputPlace> find_place(const std::string& path, const std::vector<std::s
                                            : OutputPlace::Kind::other;
     place.identity = {found->st_dev, found->st_ino, ""};
     place.target = fs::canonical(path, failed);
-    if (const std::string role = role_of(*found, inputs); !role.empty() && place.kind == OutputPlace::Kind::regular) {
-      return Error{Errc::io, path + " " + role + another_name};
+    if (const auto role = role_of(*found, inputs); role && place.kind == OutputPlace::Kind::regular) {
+      return Error{Errc::io, path + " " + *role + another_name};
     }
     if (access(path.c_str(), W_OK) != 0) {
       return cannot_write(path);
@@ -186,8 +186,8 @@ class OutputFiles::File {
   }
 
   Status settle() {
-    const std::string failure = (part_ != nullptr ? part_->buffer() : *direct_).settle();
-    return failure.empty() ? Status{Done{}} : cannot_write(place_.path, failure);
+    const Status settled = (part_ != nullptr ? part_->buffer() : *direct_).settle();
+    return settled ? settled : cannot_write(place_.path, settled.error().what);
   }
   Status replace() {
     if (part_ == nullptr) {

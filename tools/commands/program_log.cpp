@@ -120,8 +120,8 @@ Status ProgramLog::open_file(const CLI::App& command) {
 }
 
 Status ProgramLog::finish() {
-  const std::string failure = file_ == nullptr ? "" : file_->settle();
-  return failure.empty() ? Status{Done{}} : cannot_write(path_, failure);
+  const Status settled = file_ == nullptr ? Status{Done{}} : file_->settle();
+  return settled ? settled : cannot_write(path_, settled.error().what);
 }
 
 }  // namespace sesame::tools
