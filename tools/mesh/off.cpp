@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "tools/mesh/off_head.hpp"
 #include "tools/mesh/readers.hpp"
 #include "tools/mesh/text.hpp"
 
@@ -12,156 +13,14 @@ namespace sesame::tools {
 
 namespace {
 
-struct Head {
-  bool has_texture = false;
-  bool has_colours = false;
-  bool has_normals = false;
-  bool is_homogeneous = false;    ///< there is a fourth coordinate, which divides the others
-  bool has_dimension = false;     ///< the number of coordinates comes first
-  bool is_ambiguous = false;      ///< `noff`: normals, or a dimension?
-  std::size_t coordinates = 3;    ///< numbers that say where a point is
-  std::size_t other_numbers = 0;  ///< numbers of a point after those: normal, colour, texture coordinates
-  std::uint64_t points = 0;
-  std::uint64_t faces = 0;
-
-  [[nodiscard]] std::size_t numbers() const { return coordinates + other_numbers; }
-};
-
-/// Reads `[ST][C][N][4][n]OFF`, the prefixes in any order; a number may be glued to it. Returns that number, empty when
-/// there is none, or nothing when the word is not of this form.
-std::optional<std::string_view> parse_keyword(std::string_view word, Head& head) {
-  const std::size_t end = word.find_last_not_of("0123456789") + 1;  // npos + 1 is 0
-  if (end < 3 || lower_case(word.substr(end - 3, 3)) != "off") {
-    return std::nullopt;
-  }
-  std::string_view prefixes = word.substr(0, end - 3);
-  const auto take = [&prefixes](std::string_view prefix, bool& is_there) {
-    if (is_there || lower_case(prefixes.substr(0, prefix.size())) != prefix) {
-      return false;
-    }
-    prefixes.remove_prefix(prefix.size());
-    return is_there = true;
-  };
-  while (!prefixes.empty()) {
-    bool& n = prefixes[0] == 'n' ? head.has_dimension : head.has_normals;
-    const bool is_known =
-        take("st", head.has_texture) || take("c", head.has_colours) || take("4", head.is_homogeneous) || take("n", n);
-    if (!is_known) {
-      return std::nullopt;
-    }
-  }
-  head.is_ambiguous = head.has_dimension && word[end - 1] == 'f';
-  head.coordinates = head.is_homogeneous ? 4 : 3;
-  head.other_numbers = (head.has_normals ? 3 : 0) + (head.has_colours ? 4 : 0) + (head.has_texture ? 2 : 0);
-  return word.substr(end);
-}
-
-class HeadReader {
- public:
-  explicit HeadReader(WordReader& words) : words_{words} {}
-
-  Result<Head> read() {
-    auto word = words_.next();
-    std::int64_t number = 0;
-    if (const auto glued = parse_keyword(word, head_)) {
-      if (head_.is_ambiguous) {
-        return words_.error(fmt::format(
-            "{} may be NOFF, with normals, or nOFF, with a dimension, write the one that is meant", shown(word)));
-      }
-      word = glued->empty() ? words_.next() : *glued;
-    } else if (!parse_integer(word, number)) {
-      return words_.error(fmt::format("{} in the place of the head of an OFF file, `OFF` is expected", shown(word)));
-    } else {
-      has_keyword_ = false;
-    }
-    if (word == "BINARY") {
-      return words_.error("binary OFF is not read, save the mesh as ASCII OFF or binary PLY");
-    }
-    if (head_.has_dimension) {
-      if (auto done = read_dimension(word); !done) {
-        return done.error();
-      }
-      word = words_.next();
-    }
-    if (auto done = read_count(word, "points", head_.points); !done) {
-      return done.error();
-    }
-    if (auto done = read_count(words_.next(), "faces", head_.faces); !done) {
-      return done.error();
-    }
-    if (auto done = skip_count_of_edges(); !done) {
-      return done.error();
-    }
-    if (auto done = check_counts(); !done) {
-      return done.error();
-    }
-    return head_;
-  }
-
-  [[nodiscard]] bool has_keyword() const { return has_keyword_; }
-
- private:
-  Status read_count(std::string_view word, std::string_view what, std::uint64_t& count) const {
-    std::int64_t value = 0;
-    if (!parse_integer(word, value) || value < 0) {
-      return words_.error(
-          fmt::format("{} in the place of the number of {}, a number from 0 is expected", shown(word), what));
-    }
-    count = static_cast<std::uint64_t>(value);
-    return Done{};
-  }
-
-  Status read_dimension(std::string_view word) {
-    std::uint64_t dimension = 0;
-    if (auto done = read_count(word, "coordinates", dimension); !done) {
-      return done;
-    }
-    if (dimension == 0 || dimension > 1000) {
-      return words_.error("points of nOFF have 1 to 1000 coordinates");
-    }
-    head_.coordinates = static_cast<std::size_t>(dimension) + (head_.is_homogeneous ? 1 : 0);
-    return Done{};
-  }
-
-  /// Many files lack it. It follows on the same line, or is alone on the next one, where no point would be.
-  Status skip_count_of_edges() {
-    std::uint64_t edges = 0;
-    auto word = words_.next_in_line();
-    if (!word.empty()) {
-      return read_count(word, "edges", edges);
-    }
-    WordReader ahead = words_;
-    word = ahead.next();
-    const bool is_alone = ahead.next_in_line().empty();
-    if (head_.points > 0 && is_alone && read_count(word, "edges", edges)) {
-      words_ = ahead;
-    }
-    return Done{};
-  }
-
-  /// Claims that no file of this size can keep are refused here; those that come close, where the file ends.
-  Status check_counts() const {
-    const std::size_t room = words_.remaining();
-    if (head_.points <= room && head_.faces <= room) {
-      return Done{};
-    }
-    return words_.error(fmt::format("{} and {} are announced, but only {}", counted(head_.points, "point", "points"),
-                                    counted(head_.faces, "face", "faces"),
-                                    counted(room, "byte follows", "bytes follow")));
-  }
-
-  WordReader& words_;
-  Head head_;
-  bool has_keyword_ = true;
-};
-
 /// Where lines break among the numbers of the points: anywhere, as in Geomview, or after each point, which may have
 /// other numbers after its coordinates than the head says.
 enum class Layout { free, line_per_point };
 
 class BodyReader {
  public:
-  BodyReader(const Head& head, const WordReader& words, Layout layout) : head_{head}, words_{words}, layout_{layout} {}
+  BodyReader(const OffHead& head, const WordReader& words, Layout layout)
+      : head_{head}, words_{words}, layout_{layout} {}
 
   Status read() {
     if (auto done = read_points(); !done) {
@@ -305,7 +164,7 @@ class BodyReader {
     words_.skip_line();
   }
 
-  const Head& head_;
+  const OffHead& head_;
   WordReader words_;
   Layout layout_;
   Mesh mesh_;
@@ -337,9 +196,9 @@ std::optional<std::size_t> common_width(WordReader words, std::uint64_t lines) {
   return common;
 }
 
-std::vector<std::string> remarks_of(const Head& head, bool has_keyword) {
+std::vector<std::string> remarks_of(const OffHead& head) {
   std::vector<std::string> remarks;
-  if (!has_keyword) {
+  if (!head.has_keyword) {
     remarks.emplace_back("the file does not begin with `OFF`; it was read as if it did");
   }
   if (head.is_homogeneous && !head.has_dimension) {
@@ -353,7 +212,7 @@ std::vector<std::string> remarks_of(const Head& head, bool has_keyword) {
 
 /// As Geomview reads it. Where that fails or leaves something out, and all lines of points are alike but have other
 /// numbers than the head announces (colours or normals, as a rule), a point per line.
-Result<Mesh> read_body(const Head& head, const WordReader& words) {
+Result<Mesh> read_body(const OffHead& head, const WordReader& words) {
   BodyReader free{head, words, Layout::free};
   const Status free_done = free.read();
   if (free_done && !free.line_left_out()) {
@@ -386,8 +245,7 @@ Result<Mesh> read_body(const Head& head, const WordReader& words) {
 
 Result<Mesh> read_off(std::string_view bytes, std::string_view name) {
   WordReader words{LineReader{bytes, name}, WordReader::Comments::hash};
-  HeadReader reader{words};
-  const auto head = reader.read();
+  const auto head = read_off_head(words);
   if (!head) {
     return head.error();
   }
@@ -395,15 +253,15 @@ Result<Mesh> read_off(std::string_view bytes, std::string_view name) {
   if (!mesh) {
     return mesh;
   }
-  const auto remarks = remarks_of(*head, reader.has_keyword());
+  const auto remarks = remarks_of(*head);
   mesh->remarks.insert(mesh->remarks.begin(), remarks.begin(), remarks.end());
   return mesh;
 }
 
 bool has_off_head(std::string_view bytes) {
   WordReader words{LineReader{bytes, {}}, WordReader::Comments::hash};
-  Head head;
-  return parse_keyword(words.next(), head).has_value();
+  OffHead head;
+  return parse_off_keyword(words.next(), head).has_value();
 }
 
 }  // namespace sesame::tools

@@ -5,9 +5,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
-#include <optional>
 
+#include "tools/mesh/ply_header.hpp"
 #include "tools/mesh/readers.hpp"
 #include "tools/mesh/text.hpp"
 
@@ -15,180 +14,10 @@ namespace sesame::tools {
 
 namespace {
 
-enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-struct TypeName {
-  std::string_view name;
-  Type type;
-};
-
-constexpr auto type_names = std::to_array<TypeName>({{"char", Type::int8},
-                                                     {"uchar", Type::uint8},
-                                                     {"short", Type::int16},
-                                                     {"ushort", Type::uint16},
-                                                     {"int", Type::int32},
-                                                     {"uint", Type::uint32},
-                                                     {"float", Type::float32},
-                                                     {"double", Type::float64},
-                                                     {"int8", Type::int8},
-                                                     {"uint8", Type::uint8},
-                                                     {"int16", Type::int16},
-                                                     {"uint16", Type::uint16},
-                                                     {"int32", Type::int32},
-                                                     {"uint32", Type::uint32},
-                                                     {"float32", Type::float32},
-                                                     {"float64", Type::float64}});
-
-std::size_t size_of(Type type) {
-  constexpr std::array<std::size_t, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
-  return sizes[static_cast<std::size_t>(type)];
-}
-
-std::optional<Type> type_of(std::string_view name) {
-  const auto* const found =
-      std::find_if(type_names.begin(), type_names.end(), [name](const TypeName& entry) { return entry.name == name; });
-  if (found == type_names.end()) {
-    return std::nullopt;
-  }
-  return found->type;
-}
-
-struct Property {
-  std::string_view name;
-  Type type;
-  std::optional<Type> count;  ///< of a list: the type of its length
-};
-
-struct Element {
-  std::string_view name;
-  std::uint64_t count = 0;
-  std::vector<Property> properties;
-
-  /// The position of a property, or the number of properties.
-  [[nodiscard]] std::size_t find(std::string_view property) const {
-    const auto found = std::find_if(properties.begin(), properties.end(),
-                                    [property](const Property& p) { return p.name == property; });
-    return static_cast<std::size_t>(found - properties.begin());
-  }
-};
-
-enum class Encoding { ascii, little_endian, big_endian };
-
-struct Header {
-  Encoding encoding = Encoding::ascii;
-  std::vector<Element> elements;
-};
-
-/// Reads the lines up to `end_header`.
-class HeaderReader {
- public:
-  explicit HeaderReader(LineReader& lines) : lines_{lines} {}
-
-  Result<Header> read() {
-    if (!lines_.next() || word_of_line() != "ply") {
-      return lines_.error("a PLY file begins with a line `ply`");
-    }
-    bool has_format = false;
-    while (lines_.next()) {
-      const auto keyword = word_of_line();
-      Status done = Done{};
-      if (keyword == "end_header") {
-        if (!has_format) {
-          return lines_.error("the header ends without a line `format ascii 1.0` or `format binary_...`");
-        }
-        return std::move(header_);
-      }
-      if (keyword == "format") {
-        done = read_format();
-        has_format = true;
-      } else if (keyword == "element") {
-        done = read_element();
-      } else if (keyword == "property") {
-        done = read_property();
-      } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-        return lines_.error(fmt::format(
-            "{} in the header, `element`, `property`, `comment` or `end_header` is expected", shown(keyword)));
-      }
-      if (!done) {
-        return done.error();
-      }
-    }
-    return lines_.error("the file ends before `end_header`");
-  }
-
- private:
-  std::string_view word_of_line() {
-    rest_ = lines_.line();
-    return next_word(rest_);
-  }
-
-  Status read_format() {
-    const auto encoding = next_word(rest_);
-    if (encoding == "ascii") {
-      header_.encoding = Encoding::ascii;
-    } else if (encoding == "binary_little_endian") {
-      header_.encoding = Encoding::little_endian;
-    } else if (encoding == "binary_big_endian") {
-      header_.encoding = Encoding::big_endian;
-    } else {
-      return lines_.error(
-          fmt::format("the format {} is unknown, `ascii`, `binary_little_endian` or "
-                      "`binary_big_endian` is expected",
-                      shown(encoding)));
-    }
-    return Done{};
-  }
-
-  Status read_element() {
-    Element element;
-    element.name = next_word(rest_);
-    const auto word = next_word(rest_);
-    std::int64_t count = 0;
-    if (!parse_integer(word, count) || count < 0) {
-      return lines_.error(fmt::format("element {} has {} in the place of its number, which is one from 0",
-                                      shown(element.name), shown(word)));
-    }
-    element.count = static_cast<std::uint64_t>(count);
-    header_.elements.push_back(std::move(element));
-    return Done{};
-  }
-
-  Status read_property() {
-    if (header_.elements.empty()) {
-      return lines_.error("a property before any `element`");
-    }
-    Property property{};
-    auto word = next_word(rest_);
-    if (word == "list") {
-      word = next_word(rest_);
-      property.count = type_of(word);
-      if (!property.count || *property.count == Type::float32 || *property.count == Type::float64) {
-        return lines_.error(fmt::format("a list counts its entries in {}, an integer type is expected", shown(word)));
-      }
-      word = next_word(rest_);
-    }
-    const auto type = type_of(word);
-    property.name = next_word(rest_);
-    if (!type || property.name.empty()) {
-      return lines_.error(
-          fmt::format("{} {} is not a property, a type (char uchar short ushort int uint float double, "
-                      "or int8 ... float64) and a name are expected",
-                      shown(word), shown(property.name)));
-    }
-    property.type = *type;
-    header_.elements.back().properties.push_back(property);
-    return Done{};
-  }
-
-  LineReader& lines_;
-  std::string_view rest_;
-  Header header_;
-};
-
 /// The values after the header, one after the other, as doubles, which hold every type exactly.
 class Values {
  public:
-  Values(Encoding encoding, const LineReader& lines, std::string_view name)
+  Values(PlyEncoding encoding, const LineReader& lines, std::string_view name)
       : encoding_{encoding},
         words_{lines, WordReader::Comments::none},
         text_{lines.text()},
@@ -201,10 +30,10 @@ class Values {
     }
   }
 
-  [[nodiscard]] bool is_ascii() const { return encoding_ == Encoding::ascii; }
+  [[nodiscard]] bool is_ascii() const { return encoding_ == PlyEncoding::ascii; }
   [[nodiscard]] std::size_t remaining() const { return is_ascii() ? words_.remaining() : text_.size() - at_; }
 
-  bool read(Type type, double& value) { return is_ascii() ? read_word(value) : read_binary(type, value); }
+  bool read(PlyType type, double& value) { return is_ascii() ? read_word(value) : read_binary(type, value); }
 
   /// An error at the value that was read last, or that could not be.
   [[nodiscard]] Error error(std::string_view what) const {
@@ -230,7 +59,7 @@ class Values {
     return parse_real(word_, value);
   }
 
-  bool read_binary(Type type, double& value) {
+  bool read_binary(PlyType type, double& value) {
     const std::size_t size = size_of(type);
     value_at_ = at_;
     if (text_.size() - at_ < size) {
@@ -238,7 +67,7 @@ class Values {
     }
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < size; ++i) {
-      const std::size_t place = encoding_ == Encoding::big_endian ? i : size - 1 - i;
+      const std::size_t place = encoding_ == PlyEncoding::big_endian ? i : size - 1 - i;
       bits = (bits << 8) | static_cast<unsigned char>(text_[at_ + place]);
     }
     at_ += size;
@@ -246,27 +75,27 @@ class Values {
     return true;
   }
 
-  static double value_of(Type type, std::uint64_t bits) {
+  static double value_of(PlyType type, std::uint64_t bits) {
     switch (type) {
-      case Type::int8:
+      case PlyType::int8:
         return static_cast<double>(static_cast<std::int8_t>(bits));
-      case Type::int16:
+      case PlyType::int16:
         return static_cast<double>(static_cast<std::int16_t>(bits));
-      case Type::int32:
+      case PlyType::int32:
         return static_cast<double>(static_cast<std::int32_t>(bits));
-      case Type::float32:
+      case PlyType::float32:
         return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-      case Type::float64:
+      case PlyType::float64:
         return std::bit_cast<double>(bits);
-      case Type::uint8:
-      case Type::uint16:
-      case Type::uint32:
+      case PlyType::uint8:
+      case PlyType::uint16:
+      case PlyType::uint32:
         break;
     }
     return static_cast<double>(bits);
   }
 
-  Encoding encoding_;
+  PlyEncoding encoding_;
   WordReader words_;
   std::string_view text_;
   std::string_view name_;
@@ -280,7 +109,7 @@ class PlyReader {
   PlyReader(std::string_view bytes, std::string_view name) : lines_{bytes, name}, name_{name} {}
 
   Result<Mesh> read() {
-    auto header = HeaderReader{lines_}.read();
+    auto header = read_ply_header(lines_);
     if (!header) {
       return header.error();
     }
@@ -327,7 +156,7 @@ class PlyReader {
 
  private:
   /// Whether an element has the properties that are needed, and whether its rows can fit into what is left.
-  Status check(const Element& element, const Values& values) {
+  Status check(const PlyElement& element, const Values& values) {
     std::uint64_t least = 0;
     for (const auto& property : element.properties) {
       least += values.is_ascii() ? 1 : size_of(property.count.value_or(property.type));
@@ -350,12 +179,12 @@ class PlyReader {
     return Done{};
   }
 
-  static bool has_corners(const Element& element) { return element.name == "face" || element.name == "tristrips"; }
-  static bool is_used(const Element& element) {
+  static bool has_corners(const PlyElement& element) { return element.name == "face" || element.name == "tristrips"; }
+  static bool is_used(const PlyElement& element) {
     return element.name == "vertex" || element.name == "edge" || has_corners(element);
   }
 
-  static std::string_view needed_of(const Element& element) {
+  static std::string_view needed_of(const PlyElement& element) {
     if (element.name == "vertex") {
       return "`x`, `y` and `z`, numbers,";
     }
@@ -367,7 +196,7 @@ class PlyReader {
 
   /// Where the properties that are used stand in a row; a position past the end for one that is missing or is a list
   /// in the place of a number, or the reverse.
-  static std::array<std::size_t, 3> properties_of(const Element& element) {
+  static std::array<std::size_t, 3> properties_of(const PlyElement& element) {
     const auto find = [&element](std::string_view name, bool list) {
       const auto place = element.find(name);
       const bool fits = place < element.properties.size() && element.properties[place].count.has_value() == list;
@@ -387,7 +216,7 @@ class PlyReader {
   }
 
   /// Reads a row: its numbers to row_, the list that holds the corners to corners_.
-  Status read_row(const Element& element, std::uint64_t row, Values& values) {
+  Status read_row(const PlyElement& element, std::uint64_t row, Values& values) {
     row_.assign(element.properties.size(), 0);
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
       const auto& property = element.properties[i];
@@ -416,7 +245,7 @@ class PlyReader {
     return Done{};
   }
 
-  Status use_row(const Element& element, std::uint64_t row, const Values& values) {
+  Status use_row(const PlyElement& element, std::uint64_t row, const Values& values) {
     if (element.name == "vertex") {
       Point point{};
       for (std::size_t i = 0; i < 3; ++i) {
@@ -488,7 +317,7 @@ class PlyReader {
     return Done{};
   }
 
-  void remark_skipped(const Element& element) {
+  void remark_skipped(const PlyElement& element) {
     if (is_used(element) || element.count == 0) {
       return;
     }

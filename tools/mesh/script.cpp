@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <deque>
 #include <iterator>
 #include <optional>
 #include <ostream>
-#include <span>
 #include <utility>
 
 #include "tools/mesh/incidence.hpp"
+#include "tools/mesh/mesh_items.hpp"
 #include "tools/mesh/normalise.hpp"
 #include "tools/mesh/text.hpp"
 
@@ -18,171 +16,10 @@ namespace sesame::tools {
 
 namespace {
 
-constexpr std::uint32_t none = 0xffffffff;
-
-/// A triangle or a line, its vertices in increasing order. The edge at place k of a triangle is the face that omits
-/// vertex k; a line has its one edge at place 0.
-struct Simplex {
-  std::array<std::uint32_t, 3> vertices;
-  std::array<std::uint32_t, 3> edges;
-  std::size_t dimension;
-
-  [[nodiscard]] std::span<const std::uint32_t> all_vertices() const& {
-    return std::span{vertices}.first(dimension + 1);
-  }
-  [[nodiscard]] std::span<const std::uint32_t> all_edges() const& {
-    return std::span{edges}.first(dimension == 2 ? 3 : 1);
-  }
-  // Loops over the cells of a temporary would dangle.
-  void all_vertices() const&& = delete;
-  void all_edges() const&& = delete;
-};
-
-/// A triangulated mesh as a list of items: its triangles, then its lines.
-class Items {
- public:
-  explicit Items(Mesh mesh) : mesh_{std::move(mesh)}, incidence_{incidence_of(mesh_)} {
-    items_at_begin_.assign(mesh_.points.size() + 1, 0);
-    const auto count = static_cast<std::uint32_t>(size());
-    for (std::uint32_t item = 0; item < count; ++item) {
-      const auto simplex = (*this)[item];
-      for (const auto v : simplex.all_vertices()) {
-        ++items_at_begin_[v + 1];
-      }
-    }
-    for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
-      items_at_begin_[v + 1] += items_at_begin_[v];
-    }
-    items_at_.resize(items_at_begin_.back());
-    auto next = items_at_begin_;
-    for (std::uint32_t item = 0; item < count; ++item) {
-      const auto simplex = (*this)[item];
-      for (const auto v : simplex.all_vertices()) {
-        items_at_[next[v]++] = item;
-      }
-    }
-  }
-
-  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
-  [[nodiscard]] const Incidence& incidence() const { return incidence_; }
-  [[nodiscard]] std::size_t size() const { return mesh_.faces.size() + mesh_.lines.size(); }
-  [[nodiscard]] bool is_line(std::uint32_t item) const { return item >= mesh_.faces.size(); }
-
-  /// The number of an item among its kind.
-  [[nodiscard]] std::size_t number(std::uint32_t item) const {
-    return is_line(item) ? item - mesh_.faces.size() : item;
-  }
-
-  [[nodiscard]] std::span<const std::uint32_t> items_at(std::uint32_t vertex) const {
-    return std::span{items_at_}.subspan(items_at_begin_[vertex], items_at_begin_[vertex + 1] - items_at_begin_[vertex]);
-  }
-
-  [[nodiscard]] Simplex operator[](std::uint32_t item) const {
-    if (is_line(item)) {
-      const auto edge = incidence_.edge_of_line[item - mesh_.faces.size()];
-      return {{incidence_.edges[edge][0], incidence_.edges[edge][1], none}, {edge, none, none}, 1};
-    }
-    const auto face = mesh_.faces[item];
-    Simplex simplex{{face[0], face[1], face[2]}, {none, none, none}, 2};
-    std::sort(simplex.vertices.begin(), simplex.vertices.end());
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const auto edge = incidence_.edge_of_corner[mesh_.faces.start(item) + i];
-      const auto [low, high] = incidence_.edges[edge];
-      const std::size_t omitted = low == simplex.vertices[1] ? 0 : high == simplex.vertices[2] ? 1 : 2;
-      simplex.edges[omitted] = edge;
-    }
-    return simplex;
-  }
-
- private:
-  Mesh mesh_;
-  Incidence incidence_;
-  std::vector<std::uint32_t> items_at_begin_;
-  std::vector<std::uint32_t> items_at_;
-};
-
-/// Breadth first over shared edges. When those are used up, an item at an early vertex of what is built is next, so
-/// that sheets that touch in a point and lines follow; when there is none, the first item of another component.
-class BreadthFirst {
- public:
-  explicit BreadthFirst(const Items& items)
-      : items_{items}, placed_(items.size(), false), seen_(items.mesh().points.size(), false) {}
-
-  std::vector<std::uint32_t> run() {
-    for (std::uint32_t seed = 0; seed < items_.size(); ++seed) {
-      if (placed_[seed]) {
-        continue;
-      }
-      place(seed);
-      grow();
-    }
-    return std::move(order_);
-  }
-
- private:
-  void grow() {
-    while (next_ < order_.size() || !frontier_.empty()) {
-      if (next_ < order_.size()) {
-        place_neighbours(order_[next_++]);
-        continue;
-      }
-      const auto here = items_.items_at(frontier_.front());
-      const auto free = std::find_if(here.begin(), here.end(), [this](std::uint32_t item) { return !placed_[item]; });
-      if (free == here.end()) {
-        frontier_.pop_front();
-      } else {
-        place(*free);
-      }
-    }
-  }
-
-  void place_neighbours(std::uint32_t item) {
-    const auto simplex = items_[item];
-    for (const auto edge : simplex.all_edges()) {
-      for (const auto side : items_.incidence().sides_of(edge)) {
-        const auto face = items_.incidence().face_of_corner[side];
-        if (!placed_[face]) {
-          place(face);
-        }
-      }
-    }
-  }
-
-  void place(std::uint32_t item) {
-    placed_[item] = true;
-    order_.push_back(item);
-    const auto simplex = items_[item];
-    for (const auto v : simplex.all_vertices()) {
-      if (!seen_[v]) {
-        frontier_.push_back(v);
-      }
-      seen_[v] = true;
-    }
-  }
-
-  const Items& items_;
-  std::vector<bool> placed_;
-  std::vector<bool> seen_;
-  std::vector<std::uint32_t> order_;
-  std::size_t next_ = 0;  ///< items of order_ before this one have had their neighbours placed
-  std::deque<std::uint32_t> frontier_;
-};
-
-std::vector<std::uint32_t> build_order(const Items& items, BuildOrder order) {
-  if (order == BuildOrder::breadth_first) {
-    return BreadthFirst{items}.run();
-  }
-  std::vector<std::uint32_t> given(items.size());
-  for (std::uint32_t i = 0; i < given.size(); ++i) {
-    given[i] = i;
-  }
-  return given;
-}
-
 /// What both kinds of script have in common: the head, the comments, the expectation, and a buffer before the stream.
 class ScriptWriter {
  public:
-  ScriptWriter(const Items& items, std::ostream& out, const ScriptOptions& options)
+  ScriptWriter(const MeshItems& items, std::ostream& out, const ScriptOptions& options)
       : items_{items}, options_{options}, out_{out} {}
 
   template <class... Arguments>
@@ -245,7 +82,7 @@ class ScriptWriter {
     buffer_.clear();
   }
 
-  const Items& items_;
+  const MeshItems& items_;
   const ScriptOptions& options_;
   std::ostream& out_;
   fmt::memory_buffer buffer_;
@@ -255,7 +92,7 @@ class ScriptWriter {
 /// Visits the cells of a complex, each after its faces: vertex(v), edge(e) and triangle(item) with the numbers that
 /// points, edges and items have.
 template <class Vertex, class Edge, class Triangle>
-void for_each_cell(const Items& items, BuildOrder order, Vertex&& vertex, Edge&& edge, Triangle&& triangle) {
+void for_each_cell(const MeshItems& items, BuildOrder order, Vertex&& vertex, Edge&& edge, Triangle&& triangle) {
   std::vector<bool> has_vertex(items.mesh().points.size(), false);
   std::vector<bool> has_edge(items.incidence().edges.size(), false);
   const auto visit_vertex = [&](std::uint32_t v) {
@@ -284,7 +121,7 @@ void for_each_cell(const Items& items, BuildOrder order, Vertex&& vertex, Edge&&
   }
 }
 
-Result<ScriptSummary> write_complex(const Items& items, std::ostream& out, const ScriptOptions& options) {
+Result<ScriptSummary> write_complex(const MeshItems& items, std::ostream& out, const ScriptOptions& options) {
   ScriptWriter writer{items, out, options};
   writer.head("a complex");
   writer.print("{{\"op\":\"complex\",\"name\":\"{}\",\"cells\":[", name_of_source(options.source));
@@ -315,7 +152,7 @@ Result<ScriptSummary> write_complex(const Items& items, std::ostream& out, const
   return writer.finish();
 }
 
-ops::MakeComplex complex_of(const Items& items, const ScriptOptions& options) {
+ops::MakeComplex complex_of(const MeshItems& items, const ScriptOptions& options) {
   ops::MakeComplex complex{name_of_source(options.source), {}};
   const auto edge_id = [](std::uint32_t low, std::uint32_t high) { return fmt::format("e{}-{}", low, high); };
   const auto add = [&](std::string id, std::vector<std::string> faces, std::optional<ops::Point> at) {
@@ -336,13 +173,13 @@ ops::MakeComplex complex_of(const Items& items, const ScriptOptions& options) {
 
 class AssembledScript {
  public:
-  AssembledScript(const Items& items, std::ostream& out, const ScriptOptions& options)
+  AssembledScript(const MeshItems& items, std::ostream& out, const ScriptOptions& options)
       : items_{items}, options_{options}, writer_{items, out, options} {}
 
   Result<ScriptSummary> write() {
     const auto& mesh = items_.mesh();
-    vertex_owner_.assign(mesh.points.size(), {none, 0});
-    edge_owner_.assign(items_.incidence().edges.size(), {none, 0});
+    vertex_owner_.assign(mesh.points.size(), {no_item, 0});
+    edge_owner_.assign(items_.incidence().edges.size(), {no_item, 0});
     writer_.head("an assembly");
     for (const auto item : build_order(items_, options_.order)) {
       const auto simplex = items_[item];
@@ -367,7 +204,7 @@ class AssembledScript {
     std::size_t place;
   };
 
-  void write_simplex(std::uint32_t item, const Simplex& simplex) {
+  void write_simplex(std::uint32_t item, const MeshSimplex& simplex) {
     writer_.print("{{\"op\":\"simplex\",\"name\":\"");
     print_name(item);
     writer_.print("\",\"dim\":{},\"at\":[", simplex.dimension);
@@ -381,12 +218,12 @@ class AssembledScript {
     writer_.count_step();
   }
 
-  void write_gluing(std::uint32_t item, const Simplex& simplex) {
+  void write_gluing(std::uint32_t item, const MeshSimplex& simplex) {
     pairs_ = 0;
     std::array<bool, 3> is_glued{};
     for (std::size_t k = 0; simplex.dimension == 2 && k < 3; ++k) {
       const auto& owner = edge_owner_[simplex.edges[k]];
-      if (owner.item == none) {
+      if (owner.item == no_item) {
         continue;
       }
       begin_pair();
@@ -400,7 +237,7 @@ class AssembledScript {
     }
     for (std::size_t i = 0; i <= simplex.dimension; ++i) {
       const auto& owner = vertex_owner_[simplex.vertices[i]];
-      if (is_glued[i] || owner.item == none) {
+      if (is_glued[i] || owner.item == no_item) {
         continue;
       }
       begin_pair();
@@ -423,16 +260,16 @@ class AssembledScript {
     }
   }
 
-  void take_ownership(std::uint32_t item, const Simplex& simplex) {
+  void take_ownership(std::uint32_t item, const MeshSimplex& simplex) {
     for (std::size_t i = 0; i <= simplex.dimension; ++i) {
       auto& owner = vertex_owner_[simplex.vertices[i]];
-      if (owner.item == none) {
+      if (owner.item == no_item) {
         owner = {item, i};
       }
     }
     for (std::size_t k = 0; k < simplex.all_edges().size(); ++k) {
       auto& owner = edge_owner_[simplex.edges[k]];
-      if (owner.item == none) {
+      if (owner.item == no_item) {
         owner = {item, k};
       }
     }
@@ -447,7 +284,7 @@ class AssembledScript {
     writer_.print(".{}", ends[omitted]);
   }
 
-  const Items& items_;
+  const MeshItems& items_;
   const ScriptOptions& options_;
   ScriptWriter writer_;
   std::vector<Owner> vertex_owner_;
@@ -455,7 +292,7 @@ class AssembledScript {
   std::size_t pairs_ = 0;
 };
 
-Result<Items> items_of(const Mesh& mesh, const ScriptOptions& options) {
+Result<MeshItems> items_of(const Mesh& mesh, const ScriptOptions& options) {
   if (mesh.points.empty()) {
     return Error{Errc::bad_input, fmt::format("{}: the mesh has no points, there is nothing to build",
                                               options.source.empty() ? "mesh" : options.source)};
@@ -463,7 +300,7 @@ Result<Items> items_of(const Mesh& mesh, const ScriptOptions& options) {
   Mesh prepared = mesh;
   normalise(prepared);
   triangulate(prepared, options.polygons);
-  return Items{std::move(prepared)};
+  return MeshItems{std::move(prepared)};
 }
 
 }  // namespace

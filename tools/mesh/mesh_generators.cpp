@@ -1,0 +1,79 @@
+#include "tools/mesh/mesh_generators.hpp"
+
+#include <numeric>
+
+#include "tools/mesh/chain_measures.hpp"
+#include "tools/mesh/geometry.hpp"
+#include "tools/mesh/graph.hpp"
+
+namespace sesame::tools {
+
+namespace {
+
+using engine::CellChain;
+using sparse::Integer;
+
+/// 1 when the chain runs through its lowest triangle as the file does, else -1; 1 over Z/p.
+Integer orientation(const MeshCells& cells, const CellChain& chain, const sparse::AnyRing& ring) {
+  if (!has_signs(ring)) {
+    return 1;
+  }
+  const CellChain::Term* lowest = nullptr;
+  std::uint32_t triangle = 0;
+  for (const auto& term : chain.terms) {
+    const std::uint32_t t = cells.triangle(term.cell);
+    if (lowest == nullptr || t < triangle) {
+      lowest = &term;
+      triangle = t;
+    }
+  }
+  const auto face = cells.mesh().triangles.faces[triangle];
+  const bool is_even = (face[0] < face[1]) == ((face[1] < face[2]) == (face[0] < face[2]));
+  return is_even == (lowest->coefficient.sign() > 0) ? 1 : -1;
+}
+
+}  // namespace
+
+FoundGenerators components_of(const MeshCells& cells) {
+  const auto& points = cells.mesh().polygons.points;
+  const Parts parts = connected_parts(points.size(), cells.edges());
+  FoundGenerators found;
+  found.generators.resize(parts.count);
+  for (std::uint32_t v = 0; v < points.size(); ++v) {
+    MeshGenerator& component = found.generators[parts.of[v]];
+    if (component.vertices.empty()) {
+      component.vertices.push_back(cells.in_file(v));
+      component.chain = {0, {{1, cells.vertex(v)}}};
+      component.box = {points[v], points[v]};
+    }
+    extend(component.box, points[v]);
+  }
+  for (MeshGenerator& component : found.generators) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      component.centre[i] = std::midpoint(component.box[0][i], component.box[1][i]);
+    }
+  }
+  return found;
+}
+
+FoundGenerators surfaces_of(const MeshCells& cells, engine::Engine& engine, const sparse::AnyRing& ring) {
+  const ChainMeasures measures(cells, ring);
+  FoundGenerators found;
+  for (const engine::Generator& generator : engine.generators(2)) {
+    MeshGenerator surface;
+    surface.degree = 2;
+    surface.order = generator.order;
+    surface.chain = generator.cycle;
+    surface.triangles = generator.cycle.terms.size();
+    if (const Integer sign = orientation(cells, generator.cycle, ring); sign != 1) {
+      for (auto& term : surface.chain.terms) {
+        term.coefficient = term.coefficient * sign;
+      }
+    }
+    measures.measure_surface(surface);
+    found.generators.push_back(std::move(surface));
+  }
+  return found;
+}
+
+}  // namespace sesame::tools

@@ -1,0 +1,28 @@
+/// \file
+/// Generators of the homology of a mesh: components, short loops, closed surfaces.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/engine.hpp"
+#include "tools/mesh/mesh_cells.hpp"
+#include "tools/mesh/mesh_generator.hpp"
+
+namespace sesame::tools {
+
+/// Those of one degree, in the order of MeshHomology::generators.
+struct FoundGenerators {
+  std::vector<MeshGenerator> generators;
+  std::uint64_t loops_tried = 0;  ///< compared when short ones were chosen
+};
+
+/// H_0: the lowest vertex of each component. Cost: the edges.
+[[nodiscard]] FoundGenerators components_of(const MeshCells& cells);
+/// H_1: short loops, and the engine's cycles where these do not suffice; finite orders first. `ring`: that of the
+/// answer; the engine's is Z when it is Q. Cost: see short_loops and first_homology.
+[[nodiscard]] FoundGenerators loops_of(const MeshCells& cells, engine::Engine& engine, const sparse::AnyRing& ring);
+/// H_2: the engine's cycles, oriented as the file orients the first of their triangles. Cost: their triangles.
+[[nodiscard]] FoundGenerators surfaces_of(const MeshCells& cells, engine::Engine& engine, const sparse::AnyRing& ring);
+
+}  // namespace sesame::tools
