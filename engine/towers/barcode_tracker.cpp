@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "engine/towers/chain_images.hpp"
 #include "engine/towers/class_space.hpp"
 #include "engine/towers/contraction_shifts.hpp"
 #include "sparse/contract.hpp"
@@ -16,27 +17,33 @@ using ops::TowerComplex;
 template <Ring R>
 class Tracker final : public BarcodeTracker {
  public:
-  Tracker(R ring, OnBar on_bar, Slots slots, Dimensions dimensions)
+  Tracker(R ring, OnBar on_bar, const TrackerOptions& options)
       : ring_{ring},
         any_ring_{ring},
         on_bar_{std::move(on_bar)},
-        has_shared_slots_{slots == Slots::shared},
-        dimensions_{dimensions} {}
+        has_shared_slots_{options.slots == Slots::shared},
+        dimensions_{options.dimensions},
+        chains_{options.keeps_cycles ? std::make_unique<ChainImages<R>>(ring, options.slots) : nullptr} {}
 
   void include(int dimension, Slot slot, std::span<const Slot> facets, Time time) override {
     const auto d = static_cast<std::size_t>(dimension);
+    if (chains_) {
+      chains_->begin_inclusion(time);
+    }
     if (dimensions_.are_above(d)) {
       return;
     }
     reach(d);
-    ClassSpace<R>& own_space = levels_[d].space;
+    if (chains_) {
+      chains_->include(d, slot, facets);
+    }
     std::vector<ClassRef>& refs = refs_of(d);
     if (slot >= refs.size()) {
       refs.resize(std::max<std::size_t>(slot + std::size_t{1}, refs.size() + refs.size() / 2));
     }
     refs[slot] = ClassRef{};
     if (d == 0) {
-      refs[slot] = ClassRef{own_space.add(time)};
+      refs[slot] = bear(d, time);
       return;
     }
     const std::vector<ClassRef>& below = refs_of(d - 1);
@@ -56,16 +63,17 @@ class Tracker final : public BarcodeTracker {
       is_negative = !is_negative;
     }
     if (space.sum_is_zero()) {
-      if (dimensions_.have(d)) {
-        refs[slot] = ClassRef{own_space.add(time)};
-      }
+      refs[slot] = bear(d, time);
     } else {
-      close(d - 1, time, UINT32_MAX);
+      kill(d - 1, time, UINT32_MAX);
     }
   }
 
   void contract(const TowerComplex& complex, const TowerComplex::Changes& changes, Time time) override {
     sparse::expects(!has_shared_slots_, "a complex of columns has no contractions");
+    if (chains_) {
+      chains_->begin_contraction(time);
+    }
     reach(changes.size());
     // A class that is born and dies within the contraction is nobody's: it has no bar.
     std::vector<std::size_t> nodes_before;
@@ -78,9 +86,13 @@ class Tracker final : public BarcodeTracker {
         apply(complex, d, change, time, static_cast<std::uint32_t>(nodes_before[d]));
       }
     }
-    for (Level& level : levels_) {
+    for (std::size_t d = 0; d < levels_.size(); ++d) {
+      Level& level = levels_[d];
       if (level.space.nodes() > 2 * (level.space.alive() + level.refs.size()) + most_idle) {
-        level.space.retire(level.refs);
+        const auto number = level.space.retire(level.refs);
+        if (chains_) {
+          chains_->renumber(d, number);
+        }
       }
     }
   }
@@ -116,8 +128,12 @@ class Tracker final : public BarcodeTracker {
 
   [[nodiscard]] std::uint64_t hidden() const override { return hidden_; }
   [[nodiscard]] const sparse::AnyRing& ring() const override { return any_ring_; }
+  [[nodiscard]] BarCycles* cycles() override { return chains_.get(); }
 
   [[nodiscard]] Work work() const override {
+    if (chains_) {
+      return chains_->work();
+    }
     Work work;
     for (const Level& level : levels_) {
       work.terms_touched += level.space.terms_touched();
@@ -153,10 +169,25 @@ class Tracker final : public BarcodeTracker {
     }
   }
 
+  /// A class of a dimension is born, if it is one of those that are kept; else this is 0.
+  ClassRef bear(std::size_t dimension, Time time) {
+    if (!dimensions_.have(dimension)) {
+      return {};
+    }
+    const std::uint32_t node = levels_[dimension].space.add(time);
+    if (chains_) {
+      chains_->bear(dimension, node);
+    }
+    return ClassRef{node};
+  }
+
   /// Kills the sum of a dimension; its bar is nobody's when the class was born as one of the nodes from `first` on.
-  void close(std::size_t dimension, Time time, std::uint32_t first) {
+  void kill(std::size_t dimension, Time time, std::uint32_t first) {
     ClassSpace<R>& space = levels_[dimension].space;
     const std::uint32_t dead = space.kill_sum();
+    if (chains_) {
+      chains_->kill(dimension, dead);
+    }
     if (dead >= first) {
       return;
     }
@@ -173,34 +204,54 @@ class Tracker final : public BarcodeTracker {
     ClassSpace<R>& space = levels_[d].space;
     space.clear_sum();
     add(space, levels_[d].refs[change.slot], false);
-    shifts_.for_each_correction(complex, d, change,
-                                [&](std::uint32_t born, bool is_negative) { add(space, ClassRef{born}, is_negative); });
+    shifts_.for_each_correction(complex, d, change, [&](const ContractionShifts::Shift& shift, bool is_negative) {
+      add(space, shift.born, is_negative);
+      if (chains_) {
+        chains_->correct(d, change.slot, shift.generator, is_negative);
+      }
+    });
   }
 
-  /// A generator that kills a class is 0 in homology, and no correction.
   void apply(const TowerComplex& complex, std::size_t d, const TowerComplex::Change& change, Time time,
              std::uint32_t first) {
-    Level& level = levels_[d];
-    ClassRef& ref = level.refs[change.slot];
     if (change.fate == TowerComplex::Fate::renamed) {
-      if (!shifts_.is_idle()) {
-        sum_with_corrections(complex, d, change);
-        ref = level.space.sum_is_zero() ? ClassRef{} : ClassRef{level.space.keep_sum()};
-      }
-      ref = change.is_reversed ? -ref : ref;
+      rename(complex, d, change);
       return;
     }
+    Level& level = levels_[d];
+    ClassRef& ref = level.refs[change.slot];
     sum_with_corrections(complex, d, change);
     if (change.fate == TowerComplex::Fate::merged) {
       add(level.space, level.refs[change.survivor], !change.is_reversed);
     }
     ref = ClassRef{};
-    if (!level.space.sum_is_zero()) {
-      close(d, time, first);
-      return;
+    ContractionShifts::Shift shift{change.slot, {}, 0};
+    if (chains_) {
+      shift.generator = chains_->next_generator();
+      chains_->contract(d, change);
     }
-    if (dimensions_.have(d + 1)) {
-      shifts_.note(change.slot, levels_[d + 1].space.add(time));
+    if (level.space.sum_is_zero()) {
+      shift.born = bear(d + 1, time);
+    } else {
+      kill(d, time, first);
+    }
+    if (chains_ || !shift.born.is_zero()) {
+      shifts_.note(shift);
+    }
+  }
+
+  void rename(const TowerComplex& complex, std::size_t d, const TowerComplex::Change& change) {
+    Level& level = levels_[d];
+    ClassRef& ref = level.refs[change.slot];
+    if (!shifts_.is_idle()) {
+      sum_with_corrections(complex, d, change);
+      ref = level.space.sum_is_zero() ? ClassRef{} : ClassRef{level.space.keep_sum()};
+    }
+    if (change.is_reversed) {
+      ref = -ref;
+      if (chains_) {
+        chains_->reverse(d, change.slot);
+      }
     }
   }
 
@@ -213,6 +264,7 @@ class Tracker final : public BarcodeTracker {
   std::uint64_t hidden_ = 0;
   std::vector<ClassRef> facet_refs_;  ///< of the cell that is being included
   ContractionShifts shifts_;
+  std::unique_ptr<ChainImages<R>> chains_;  ///< when cycles are kept
 };
 
 }  // namespace
@@ -221,16 +273,16 @@ void BarcodeTracker::prefetch(const ops::ColumnComplex&, std::span<const std::ui
                               std::span<const std::uint64_t>) const {}
 
 std::unique_ptr<BarcodeTracker> make_barcode_tracker(const sparse::AnyRing& ring, BarcodeTracker::OnBar on_bar,
-                                                     Slots slots, Dimensions dimensions) {
+                                                     const TrackerOptions& options) {
   if (const auto* z2 = std::get_if<sparse::Z2>(&ring)) {
-    return std::make_unique<Tracker<sparse::Z2>>(*z2, std::move(on_bar), slots, dimensions);
+    return std::make_unique<Tracker<sparse::Z2>>(*z2, std::move(on_bar), options);
   }
   if (const auto* q = std::get_if<sparse::Rationals>(&ring)) {
-    return std::make_unique<Tracker<sparse::Rationals>>(*q, std::move(on_bar), slots, dimensions);
+    return std::make_unique<Tracker<sparse::Rationals>>(*q, std::move(on_bar), options);
   }
   const auto* zp = std::get_if<sparse::Zp>(&ring);
   sparse::expects(zp != nullptr, "a barcode is taken over a field");
-  return std::make_unique<Tracker<sparse::Zp>>(*zp, std::move(on_bar), slots, dimensions);
+  return std::make_unique<Tracker<sparse::Zp>>(*zp, std::move(on_bar), options);
 }
 
 }  // namespace sesame::engine

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/towers/bar_cycles.hpp"
 #include "engine/towers/barcode.hpp"
 #include "ops/simplicial/column_complex.hpp"
 #include "ops/simplicial/tower_complex.hpp"
@@ -22,6 +23,9 @@ namespace sesame::engine {
 /// tower: an inclusion appends a generator, a contraction one for every simplex that is merged or squashed; see
 /// engine/LIVE_FORM.md. Nothing is kept of the past but the classes that are alive, and for each current cell what its
 /// class is in them. So memory is that of the current complex and its classes; for a filtration that is everything.
+///
+/// One that keeps cycles has for each current cell a chain of generators, too, and the whole history: see ChainImages.
+/// Its memory grows with the number of operations and the lengths of the reduced boundaries.
 class BarcodeTracker {
  public:
   using Slot = ops::TowerComplex::Slot;
@@ -50,7 +54,10 @@ class BarcodeTracker {
   /// The number of bars so far whose birth and death were different operations at the same time.
   [[nodiscard]] virtual std::uint64_t hidden() const = 0;
   [[nodiscard]] virtual const sparse::AnyRing& ring() const = 0;
-  /// Terms read or written, and terms and classes held: what it has cost, and what it keeps.
+  /// The cycles of the bars so far, or null when they are not kept.
+  [[nodiscard]] virtual BarCycles* cycles() = 0;
+  /// Terms read or written, and terms and classes held: what it has cost, and what it keeps. With cycles, of their
+  /// chains.
   struct Work {
     std::uint64_t terms_touched = 0, terms_held = 0, classes_held = 0;
   };
@@ -71,12 +78,17 @@ struct Dimensions {
 };
 inline constexpr Dimensions all_dimensions{SIZE_MAX};
 
-/// Bars above the last of `dimensions` are not worked out: cells of higher dimensions cost next to nothing, and those
-/// one above it that kill no class leave nothing behind.
+struct TrackerOptions {
+  Slots slots = Slots::by_dimension;
+  /// Bars above the last of these are not worked out: cells of higher dimensions cost next to nothing, and those one
+  /// above it that kill no class leave nothing behind.
+  Dimensions dimensions = all_dimensions;
+  bool keeps_cycles = false;
+};
+
 /// Requires: the ring is a field.
 [[nodiscard]] std::unique_ptr<BarcodeTracker> make_barcode_tracker(const sparse::AnyRing& ring,
                                                                    BarcodeTracker::OnBar on_bar,
-                                                                   Slots slots = Slots::by_dimension,
-                                                                   Dimensions dimensions = all_dimensions);
+                                                                   const TrackerOptions& options = {});
 
 }  // namespace sesame::engine

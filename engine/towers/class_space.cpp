@@ -240,7 +240,7 @@ void ClassSpace<R>::compact_pool() {
 }
 
 template <Ring R>
-void ClassSpace<R>::retire(std::span<ClassRef> refs) {
+std::vector<typename ClassSpace<R>::Node> ClassSpace<R>::retire(std::span<ClassRef> refs) {
   std::vector<bool> stays(nodes_.size(), false);
   for (ClassRef& ref : refs) {
     if (ref.is_zero() || is_alive(ref.node())) {
@@ -253,7 +253,7 @@ void ClassSpace<R>::retire(std::span<ClassRef> refs) {
       stays[ref.node()] = true;
     }
   }
-  std::vector<Node> number(nodes_.size());
+  std::vector<Node> number(nodes_.size(), no_node);
   Node next = 0;
   for (Node node = 0; node < nodes_.size(); ++node) {
     if (is_alive(node) || stays[node]) {
@@ -289,6 +289,7 @@ void ClassSpace<R>::retire(std::span<ClassRef> refs) {
       ref = ClassRef{number[ref.node()], ref.is_negative()};
     }
   }
+  return number;
 }
 
 template class ClassSpace<sparse::Z2>;

@@ -59,6 +59,7 @@ class ClassSpace {
   using Node = std::uint32_t;
   using Element = typename R::Element;
   using TermType = ClassTerm<R>;
+  static constexpr Node no_node = UINT32_MAX;
 
   explicit ClassSpace(R ring) : ring_{ring} {}
 
@@ -85,8 +86,9 @@ class ClassSpace {
   [[nodiscard]] std::span<const TermType> sum() const { return sum_; }
 
   /// Forgets all nodes that are neither alive nor referred to, and numbers the others anew; `refs` are all references
-  /// that there are. Cost: the nodes, and the lengths of the sums that stay.
-  void retire(std::span<ClassRef> refs);
+  /// that there are. Returns what number each node has now, in the same order, or no_node. Cost: the nodes, and the
+  /// lengths of the sums that stay.
+  std::vector<Node> retire(std::span<ClassRef> refs);
 
   /// The terms read or written while adding up: what all this has cost.
   [[nodiscard]] std::uint64_t terms_touched() const { return terms_touched_; }

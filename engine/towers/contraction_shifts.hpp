@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
+#include "engine/towers/class_space.hpp"
 #include "ops/simplicial/tower_complex.hpp"
 
 namespace sesame::engine {
@@ -17,6 +17,11 @@ namespace sesame::engine {
 class ContractionShifts {
  public:
   using Slot = ops::TowerComplex::Slot;
+  struct Shift {
+    Slot slot;                ///< of x
+    ClassRef born;            ///< the class that y bears; 0 when it kills one, and is 0 in homology
+    std::uint32_t generator;  ///< y, for who keeps chains of generators
+  };
 
   /// Before the simplices of each dimension, 0 first.
   void begin_dimension(std::size_t dimension) {
@@ -25,13 +30,13 @@ class ContractionShifts {
     if (dimension == 0) {
       below_.clear();
     }
-    std::ranges::sort(below_);
+    std::ranges::sort(below_, {}, &Shift::slot);
   }
-  void note(Slot slot, std::uint32_t generator) { here_.emplace_back(slot, generator); }
+  void note(const Shift& shift) { here_.push_back(shift); }
   /// True when nothing is corrected in this dimension.
   [[nodiscard]] bool is_idle() const { return below_.empty(); }
 
-  /// Calls visit(generator, is_negative) for each correction of a simplex that the contraction changes, of the
+  /// Calls visit(shift, is_negative) for each correction of a simplex that the contraction changes, of the
   /// dimension in hand. Requires: the complex has not carried the contraction out.
   template <class Visit>
   void for_each_correction(const ops::TowerComplex& complex, std::size_t dimension,
@@ -41,15 +46,14 @@ class ContractionShifts {
         continue;  // the facet without the moved vertex has not changed
       }
       const Slot facet = complex.facet(static_cast<int>(dimension), change.slot, k);
-      const auto at = std::ranges::lower_bound(below_, facet, {}, &Shift::first);
-      if (at != below_.end() && at->first == facet) {
-        visit(at->second, k % 2 == 0);
+      const auto at = std::ranges::lower_bound(below_, facet, {}, &Shift::slot);
+      if (at != below_.end() && at->slot == facet) {
+        visit(*at, k % 2 == 0);
       }
     }
   }
 
  private:
-  using Shift = std::pair<Slot, std::uint32_t>;
   std::vector<Shift> here_, below_;
 };
 

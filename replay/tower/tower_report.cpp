@@ -184,7 +184,8 @@ void write_differences(std::ostream& out, std::span<const TowerResult> results) 
 template <class Visit>
 void CycleReport::for_each_bar(Visit&& visit) const {
   const std::uint32_t p = std::visit([](const auto& ring) { return ring.characteristic(); }, tracker_.ring());
-  for (const engine::CycleTracker::TracedBar& traced : tracker_.bars()) {
+  engine::BarCycles& cycles = *tracker_.cycles();
+  for (const engine::BarCycles::TracedBar& traced : cycles.bars()) {
     const Bar& bar = traced.bar;
     if (bar.birth == bar.death || !selection_.has(bar) || !options_.wants(bar.dimension)) {
       continue;
@@ -193,10 +194,10 @@ void CycleReport::for_each_bar(Visit&& visit) const {
       return;
     }
     const bool is_open = traced.bar.death == never;
-    const auto cycle = tracker_.cycle(traced);
-    const auto second = is_open ? cycle : tracker_.bounded_chain(traced);
-    const std::uint64_t last = is_open ? operations_ - 1 : tracker_.last_operation_with(traced.killed_by);
-    visit(traced.bar, history_.image(cycle, tracker_.last_operation_with(traced.born_by), p),
+    const auto cycle = cycles.cycle(traced);
+    const auto second = is_open ? cycle : cycles.bounded_chain(traced);
+    const std::uint64_t last = is_open ? operations_ - 1 : cycles.last_operation_with(traced.killed_by);
+    visit(traced.bar, history_.image(cycle, cycles.last_operation_with(traced.born_by), p),
           history_.image(second, last, p));
   }
 }

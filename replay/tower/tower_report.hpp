@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "engine/towers/barcode.hpp"
-#include "engine/towers/cycle_tracker.hpp"
+#include "engine/towers/barcode_tracker.hpp"
 #include "replay/barcode/barcode_files.hpp"
 #include "replay/barcode/bars.hpp"
 #include "replay/script/generators.hpp"
@@ -61,8 +61,8 @@ void write_differences(std::ostream& out, std::span<const TowerResult> results);
 /// Bars that `selection` has not are left out.
 class CycleReport {
  public:
-  /// `stop`, set from outside: no more bars after the one at hand.
-  CycleReport(engine::CycleTracker& tracker, const TowerHistory& history, std::uint64_t operations,
+  /// `stop`, set from outside: no more bars after the one at hand. Requires: the tracker keeps cycles.
+  CycleReport(engine::BarcodeTracker& tracker, const TowerHistory& history, std::uint64_t operations,
               BarSelection selection, GeneratorOptions options, const std::atomic<bool>* stop)
       : tracker_{tracker},
         history_{history},
@@ -85,7 +85,7 @@ class CycleReport {
   [[nodiscard]] std::string line_of(const TowerHistory::NamedChain& chain) const;
   void add_member(TextBuffer& text, std::string_view name, const TowerHistory::NamedChain& chain) const;
 
-  engine::CycleTracker& tracker_;
+  engine::BarcodeTracker& tracker_;
   const TowerHistory& history_;
   std::uint64_t operations_;
   BarSelection selection_;

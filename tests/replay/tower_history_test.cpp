@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/towers/cycle_tracker.hpp"
+#include "engine/towers/barcode_tracker.hpp"
 #include "replay/tower/tower_replay.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random_towers.hpp"
@@ -11,7 +11,7 @@
 namespace sesame {
 namespace {
 
-using engine::CycleTracker;
+using engine::BarCycles;
 using ops::Label;
 using replay::TowerHistory;
 using replay::TowerOperation;
@@ -44,21 +44,21 @@ bool is_zero_modulo(const DenseRow& row, std::int64_t p) {
 }
 
 /// Everything that cycles should be, in the complex after one operation.
-void check_cycles(CycleTracker& tracker, const TowerHistory& history, const PlainComplex& complex,
-                  std::uint64_t operation, std::uint32_t p) {
-  const std::vector<CycleTracker::TracedBar> bars = tracker.bars();
+void check_cycles(BarCycles& cycles, const TowerHistory& history, const PlainComplex& complex, std::uint64_t operation,
+                  std::uint32_t p) {
+  const std::vector<BarCycles::TracedBar> bars = cycles.bars();
   for (std::size_t d = 0; d < 5; ++d) {
     const auto number = tests::numbered(complex, d);
     const auto boundaries_below = d == 0 ? std::vector<DenseRow>{} : tests::boundary_rows(complex, d);
     std::vector<DenseRow> boundaries = tests::boundary_rows(complex, d + 1);
     const std::size_t rank = tests::rank_modulo(boundaries, p);
     std::size_t alive = 0;
-    for (const CycleTracker::TracedBar& bar : bars) {
+    for (const BarCycles::TracedBar& bar : bars) {
       const bool is_open = bar.bar.death == engine::never;
       if (bar.bar.dimension != static_cast<int>(d) || bar.born_by > operation) {
         continue;
       }
-      const DenseRow cycle = row_of(history.image(tracker.cycle(bar), operation, p), number);
+      const DenseRow cycle = row_of(history.image(cycles.cycle(bar), operation, p), number);
       if (d > 0 && !cycle.empty()) {
         CHECK(is_zero_modulo(combination(cycle, boundaries_below, boundaries_below[0].size()), p));
       }
@@ -67,7 +67,7 @@ void check_cycles(CycleTracker& tracker, const TowerHistory& history, const Plai
         ++alive;
       } else if (operation == bar.killed_by) {
         const auto above = tests::numbered(complex, d + 1);
-        const DenseRow chain = row_of(history.image(tracker.bounded_chain(bar), operation, p), above);
+        const DenseRow chain = row_of(history.image(cycles.bounded_chain(bar), operation, p), above);
         DenseRow difference = combination(chain, tests::boundary_rows(complex, d + 1), number.size());
         std::ranges::transform(difference, cycle, difference.begin(), std::minus<>{});
         CHECK(is_zero_modulo(difference, p));
@@ -84,8 +84,8 @@ TEST_CASE("cycles are a basis of the homology at every operation, and bound when
   const std::uint32_t seed = GENERATE(range(0u, 12u));
   const std::uint32_t p = GENERATE(2u, 3u);
   CAPTURE(seed, p);
-  const auto tracker =
-      engine::make_cycle_tracker(sparse::parse_ring("Z/" + std::to_string(p)).value(), [](const engine::Bar&) {});
+  const auto tracker = engine::make_barcode_tracker(sparse::parse_ring("Z/" + std::to_string(p)).value(),
+                                                    [](const engine::Bar&) {}, {.keeps_cycles = true});
   TowerHistory history;
   replay::TowerReplay replay({tracker.get()}, &history);
   PlainComplex plain;
@@ -98,7 +98,7 @@ TEST_CASE("cycles are a basis of the homology at every operation, and bound when
     complexes.push_back(plain);
   }
   for (std::uint64_t operation = 0; operation < complexes.size(); ++operation) {
-    check_cycles(*tracker, history, complexes[operation], operation, p);
+    check_cycles(*tracker->cycles(), history, complexes[operation], operation, p);
   }
 }
 
@@ -122,7 +122,8 @@ std::map<TowerHistory::Name, sparse::Rational> sum_of(const TowerHistory::NamedC
 TEST_CASE("over Q cycles are cycles, and bound exactly what is said", "[replay][tower]") {
   const std::uint32_t seed = GENERATE(range(0u, 12u));
   CAPTURE(seed);
-  const auto tracker = engine::make_cycle_tracker(sparse::Rationals{}, [](const engine::Bar&) {});
+  const auto tracker =
+      engine::make_barcode_tracker(sparse::Rationals{}, [](const engine::Bar&) {}, {.keeps_cycles = true});
   TowerHistory history;
   replay::TowerReplay replay({tracker.get()}, &history);
   double time = 0;
@@ -132,13 +133,13 @@ TEST_CASE("over Q cycles are cycles, and bound exactly what is said", "[replay][
     REQUIRE(replay.apply({kind, time++, dimension, step.labels}).has_value());
   }
   std::size_t ended = 0;
-  for (const auto& bar : tracker->bars()) {
-    const auto cycle = tracker->cycle(bar);
+  for (const auto& bar : tracker->cycles()->bars()) {
+    const auto cycle = tracker->cycles()->cycle(bar);
     REQUIRE(!cycle.empty());
     CHECK(sum_of(history.image(cycle, bar.born_by, 0), true).empty());
     if (bar.bar.death != engine::never) {
       ++ended;
-      CHECK(sum_of(history.image(tracker->bounded_chain(bar), bar.killed_by, 0), true) ==
+      CHECK(sum_of(history.image(tracker->cycles()->bounded_chain(bar), bar.killed_by, 0), true) ==
             sum_of(history.image(cycle, bar.killed_by, 0), false));
     }
   }

@@ -3,7 +3,7 @@
 #include <bit>
 #include <fstream>
 
-#include "engine/towers/cycle_tracker.hpp"
+#include "engine/towers/barcode_tracker.hpp"
 #include "replay/tower/tower_reader.hpp"
 #include "replay/tower/tower_replay.hpp"
 #include "sparse/contract.hpp"
@@ -94,10 +94,10 @@ class Tracked {
   Tracked(const Scenario& scenario, const std::string& method) {
     const auto on_bar = [this](const engine::Bar& bar) { bars_.add(bar); };
     const bool is_filtration = std::holds_alternative<CellFiltration>(scenario.input);
-    tracker_ = method == "cycles"
-                   ? engine::make_cycle_tracker(sparse::Z2{}, on_bar)
-                   : engine::make_barcode_tracker(sparse::Z2{}, on_bar,
-                                                  is_filtration ? engine::Slots::shared : engine::Slots::by_dimension);
+    engine::TrackerOptions tracking;
+    tracking.slots = is_filtration ? engine::Slots::shared : engine::Slots::by_dimension;
+    tracking.keeps_cycles = method == "cycles";
+    tracker_ = engine::make_barcode_tracker(sparse::Z2{}, on_bar, tracking);
   }
 
   [[nodiscard]] engine::BarcodeTracker* get() const { return tracker_.get(); }

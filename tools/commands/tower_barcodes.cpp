@@ -3,7 +3,7 @@
 #include <iostream>
 #include <memory>
 
-#include "engine/towers/cycle_tracker.hpp"
+#include "engine/towers/barcode_tracker.hpp"
 #include "tools/commands/bar_sink.hpp"
 #include "tools/commands/tower_loops.hpp"
 
@@ -21,25 +21,19 @@ struct Trackers {
   std::vector<BarSink> sinks;
   std::vector<std::unique_ptr<engine::BarcodeTracker>> trackers;
   std::vector<engine::BarcodeTracker*> told;
-  engine::CycleTracker* cycles = nullptr;  ///< when generators are asked for
 };
 
 Trackers trackers_of(const TowerRun& run, replay::PersWriter* pers) {
   const TowerArguments& arguments = run.arguments();
   const bool keeps_bars = arguments.json || run.rings().size() > 1 || run.outputs().need_barcode();
-  const engine::Slots slots = run.is_matrix() ? engine::Slots::shared : engine::Slots::by_dimension;
+  const engine::TrackerOptions options{run.is_matrix() ? engine::Slots::shared : engine::Slots::by_dimension,
+                                       run.dimensions(), arguments.generators.has_value()};
   Trackers made;
   made.sinks.reserve(run.rings().size());  // trackers point to them
   for (const sparse::AnyRing& ring : run.rings()) {
     made.sinks.emplace_back(arguments.selection, run.dimensions(), keeps_bars, pers);
     const auto add = [sink = &made.sinks.back()](const Bar& bar) { sink->add(bar); };
-    if (arguments.generators) {
-      auto tracker = engine::make_cycle_tracker(ring, add, run.dimensions());
-      made.cycles = tracker.get();
-      made.trackers.push_back(std::move(tracker));
-    } else {
-      made.trackers.push_back(engine::make_barcode_tracker(ring, add, slots, run.dimensions()));
-    }
+    made.trackers.push_back(engine::make_barcode_tracker(ring, add, options));
     made.told.push_back(made.trackers.back().get());
   }
   return made;
@@ -73,7 +67,7 @@ Outcome run_barcodes(TowerRun& run) {
   std::optional<replay::PersWriter> pers = run.pers_writer();
   Trackers over = trackers_of(run, pers ? &*pers : nullptr);
   replay::TowerHistory history;
-  replay::TowerReplay tower(over.told, over.cycles != nullptr ? &history : nullptr);
+  replay::TowerReplay tower(over.told, run.arguments().generators ? &history : nullptr);
   TowerRun::Drawn drawn;
   const Outcome outcome =
       run.read_all([&](const TowerOperation& operation) { return run.faces().apply(tower, operation); },
@@ -95,11 +89,11 @@ Outcome run_barcodes(TowerRun& run) {
     pers->finish(run.operations(), results[0].hidden);
   }
   std::optional<replay::CycleReport> report;
-  if (over.cycles != nullptr) {
+  if (run.arguments().generators) {
     // What was interrupted once writes its cycles, since a second interrupt ends it at once.
     const std::atomic<bool>* stop = outcome == Outcome::interrupted ? nullptr : &stop_requested();
-    report.emplace(*over.cycles, history, tower.operations(), run.arguments().selection, *run.arguments().generators,
-                   stop);
+    report.emplace(*over.trackers[0], history, tower.operations(), run.arguments().selection,
+                   *run.arguments().generators, stop);
   }
   run.write(results, report ? &*report : nullptr, drawn);
   return outcome == Outcome::done && stop_requested().load() ? Outcome::interrupted : outcome;
