@@ -133,7 +133,8 @@ void ChainImages<R>::renumber(std::size_t dimension, std::span<const Node> numbe
     return;
   }
   std::vector<Generator>& bearers = bearers_[dimension];
-  for (std::size_t node = 0; node < bearers.size(); ++node) {
+  const std::size_t nodes = std::min(bearers.size(), number.size());
+  for (std::size_t node = 0; node < nodes; ++node) {
     if (number[node] != ClassSpace<R>::no_node) {
       bearers[number[node]] = bearers[node];  // numbers keep their order, so none is read too late
     }

@@ -41,16 +41,16 @@ class ContractionShifts {
   template <class Visit>
   void for_each_correction(const ops::TowerComplex& complex, std::size_t dimension,
                            const ops::TowerComplex::Change& change, Visit&& visit) const {
-    for (std::size_t k = 0; k <= dimension && !is_idle(); ++k) {
-      if (k == change.moved_at) {
-        continue;  // the facet without the moved vertex has not changed
-      }
-      const Slot facet = complex.facet(static_cast<int>(dimension), change.slot, k);
+    if (is_idle()) {
+      return;
+    }
+    // The facet without the moved vertex has not changed.
+    complex.for_each_facet(static_cast<int>(dimension), change.slot, change.moved_at, [&](std::size_t k, Slot facet) {
       const auto at = std::ranges::lower_bound(below_, facet, {}, &Shift::slot);
       if (at != below_.end() && at->slot == facet) {
         visit(*at, k % 2 == 0);
       }
-    }
+    });
   }
 
  private:

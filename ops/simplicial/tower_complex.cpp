@@ -60,24 +60,22 @@ Result<TowerComplex::Slot> TowerComplex::include(std::span<const Label> labels) 
   if (labels.size() == 1) {
     return include_vertex(labels[0]);
   }
-  if (!find_vertices(labels)) {
-    return rules().check_inclusion(labels).error();
-  }
-  const SimplexIndex::Key key = SimplexIndex::key({vertices_.data(), labels.size()});
-  if (!find_facets(key) || simplices_.find(key) != nothing) {
+  const std::optional<SimplexIndex::Key> key = find_vertices(labels);
+  if (!key || !find_facets(*key) || simplices_.find(*key) != nothing) {
     return rules().check_inclusion(labels).error();
   }
   const Slot slot = take_slot(labels.size() - 1);
-  simplices_.include(key, slot);
+  simplices_.include(*key, slot);
   facets_size_ = labels.size();
   return slot;
 }
 
-/// The vertices of a simplex of dimension >= 1, into vertices_. False when it has not got them.
-bool TowerComplex::find_vertices(std::span<const Label> labels) {
+/// The vertices of a simplex of dimension >= 1, into vertices_. Nothing when it has not got them.
+std::optional<SimplexIndex::Key> TowerComplex::find_vertices(std::span<const Label> labels) {
   if (labels.empty() || labels.size() > vertices_.size()) {
-    return false;
+    return std::nullopt;
   }
+  std::uint64_t hash = 0;
   for (std::size_t k = 0; k < labels.size(); ++k) {
     const Vertex v = find_vertex(labels[k]);
     std::size_t at = k;
@@ -86,10 +84,11 @@ bool TowerComplex::find_vertices(std::span<const Label> labels) {
     }
     vertices_[at] = v;
     if (v == nothing || (at > 0 && vertices_[at - 1] == v)) {
-      return false;
+      return std::nullopt;
     }
+    hash += SimplexIndex::word(v);
   }
-  return true;
+  return SimplexIndex::Key{{vertices_.data(), labels.size()}, hash};
 }
 
 /// Into facets_. False when one is missing.
@@ -110,26 +109,14 @@ bool TowerComplex::find_facets(const SimplexIndex::Key& key) {
 
 // ---- contraction
 
-/// Leaves the vertices of a simplex in vertices_, with kept_ for the one at moved_at; returns the place of kept_.
-std::size_t TowerComplex::put_kept(std::span<const Vertex> vertices, std::size_t moved_at) {
-  std::size_t at = moved_at;
-  std::ranges::copy(vertices, vertices_.begin());
-  for (; at > 0 && vertices_[at - 1] > kept_; --at) {
-    vertices_[at] = vertices_[at - 1];
-  }
-  for (; at + 1 < vertices.size() && vertices_[at + 1] < kept_; ++at) {
-    vertices_[at] = vertices_[at + 1];
-  }
-  vertices_[at] = kept_;
-  return at;
-}
-
 /// What becomes of a simplex that has the moved vertex.
 TowerComplex::Change TowerComplex::change_of(std::size_t dimension, Slot slot) {
   const auto [fate, moved_at, survivor] = simplices_.change_of(dimension, slot, moved_, kept_);
-  const bool is_reversed =
-      fate != Fate::squashed && (put_kept(simplices_.vertices(dimension, slot), moved_at) + moved_at) % 2 == 1;
-  return {slot, survivor, fate, is_reversed, moved_at};
+  std::size_t kept_at = 0;
+  for (const Vertex v : simplices_.vertices(dimension, slot)) {
+    kept_at += v < kept_ && v != moved_ ? 1 : 0;
+  }
+  return {slot, survivor, fate, fate != Fate::squashed && (kept_at + moved_at) % 2 == 1, moved_at};
 }
 
 Result<const TowerComplex::Changes*> TowerComplex::plan_contraction(Label u, Label v) {
@@ -155,8 +142,11 @@ Result<const TowerComplex::Changes*> TowerComplex::plan_contraction(Label u, Lab
 
 void TowerComplex::carry_out(std::size_t dimension, const Change& change) {
   if (change.fate == Fate::renamed) {
-    static_cast<void>(put_kept(simplices_.vertices(dimension, change.slot), change.moved_at));
-    simplices_.rename(dimension, change.slot, {vertices_.data(), dimension + 1});
+    const std::span<Vertex> vertices{vertices_.data(), dimension + 1};
+    std::ranges::copy(simplices_.vertices(dimension, change.slot), vertices.begin());
+    vertices[change.moved_at] = kept_;
+    std::ranges::sort(vertices);
+    simplices_.rename(dimension, change.slot, vertices);
   } else {
     simplices_.exclude(dimension, change.slot);
     free_slot(dimension, change.slot);
@@ -181,11 +171,6 @@ void TowerComplex::contract() {
 }
 
 // ---- questions
-
-TowerComplex::Slot TowerComplex::facet(int dimension, Slot slot, std::size_t k) const {
-  const std::span<const Vertex> vertices = simplices_.vertices(static_cast<std::size_t>(dimension), slot);
-  return dimension == 1 ? vertices[1 - k] : simplices_.find_facet(SimplexIndex::key(vertices), k);
-}
 
 std::vector<Label> TowerComplex::labels(int dimension, Slot slot) const {
   if (dimension == 0) {

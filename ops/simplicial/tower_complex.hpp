@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -54,8 +55,10 @@ class TowerComplex {
   [[nodiscard]] TowerRules rules() const {
     return {simplices_, [this](Label label) { return find_vertex(label); }};
   }
-  /// The facet of a current simplex without its vertex k.
-  [[nodiscard]] Slot facet(int dimension, Slot slot, std::size_t k) const;
+  /// Calls visit(k, slot) for each facet of a current simplex of dimension >= 1, the one without its vertex k, but not
+  /// for the vertex at `except`.
+  template <class Visit>
+  void for_each_facet(int dimension, Slot slot, std::size_t except, Visit&& visit) const;
   /// The labels of a current simplex, in the order that orients it.
   [[nodiscard]] std::vector<Label> labels(int dimension, Slot slot) const;
   /// The number of simplices of each dimension, up to the largest that has one.
@@ -74,9 +77,8 @@ class TowerComplex {
 
   [[nodiscard]] Vertex find_vertex(Label label) const;
   Result<Slot> include_vertex(Label label);
-  bool find_vertices(std::span<const Label> labels);
+  [[nodiscard]] std::optional<SimplexIndex::Key> find_vertices(std::span<const Label> labels);
   bool find_facets(const SimplexIndex::Key& key);
-  [[nodiscard]] std::size_t put_kept(std::span<const Vertex> vertices, std::size_t moved_at);
   [[nodiscard]] Change change_of(std::size_t dimension, Slot slot);
   void carry_out(std::size_t dimension, const Change& change);
   [[nodiscard]] Slot take_slot(std::size_t dimension);
@@ -95,6 +97,16 @@ class TowerComplex {
   Vertex moved_ = nothing, kept_ = nothing;
   Label merged_label_ = 0;
 };
+
+template <class Visit>
+void TowerComplex::for_each_facet(int dimension, Slot slot, std::size_t except, Visit&& visit) const {
+  const SimplexIndex::Key key = SimplexIndex::key(simplices_.vertices(static_cast<std::size_t>(dimension), slot));
+  for (std::size_t k = 0; k < key.vertices.size(); ++k) {
+    if (k != except) {
+      visit(k, dimension == 1 ? key.vertices[1 - k] : simplices_.find_facet(key, k));
+    }
+  }
+}
 
 template <class Visit>
 void TowerComplex::for_each(int dimension, Visit&& visit) const {

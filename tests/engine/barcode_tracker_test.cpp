@@ -183,6 +183,14 @@ TEST_CASE("two methods find the same bars: sums of classes, and reduced chains o
   CHECK(with_cycles.traced == fast.bars);
 }
 
+TEST_CASE("two methods find the same bars of long towers, whose classes are numbered anew", "[engine][tower]") {
+  const std::int64_t p = GENERATE(2, 3);
+  const std::vector<TowerStep> tower = tests::random_tower(1, 30'000, 12, 2);
+  const Run with_cycles = run(tower, p, {}, true);
+  CHECK(run(tower, p).bars == with_cycles.bars);
+  CHECK(with_cycles.traced == with_cycles.bars);
+}
+
 TEST_CASE("the order of operations at one time does not matter", "[engine][tower]") {
   const std::uint32_t seed = GENERATE(range(0u, 30u));
   CAPTURE(seed);
