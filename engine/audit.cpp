@@ -101,7 +101,7 @@ reductions::Equivalence<R> matrices_of(LiveEquivalence<R>& live) {
   const auto f = [&](Index x) { return big_complex.maps().f(unit(ring, x)); };
   const auto g = [&](Index cell) {
     Terms<R> out;
-    big_complex.maps().add_g(cell, ring.one(), out);
+    big_complex.maps().add_g(CellId{cell}, ring.one(), out);
     return out;
   };
   return {{b, c, graded_map(ring, 0, big, object, f), graded_map(ring, 0, object, big, g),

@@ -73,8 +73,9 @@ template <Ring R>
 CellChain Chains<R>::to_chain(int degree, const Terms<R>& cells) const {
   CellChain chain{degree, {}};
   for (const Term<R>& term : cells) {
-    const bool agrees = structure_.directory().sign_of_name(CellId{term.index}) > 0;
-    chain.terms.push_back({to_rational(ring_, agrees ? term.coefficient : ring_.negate(term.coefficient)), term.index});
+    const CellId cell{term.index};
+    const bool agrees = structure_.directory().sign_of_name(cell) > 0;
+    chain.terms.push_back({to_rational(ring_, agrees ? term.coefficient : ring_.negate(term.coefficient)), cell});
   }
   std::sort(chain.terms.begin(), chain.terms.end(), [this](const CellChain::Term& a, const CellChain::Term& b) {
     return structure_.lazy().is_older(structure_.forest().oldest(a.cell), structure_.forest().oldest(b.cell));

@@ -100,14 +100,14 @@ void LiveEquivalence<R>::take_in_step() {
       case ops::EventKind::cell:
       case ops::EventKind::degenerate:
       case ops::EventKind::lazy:
-        for (CellId c = run.first; c < run.first + run.count; ++c) {
+        for (CellId c{run.first}; c < run.first + run.count; ++c) {
           if (const auto generator = big_.append_cell(c)) {
             rewriter_.append(big_.degree(*generator));
           }
         }
         break;
       case ops::EventKind::copy:
-        for (CellId c = run.first; c < run.first + run.count; ++c) {
+        for (CellId c{run.first}; c < run.first + run.count; ++c) {
           const Index copy = big_.append_copy(c);
           first_copy = std::min(first_copy, copy);
           rewriter_.append(big_.degree(copy));
@@ -118,10 +118,10 @@ void LiveEquivalence<R>::take_in_step() {
         last_move = run.first + run.count - 1;
         break;
       case ops::EventKind::family:
-        append_family(run.first, structure_, frozen_, big_, rewriter_);
+        append_family(ops::FamilyId{run.first}, structure_, frozen_, big_, rewriter_);
         break;
       case ops::EventKind::removal:
-        for (LinkId link = run.first; link < run.first + run.count; ++link) {
+        for (LinkId link{run.first}; link < run.first + run.count; ++link) {
           rewriter_.append(big_.degree(big_.append_removal(link)));
         }
         break;

@@ -47,13 +47,14 @@ std::uint32_t NameTable::hash_of(std::string_view text) {
   return hash.value();
 }
 
-const NameTable::Name* NameTable::find(std::string_view text, std::uint32_t hash) const {
+std::uint32_t NameTable::number_of(std::string_view text, std::uint32_t hash) const {
   ++looked_up_;
-  const std::uint32_t number = index_.find(key(hash), [&](std::uint32_t each) { return names_[each].text == text; });
-  return number == sparse::HashIndex::nothing ? nullptr : &names_[number];
+  return index_.find(key(hash), [&](std::uint32_t each) { return names_[each].text == text; });
 }
 
-void NameTable::add(std::string_view text, std::uint32_t cell, std::uint32_t body) {
+static_assert(sparse::HashIndex::nothing == none);
+
+void NameTable::add(std::string_view text, CellId cell, BodyId body) {
   const std::uint32_t hash = hash_of(text);
   sparse::expects(find(text, hash) == nullptr, "a plan's new names are free");
   index_.insert(key(hash), size());

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ops/ids.hpp"
 #include "sparse/hash_index.hpp"
 
 namespace sesame::ops {
@@ -61,8 +62,8 @@ class NameTable {
  public:
   struct Name {
     std::string text;
-    std::uint32_t cell;  ///< or ops::none
-    std::uint32_t body;  ///< or ops::none
+    CellId cell;  ///< or none
+    BodyId body;  ///< or none
   };
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(names_.size()); }
@@ -70,15 +71,21 @@ class NameTable {
   /// The name of a text, or null. Cost: the length of the text.
   [[nodiscard]] const Name* find(std::string_view text) const { return find(text, hash_of(text)); }
   /// The same with its hash, TextHash::value. Cost O(1) when there is none.
-  [[nodiscard]] const Name* find(std::string_view text, std::uint32_t hash) const;
+  [[nodiscard]] const Name* find(std::string_view text, std::uint32_t hash) const {
+    const std::uint32_t number = number_of(text, hash);
+    return number == none ? nullptr : &names_[number];
+  }
+  /// Its number, or none.
+  [[nodiscard]] std::uint32_t number_of(std::string_view text) const { return number_of(text, hash_of(text)); }
   /// How often something has been looked up. Only grows.
   [[nodiscard]] std::uint64_t looked_up() const { return looked_up_; }
   /// Requires: the text is not in the table.
-  void add(std::string_view text, std::uint32_t cell, std::uint32_t body);
+  void add(std::string_view text, CellId cell, BodyId body);
   void pop_back();
 
  private:
   static std::uint32_t hash_of(std::string_view text);
+  [[nodiscard]] std::uint32_t number_of(std::string_view text, std::uint32_t hash) const;
   /// As the index takes it, which goes by the upper half.
   static std::uint64_t key(std::uint32_t hash) { return std::uint64_t{hash} << 32U; }
 

@@ -30,7 +30,7 @@ void Families<R>::subtract_gains_of_K(const GainsByPlace& gains, CellId cell, co
   Terms<R> bounded;
   maps(family).add_K_at(cell, cells, ring_.negate(factor), bounded);
   for (const auto& [gained, coefficient] : bounded) {
-    for (const auto& [generator, part] : concerned->second.at(gained)) {
+    for (const auto& [generator, part] : concerned->second.at(CellId{gained})) {
       shifts_.add_as_created(generator, ring_.multiply(coefficient, part), out);
     }
   }
@@ -46,7 +46,7 @@ std::span<const sparse::Term<R>> Families<R>::attached_to(Index generator) const
 template <Ring R>
 void Families<R>::add_K_of_attached(Index generator, const Element& factor, Terms<R>& out) const {
   for (const auto& [cell, coefficient] : attached_to(generator)) {
-    add_K(cell, ring_.multiply(factor, coefficient), out);
+    add_K(CellId{cell}, ring_.multiply(factor, coefficient), out);
   }
 }
 
@@ -54,7 +54,8 @@ template <Ring R>
 std::uint64_t Families<R>::terms_of_K_of_attached(Index generator) const {
   std::uint64_t terms = 0;
   for (const auto& term : attached_to(generator)) {
-    terms = saturating_sum(terms, maps_of(term.index).terms_of_K(term.index));
+    const CellId cell{term.index};
+    terms = saturating_sum(terms, maps_of(cell).terms_of_K(cell));
   }
   return terms;
 }
@@ -74,7 +75,7 @@ void Families<R>::add_gains(const Gains& gains, std::map<Index, Terms<R>>& chang
   for (const auto& [generator, lazy_cells] : attached_) {
     Terms<R> change;
     for (const auto& [cell, coefficient] : lazy_cells) {
-      subtract_gains_of_K(by_place, cell, coefficient, change);
+      subtract_gains_of_K(by_place, CellId{cell}, coefficient, change);
     }
     sparse::normalize(ring_, change);
     if (!change.empty()) {

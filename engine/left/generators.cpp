@@ -4,7 +4,7 @@ namespace sesame::engine {
 
 ops::BodyId Generators::body_of(Index generator) const {
   if (is_removal(generator)) {
-    return structure_.body_of(structure_.forest().removed(origin_[generator] & ~removal_bit));
+    return structure_.body_of(structure_.forest().removed(LinkId{origin_[generator] & ~removal_bit}));
   }
   if (is_of_family(generator)) {
     return structure_.bodies().find(structure_.lazy().family(family(generator)).body);

@@ -32,8 +32,8 @@ class Generators {
   [[nodiscard]] bool is_removal(Index generator) const { return (origin_[generator] & removal_bit) != 0; }
   [[nodiscard]] bool is_of_family(Index generator) const { return (origin_[generator] & family_bit) != 0; }
   /// The cell that a generator was made for. Requires: it is neither of a removal nor of a family.
-  [[nodiscard]] CellId cell(Index generator) const { return origin_[generator]; }
-  [[nodiscard]] ops::FamilyId family(Index generator) const { return origin_[generator] & ~family_bit; }
+  [[nodiscard]] CellId cell(Index generator) const { return CellId{origin_[generator]}; }
+  [[nodiscard]] ops::FamilyId family(Index generator) const { return ops::FamilyId{origin_[generator] & ~family_bit}; }
 
   /// The generator made for a node that the window knows, or none.
   [[nodiscard]] Index of(CellId node) const {
@@ -41,8 +41,8 @@ class Generators {
   }
   [[nodiscard]] Index of_link(LinkId link) const { return of_link_[link - window_.begin().links]; }
   /// The number of nodes, of removals that have been taken in, those before the window included.
-  [[nodiscard]] CellId cells() const { return window_.begin().created + static_cast<CellId>(of_cell_.size()); }
-  [[nodiscard]] LinkId links() const { return window_.begin().links + static_cast<LinkId>(of_link_.size()); }
+  [[nodiscard]] CellId cells() const { return window_.begin().created + of_cell_.size(); }
+  [[nodiscard]] LinkId links() const { return window_.begin().links + of_link_.size(); }
 
   /// The next cell of the window's beginning; the next node, with a generator or without; the next removal; a generator
   /// of a family. All return the generator.

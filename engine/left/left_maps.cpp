@@ -78,7 +78,7 @@ void LeftMaps<R>::add_K_of_lazy_part(CellId cell, const Element& factor, Terms<R
   add_lazy_part(cell, factor, part);
   Terms<R> nodes;
   for (const auto& [lazy, coefficient] : part) {
-    families_.add_K(lazy, coefficient, nodes);
+    families_.add_K(CellId{lazy}, coefficient, nodes);
   }
   add_as_now(nodes, out);
 }
@@ -128,7 +128,7 @@ void LeftMaps<R>::add_f(Index generator, const Element& factor, Terms<R>& out) c
 template <Ring R>
 void LeftMaps<R>::add_as_now(std::span<const sparse::Term<R>> nodes, Terms<R>& out) const {
   for (const auto& [node, coefficient] : nodes) {
-    add_cell(node, coefficient, out);
+    add_cell(CellId{node}, coefficient, out);
   }
 }
 

@@ -42,11 +42,12 @@ void ProductMaps<R>::add_K_at(CellId cell, std::span<const CellId> at, const Ele
 template <Ring R>
 void ProductMaps<R>::add_pairs(const Terms<R>& left, const Terms<R>& right, const Element& factor,
                                Terms<R>& out) const {
-  const auto as_value = [this](CellId c) { return ops::Value{c, structure_.cells().type_id(c), 0}; };
+  const ops::Values& values = structure_.values();
   for (const auto& [a, coefficient_a] : left) {
     const Element scaled = ring_.multiply(factor, coefficient_a);
     for (const auto& [b, coefficient_b] : right) {
-      const CellId cell = structure_.lazy().cell(this->id_, ops::LazyPart::pair, as_value(a), as_value(b));
+      const CellId cell =
+          structure_.lazy().cell(this->id_, ops::LazyPart::pair, values.plain(CellId{a}), values.plain(CellId{b}));
       out.push_back({cell, ring_.multiply(scaled, coefficient_b)});
     }
   }

@@ -87,13 +87,15 @@ std::uint64_t SimplicialProductMaps<R>::terms_of_K(CellId cell) const {
 template <Ring R>
 void SimplicialProductMaps<R>::add_pairs(const Terms<R>& left, const Terms<R>& right, const Element& factor,
                                          Terms<R>& out) const {
-  const auto as_value = [this](CellId c) { return Value{c, structure_.cells().type_id(c), 0}; };
-  for (const auto& [a, coefficient_a] : left) {
+  const ops::Values& values = structure_.values();
+  for (const auto& [of_left, coefficient_a] : left) {
+    const CellId a{of_left};
     const Element scaled = ring_.multiply(factor, coefficient_a);
-    for (const auto& [b, coefficient_b] : right) {
+    for (const auto& [of_right, coefficient_b] : right) {
+      const CellId b{of_right};
       const Element coefficient = ring_.multiply(scaled, coefficient_b);
       for (const auto& shuffle : factors_.formulas().shuffles(structure_.dimension(a), structure_.dimension(b))) {
-        add_simplex(shuffle, as_value(a), as_value(b), coefficient, out);
+        add_simplex(shuffle, values.plain(a), values.plain(b), coefficient, out);
       }
     }
   }

@@ -122,7 +122,7 @@ class Window {
   /// created, number). Stops when there are more than `most`.
   [[nodiscard]] std::vector<std::pair<CellId, std::uint32_t>> places_of(CellId node, std::size_t most = SIZE_MAX) const;
 
-  [[nodiscard]] ops::FamilyId families() const { return structure_->lazy().families() - begin_.families; }
+  [[nodiscard]] std::uint32_t families() const { return structure_->lazy().families() - begin_.families; }
   [[nodiscard]] bool is_lazy(CellId c) const { return !is_first(c) && structure_->lazy().is_lazy(c); }
 
  private:

@@ -52,9 +52,11 @@ void CellStore::pop_back() {
     next_incidence_.pop_back();
   }
   lazy_nodes_ -= lazy_.back() != none ? 1 : 0;
-  for (auto* column : {&type_, &first_incidence_, &name_, &lazy_, &body_}) {
-    column->pop_back();
-  }
+  type_.pop_back();
+  first_incidence_.pop_back();
+  name_.pop_back();
+  lazy_.pop_back();
+  body_.pop_back();
 }
 
 }  // namespace sesame::ops

@@ -67,9 +67,11 @@ void Forest::add() {
 }
 
 void Forest::pop_back() {
-  for (auto* column : {&parent_, &oldest_, &size_, &link_of_, &last_child_}) {
-    column->pop_back();
-  }
+  parent_.pop_back();
+  oldest_.pop_back();
+  size_.pop_back();
+  link_of_.pop_back();
+  last_child_.pop_back();
 }
 
 void Forest::squash(CellId node, const Value& becomes) {

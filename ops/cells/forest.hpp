@@ -109,7 +109,7 @@ class Forest {
   std::vector<LinkId> last_child_;  ///< per node: the last link that ends at it
   std::vector<Link> links_;
   std::vector<bool> reverses_;                  ///< per link
-  LinkId reversals_ = 0;                        ///< links that do
+  std::uint32_t reversals_ = 0;                 ///< links that do
   std::unordered_map<LinkId, OrderId> orders_;  ///< of links in another order
   std::vector<LinkId> first_links_;             ///< of the steps that made some
   std::unordered_map<CellId, Value> squashed_;  ///< what a node that became degenerate is

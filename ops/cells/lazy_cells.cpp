@@ -10,27 +10,28 @@ namespace sesame::ops {
 Incidence LazyCells::face(FamilyId family, LazyPart part, const Value& left, const Value& right) const {
   const LazyFamily& f = families_[family];
   LazyKey key{family, part, left, right};
-  Value made;  // the value that the cell has: collapsed directions of its own
+  Value made;   // the value that the cell has: collapsed directions of its own
+  TypeId type;  // of the cell
   if (part == LazyPart::pair && f.kind == FamilyKind::simplicial_product) {
     made.type = left.type;
     made.collapsed = left.collapsed & right.collapsed;
     const Degeneracy common = made.collapsed;
-    const TypeId type = types_.simplex(types_.info(left.type).dimension - std::popcount(common));
+    type = types_.simplex(types_.info(left.type).dimension - std::popcount(common));
     key.left = {left.cell, type, without(left.collapsed, common)};
     key.right = {right.cell, type, without(right.collapsed, common)};
-    made.cell = type;  // for now: the type of the cell underneath
   } else {
-    key.left = {left.cell, cells_.type_id(left.cell), 0};
+    key.left = values_.plain(left.cell);
+    type = key.left.type;
     made = left;
-    made.cell = key.left.type;
     if (part == LazyPart::pair) {
-      key.right = {right.cell, cells_.type_id(right.cell), 0};
-      made = maps_.product(types_.product(key.left.type, key.right.type), left, right);
+      key.right = values_.plain(right.cell);
+      type = types_.product(key.left.type, key.right.type);
+      made = maps_.product(none, left, right);
     } else if (part == LazyPart::coned) {
-      made = maps_.coned(types_.coned(key.left.type, f.by_edges), left, f.by_edges);
+      type = types_.coned(key.left.type, f.by_edges);
+      made = maps_.coned(none, left, f.by_edges);
     }
   }
-  const TypeId type = std::exchange(made.cell, none);
   if (const auto known = index_.find(key); known != index_.end()) {
     made.cell = known->second;
   } else {

@@ -53,8 +53,8 @@ std::span<const std::uint64_t> Structure::counts() const {
 
 Moment Structure::moment_at(Journal::Position position) const {
   const EventCounts since = journal_.counts_since(position);
-  const auto less = [&since](std::uint32_t count, auto... kinds) {
-    return static_cast<std::uint32_t>(count - (since[kinds] + ...));
+  const auto less = [&since](auto count, auto... kinds) {
+    return count - static_cast<std::uint32_t>((since[kinds] + ...));
   };
   const Moment at_end = now();
   return {less(at_end.created, EventKind::cell, EventKind::copy, EventKind::degenerate, EventKind::lazy),

@@ -83,9 +83,7 @@ class Structure {
   /// The number of current cells of each dimension, up to the largest that has one.
   [[nodiscard]] std::span<const std::uint64_t> counts() const;
   /// The number of nodes that steps made: not what was only asked for.
-  [[nodiscard]] CellId made_by_steps() const {
-    return cells_.size() - static_cast<CellId>(lazy_.made() + values_.degenerate_nodes());
-  }
+  [[nodiscard]] CellId made_by_steps() const { return cells_.size() - (lazy_.made() + values_.degenerate_nodes()); }
   [[nodiscard]] Moment now() const {
     return {cells_.size(), forest_.links(), static_cast<std::uint32_t>(splits_.moves().size()), lazy_.families(),
             splits_.copies()};

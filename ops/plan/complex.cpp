@@ -84,7 +84,7 @@ class ComplexPlanner {
     if (Status s = check_laws(k, *type, faces); !s) {
       return s;
     }
-    placed_[k] = base_ + static_cast<CellId>(plan_.cells.size());
+    placed_[k] = base_ + plan_.cells.size();
     plan_.names.append(operation_.name).append(1, '.').append(cell.id);
     const std::size_t first_face = plan_.faces.size();
     plan_.faces.insert(plan_.faces.end(), faces.begin(), faces.end());

@@ -140,7 +140,7 @@ class ConePlanner {
   }
 
  private:
-  [[nodiscard]] CellId next() const { return plan_.first + static_cast<CellId>(plan_.cells.size()); }
+  [[nodiscard]] CellId next() const { return plan_.first + plan_.cells.size(); }
   /// v*c for a value c: degenerate in the same directions; the new one comes last.
   Incidence coned_value(const Value& v) {
     const Value base = structure_.maps().compose(v, cone_of_.at(v.cell));

@@ -47,7 +47,7 @@ class SplitPlanner {
 
  private:
   /// Ids of copies until the plan is written: laws are checked, which may make lazy cells, before ids are known.
-  static constexpr CellId first_copy = 0x8000'0000U;
+  static constexpr CellId first_copy{0x8000'0000U};
   struct NewCopy {
     CellId source;
     const std::string& name;
@@ -69,7 +69,7 @@ class SplitPlanner {
       return Error{Errc::refused,
                    fmt::format("\"{}\" is degenerate: only a cell that is not can be split", split.cell)};
     }
-    const auto id = first_copy + static_cast<CellId>(copies_.size());
+    const CellId id = first_copy + copies_.size();
     if (!copy_names_.emplace(split.copy, id).second) {
       return Error{Errc::bad_input,
                    fmt::format("the name \"{}\" is given to two copies: names are unique", split.copy)};
@@ -119,7 +119,7 @@ class SplitPlanner {
                                value.is_degenerate() ? "degenerate over " : "", name_of(value.cell),
                                operation_.splits[split].cell, operation_.splits[split].copy)};
     }
-    value.cell = first_copy + static_cast<CellId>(split);
+    value.cell = first_copy + split;
     if (!is_copy(cell)) {
       moves_.push_back({cell, static_cast<std::uint32_t>(slot), value.cell, value.order});
     }
@@ -196,14 +196,14 @@ class SplitPlanner {
     std::vector<std::vector<Incidence>> faces;
     for (const std::size_t k : order) {
       faces.emplace_back();
-      for (const Value& v : faces_.at(first_copy + static_cast<CellId>(k))) {  // this may make nodes: so ids come later
+      for (const Value& v : faces_.at(first_copy + k)) {  // this may make nodes: so ids come later
         faces.back().push_back(is_copy(v.cell) ? Incidence{v.cell, v.order} : structure_.values().incidence_of(v));
       }
     }
     plan.first = structure_.cells().size();
     std::vector<CellId> id(copies_.size());
     for (std::size_t k = 0; k < order.size(); ++k) {
-      id[order[k]] = plan.first + static_cast<CellId>(k);
+      id[order[k]] = plan.first + k;
     }
     const auto final_id = [&](CellId c) { return is_copy(c) ? id[c - first_copy] : c; };
     for (std::size_t k = 0; k < order.size(); ++k) {

@@ -42,10 +42,7 @@ std::vector<std::uint8_t> places_in(std::span<const VertexId> other, std::span<c
 
 // ------------------------------------------------------------------------------------------------------------ labels
 
-LabelId AbstractComplex::label(std::string_view text) const {
-  const NameTable::Name* found = texts_.find(text);
-  return found == nullptr ? none : found->cell;
-}
+LabelId AbstractComplex::label(std::string_view text) const { return LabelId{texts_.number_of(text)}; }
 
 LabelId AbstractComplex::root(LabelId label) const {
   while (labels_[label].parent != label) {
@@ -57,9 +54,9 @@ LabelId AbstractComplex::root(LabelId label) const {
 VertexId AbstractComplex::vertex(LabelId label) const { return labels_[root(label)].vertex; }
 
 LabelId AbstractComplex::add_label(std::string_view text) {
-  const LabelId label = labels();
-  texts_.add(text, label, none);
-  labels_.push_back({label, 1, label});
+  const LabelId label{labels()};
+  texts_.add(text, none, none);
+  labels_.push_back({label, 1, VertexId{labels()}});
   label_of_.push_back(label);
   journal_.push_back({Change::Kind::label});
   return label;

@@ -7,7 +7,7 @@
 namespace sesame::ops {
 
 TowerComplex::Vertex TowerComplex::find_vertex(Label label) const {
-  return vertices_of_labels_.find(sparse::spread_bits(label), [&](Vertex v) { return label_of_[v] == label; });
+  return Vertex{vertices_of_labels_.find(sparse::spread_bits(label), [&](Slot v) { return label_of_[v] == label; })};
 }
 
 TowerComplex::Slot TowerComplex::slots(int dimension) const {
@@ -44,7 +44,7 @@ Result<TowerComplex::Slot> TowerComplex::include_vertex(Label label) {
   if (find_vertex(label) != nothing) {
     return rules().check_inclusion({&label, 1}).error();
   }
-  const Vertex v = take_slot(0);
+  const Vertex v{take_slot(0)};
   if (v == label_of_.size()) {
     sparse::expects(v < nothing, "fewer than 2^32 vertices");
     label_of_.push_back(label);
@@ -53,7 +53,7 @@ Result<TowerComplex::Slot> TowerComplex::include_vertex(Label label) {
   }
   vertices_of_labels_.insert(sparse::spread_bits(label), v);
   facets_size_ = 0;
-  return v;
+  return Slot{v};
 }
 
 Result<TowerComplex::Slot> TowerComplex::include(std::span<const Label> labels) {

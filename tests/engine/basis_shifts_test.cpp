@@ -91,7 +91,7 @@ TEST_CASE("generators as created are what a matrix of the present basis says, th
       const Index copy = generators.append_cell(generators.cells());
       plain.append();
       if (copy > 0 && !random.one_in(3)) {
-        const auto node = static_cast<ops::CellId>(random.in(0, static_cast<int>(copy) - 1));
+        const auto node = static_cast<unsigned>(random.in(0, static_cast<int>(copy) - 1));
         shifts.shift(node, copy);
         plain.shift(node, copy);
       }

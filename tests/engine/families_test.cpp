@@ -109,11 +109,11 @@ template <sparse::Ring R>
 void check_laws(const R& ring, const FamilyMaps<R>& maps, const LeftSide<R>& side, const std::vector<CellId>& cells,
                 std::span<const Index> generators) {
   const auto of = [&](const auto& map, const Terms<R>& chain) { return applied(ring, map, chain); };
-  const auto d = [&](Index c) { return side.boundary_of_cell(c); };
+  const auto d = [&](Index c) { return side.boundary_of_cell(CellId{c}); };
   const auto d_small = [&](Index x) { return side.boundary_of_generator(x); };
-  const auto map_F = [&](Index c) { return F(ring, maps, c); };
+  const auto map_F = [&](Index c) { return F(ring, maps, CellId{c}); };
   const auto map_G = [&](Index x) { return G(ring, maps, x); };
-  const auto map_K = [&](Index c) { return K(ring, maps, c); };
+  const auto map_K = [&](Index c) { return K(ring, maps, CellId{c}); };
   for (const CellId c : cells) {
     REQUIRE(of(d_small, map_F(c)) == of(map_F, d(c)));
     REQUIRE(sum_of<R>(ring, {of(d, map_K(c)), of(map_K, d(c)), of(map_G, map_F(c))}) == one_term(ring, Index{c}));
@@ -285,9 +285,9 @@ TEST_CASE("the maps of a cone contract it to its apex", "[engine][left]") {
   std::vector<CellId> cells = current_cells(structure);
   std::erase(cells, apex);
   const auto of = [&](const auto& map, const Terms<sparse::Integers>& chain) { return applied(z, map, chain); };
-  const auto d = [&](Index c) { return side.boundary_of_cell(c); };
-  const auto on_apex = [&](Index c) { return c == apex ? Terms<sparse::Integers>{} : K(z, maps, c); };
-  const auto image = [&](Index c) { return c == apex ? side.g(apex) : F(z, maps, c); };
+  const auto d = [&](Index c) { return side.boundary_of_cell(CellId{c}); };
+  const auto on_apex = [&](Index c) { return c == apex ? Terms<sparse::Integers>{} : K(z, maps, CellId{c}); };
+  const auto image = [&](Index c) { return c == apex ? side.g(apex) : F(z, maps, CellId{c}); };
   for (const CellId c : cells) {
     REQUIRE(of(image, d(c)) == of([&](Index x) { return side.boundary_of_generator(x); }, image(c)));
     // G of the apex' generator is the apex.
@@ -330,7 +330,7 @@ TEST_CASE("a lazy cone has the cells and boundaries of the cone written out, and
     }
     const Terms<sparse::Integers> bounded = K(z, maps, c);
     REQUIRE(bounded.size() == 1);
-    CHECK(lazy.structure().name(bounded[0].index) == "v*" + std::string{lazy.structure().name(c)});
+    CHECK(lazy.structure().name(CellId{bounded[0].index}) == "v*" + std::string{lazy.structure().name(c)});
     CHECK(bounded[0].coefficient == sparse::Integer{lazy.structure().dimension(c) % 2 == 0 ? -1 : 1});
   }
 }

@@ -159,7 +159,9 @@ class Gluings {
 
   /// Draws a pair of different cells of one type: its number.
   std::size_t draw(Random& random) {
-    const auto cell = [&] { return static_cast<ops::CellId>(random.in(0, static_cast<int>(types_.size()) - 1)); };
+    const auto cell = [&] {
+      return ops::CellId{static_cast<unsigned>(random.in(0, static_cast<int>(types_.size()) - 1))};
+    };
     ops::CellId a = cell();
     ops::CellId b = cell();
     while (a == b || types_[a] != types_[b]) {

@@ -140,9 +140,9 @@ TEST_CASE("names that are no list of known labels, or repeat a vertex, denote no
   AbstractComplex complex;
   const LabelId a = complex.add_label("a");
   const LabelId b = complex.add_label("b");
-  complex.include(0, Vertices{a});
-  complex.include(1, Vertices{b});
-  complex.include(2, Vertices{b, a});
+  complex.include(0, Vertices{complex.vertex(a)});
+  complex.include(1, Vertices{complex.vertex(b)});
+  complex.include(2, Vertices{complex.vertex(b), complex.vertex(a)});
   CHECK(complex.find_named("{a,b}").value().cell == 2);
   CHECK(complex.find_named("{a,b}").value().places == std::vector<std::uint8_t>{1, 0});
   CHECK(complex.find_named("{b,a}").value().places == std::vector<std::uint8_t>{0, 1});

@@ -102,7 +102,7 @@ TEST_CASE("bodies are what sets of bodies are, through every change and its undo
       past.back().second();
       plain = past.back().first;
       past.pop_back();
-    } else if (const BodyId a = draw(bodies.size()), b = draw(bodies.size());
+    } else if (const BodyId a{draw(bodies.size())}, b{draw(bodies.size())};
                plain.of(a).is_consumed || plain.of(b).is_consumed) {
       continue;
     } else if (const std::uint32_t change = draw(4); change == 0 && bodies.find(a) != bodies.find(b)) {

@@ -59,12 +59,12 @@ TEST_CASE("nodes, faces and where a node is a face are what plain rows say, thro
   std::vector<Row> rows;
   for (int step = 0; step < 200; ++step) {
     if (draw(3) != 0 || rows.empty()) {
-      Row row{types.simplex(static_cast<int>(draw(4))), draw(100), draw(5), {}};
+      Row row{types.simplex(static_cast<int>(draw(4))), draw(100), ops::BodyId{draw(5)}, {}};
       store.add(row.type, row.name, none, row.body);
       // As many as it is given, whatever the type says.
       for (std::uint32_t k = draw(5); k > 0 && !rows.empty(); --k) {
         const auto face = static_cast<CellId>(draw(rows.size()));
-        const ops::OrderId order = draw(4) == 0 ? 7 : ops::same_order;
+        const ops::OrderId order = draw(4) == 0 ? ops::OrderId{7} : ops::same_order;
         store.add_face(face, order);
         row.faces.emplace_back(face, order);
       }

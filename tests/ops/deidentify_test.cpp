@@ -35,14 +35,14 @@ class SlowSplit {
   void apply(const Deidentify& op) {
     for (std::size_t k = 0; k < op.splits.size(); ++k) {
       const CellId source = find(op.splits[k].cell);
-      const auto copy = first_copy + static_cast<CellId>(k);
+      const CellId copy = first_copy + k;
       types_[copy] = types_.at(source);
       faces_[copy] = faces_[source];
       copies_[op.splits[k].copy] = copy;
     }
     for (std::size_t k = 0; k < op.splits.size(); ++k) {
       for (const auto& [cell, slot] : op.splits[k].moves) {
-        faces_[find(cell)][static_cast<std::size_t>(slot)].cell = first_copy + static_cast<CellId>(k);
+        faces_[find(cell)][static_cast<std::size_t>(slot)].cell = first_copy + k;
       }
     }
   }

@@ -98,7 +98,7 @@ TEST_CASE("what nodes are and were is what plain lists say, with signs, through 
         REQUIRE(forest.squashed(current[0]).cell == current[1]);
         REQUIRE(forest.squashed_onto(current[1]).back() == current[0]);
       } else {
-        forest.link(current[0], current[1], sign < 0 ? 1 : ops::same_order, sign,
+        forest.link(current[0], current[1], sign < 0 ? ops::OrderId{1} : ops::same_order, sign,
                     std::min(forest.oldest(current[0]), forest.oldest(current[1])));
       }
       REQUIRE(forest.removed(forest.links() - 1) == current[0]);

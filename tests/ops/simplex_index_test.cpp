@@ -32,7 +32,7 @@ class Twins {
   void include_any() {
     Vertices simplex;
     while (simplex.empty() || random_.in(0, 2) > 0) {
-      const auto v = static_cast<Vertex>(random_.in(0, vertices - 1));
+      const Vertex v = any_vertex(0);
       if (std::ranges::find(simplex, v) != simplex.end()) {
         break;
       }
@@ -49,8 +49,8 @@ class Twins {
 
   /// Of any two vertices: the one with the smaller star goes.
   void contract_any() {
-    const auto u = static_cast<Vertex>(random_.in(0, vertices - 1));
-    const auto v = static_cast<Vertex>((u + static_cast<Vertex>(random_.in(1, vertices - 1))) % vertices);
+    const Vertex u = any_vertex(0);
+    const Vertex v{(u + any_vertex(1)) % unsigned{vertices}};
     const Vertex moved = index.star_size(u) <= index.star_size(v) ? u : v;
     const Vertex kept = moved == u ? v : u;
     std::vector<std::pair<std::size_t, Slot>> star;
@@ -114,6 +114,7 @@ class Twins {
   std::map<std::set<Vertex>, Slot> slots;
 
  private:
+  Vertex any_vertex(int from) { return Vertex{static_cast<unsigned>(random_.in(from, vertices - 1))}; }
   enum class What : std::uint8_t { inclusion, exclusion, renaming };
   struct Event {
     What what;

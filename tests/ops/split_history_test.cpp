@@ -32,9 +32,9 @@ TEST_CASE("faces that move and copies are what plain lists say, through undo", "
   for (int step = 0; step < 300; ++step) {
     const std::uint32_t what = draw(6);
     if (what < 3) {
-      const ops::Move move{draw(6), draw(3), 1000 + draw(4), draw(3)};
+      const ops::Move move{CellId{draw(6)}, draw(3), CellId{1000 + draw(4)}, ops::OrderId{draw(3)}};
       const SplitHistory::MovedFaces before = faces_of(move.cell);
-      const auto links = static_cast<ops::LinkId>(step);
+      const ops::LinkId links{static_cast<unsigned>(step)};
       splits.add_move(move, links, [&] { return as_created(move.cell); });
       moves.push_back(
           {move.cell, move.slot, before.faces[move.slot], move.to, links, before.orders[move.slot], move.order});
@@ -42,7 +42,8 @@ TEST_CASE("faces that move and copies are what plain lists say, through undo", "
       splits.undo_last_move();
       moves.pop_back();
     } else if (what == 4) {
-      const SplitHistory::Copy copy{static_cast<CellId>(2000 + copies.size()), draw(5), {static_cast<CellId>(step)}};
+      const SplitHistory::Copy copy{
+          static_cast<CellId>(2000 + copies.size()), CellId{draw(5)}, {CellId{static_cast<unsigned>(step)}}};
       splits.add_copy(copy);
       copies.push_back(copy);
     } else if (what == 5 && !copies.empty()) {

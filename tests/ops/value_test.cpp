@@ -67,7 +67,7 @@ TEST_CASE("faces of values are restrictions of their maps", "[ops]") {
     const TypeId underneath = types.intern(made.underneath);
     // Every face of the cell is a cell of its own, with its vertices in order.
     const auto face_of = [&](CellId, std::uint32_t number) {
-      return Value{100 + number, types.info(underneath).faces[number].type, 0};
+      return Value{CellId{100 + number}, types.info(underneath).faces[number].type, 0};
     };
     for (std::uint32_t k = 0; k < types.info(v.type).faces.size(); ++k) {
       const Value face = maps.face(v, k, face_of);

@@ -142,16 +142,16 @@ class LeftSide {
       case ops::EventKind::cell:
       case ops::EventKind::degenerate:
       case ops::EventKind::lazy:
-        generator = big_.append_cell(number);
+        generator = big_.append_cell(ops::CellId{number});
         break;
       case ops::EventKind::copy:
-        generator = big_.append_copy(number);
+        generator = big_.append_copy(ops::CellId{number});
         break;
       case ops::EventKind::removal:
-        generator = big_.append_removal(number);
+        generator = big_.append_removal(ops::LinkId{number});
         break;
       case ops::EventKind::family:
-        engine::append_family(number, structure(), frozen_, big_, rewriter_);
+        engine::append_family(ops::FamilyId{number}, structure(), frozen_, big_, rewriter_);
         break;
       default:
         break;
@@ -175,11 +175,11 @@ template <sparse::Ring R>
 std::string broken_left_law(const LeftSide<R>& side) {
   const R& ring = side.ring();
   const auto f = [&](Index x) { return side.f(x); };
-  const auto g = [&](Index c) { return side.g(c); };
+  const auto g = [&](Index c) { return side.g(ops::CellId{c}); };
   const auto h = [&](Index x) { return side.h(x); };
-  const auto K = [&](Index c) { return side.K(c); };
+  const auto K = [&](Index c) { return side.K(ops::CellId{c}); };
   const auto d_big = [&](Index x) { return side.boundary_of_generator(x); };
-  const auto d_object = [&](Index c) { return side.boundary_of_cell(c); };
+  const auto d_object = [&](Index c) { return side.boundary_of_cell(ops::CellId{c}); };
   const auto of = [&](const auto& map, const Terms<R>& chain) { return applied(ring, map, chain); };
   const bool is_reduction = side.structure().lazy().families() == 0;
   const std::vector<ops::CellId> cells = current_cells(side.structure());
