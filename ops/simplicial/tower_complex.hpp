@@ -103,7 +103,7 @@ void TowerComplex::for_each_facet(int dimension, Slot slot, std::size_t except, 
   const SimplexIndex::Key key = SimplexIndex::key(simplices_.vertices(static_cast<std::size_t>(dimension), slot));
   for (std::size_t k = 0; k < key.vertices.size(); ++k) {
     if (k != except) {
-      visit(k, dimension == 1 ? key.vertices[1 - k] : simplices_.find_facet(key, k));
+      visit(k, dimension == 1 ? Slot{key.vertices[1 - k]} : simplices_.find_facet(key, k));
     }
   }
 }

@@ -56,7 +56,7 @@ void check(const engine::BasisShifts<Integers>& shifts, const PlainBasis& plain)
       REQUIRE(std::find(with.begin(), with.end(), x) != with.end());
     }
     REQUIRE(present == plain.rows[x]);
-    REQUIRE(shifts.generators_of(x) == plain.generators_of[x]);
+    REQUIRE(shifts.generators_of(ops::CellId{x}) == plain.generators_of[x]);
   }
 }
 
@@ -92,7 +92,7 @@ TEST_CASE("generators as created are what a matrix of the present basis says, th
       plain.append();
       if (copy > 0 && !random.one_in(3)) {
         const auto node = static_cast<unsigned>(random.in(0, static_cast<int>(copy) - 1));
-        shifts.shift(node, copy);
+        shifts.shift(ops::CellId{node}, ops::CellId{copy});
         plain.shift(node, copy);
       }
     }

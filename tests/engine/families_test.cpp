@@ -43,9 +43,11 @@ class ProductOf {
     const PairTable pairs(left_, right_, side_->big().size(), [&](Symbol x) { return side_->rewriter().degree(x); });
     carry_out(shop_, *side_, {product("P", a.name, b.name, is_simplicial)});
     if (is_simplicial) {
-      maps_ = std::make_unique<engine::SimplicialProductMaps<R>>(ring, shop_.structure(), 0, pairs, side_->frozen());
+      maps_ = std::make_unique<engine::SimplicialProductMaps<R>>(ring, shop_.structure(), ops::FamilyId{}, pairs,
+                                                                 side_->frozen());
     } else {
-      maps_ = std::make_unique<engine::ProductMaps<R>>(ring, shop_.structure(), 0, pairs, side_->frozen());
+      maps_ =
+          std::make_unique<engine::ProductMaps<R>>(ring, shop_.structure(), ops::FamilyId{}, pairs, side_->frozen());
     }
     pairs_ = std::make_unique<PairTable>(pairs);
   }
@@ -234,9 +236,9 @@ TEST_CASE("F, G and K of a product of cells are those of the factors, multiplied
   engine::FrozenMaps<sparse::Integers>& factors = made.side().frozen();
   const ops::Structure& structure = made.structure();
   using Chain = Terms<sparse::Integers>;
-  const auto cell_of = [&](CellId a, CellId b) {
-    const auto value = [&](CellId c) { return ops::Value{c, structure.cells().type_id(c), 0}; };
-    return structure.lazy().cell(0, ops::LazyPart::pair, value(a), value(b));
+  const auto cell_of = [&](Index a, Index b) {
+    const ops::Values& values = structure.values();
+    return structure.lazy().cell(0, ops::LazyPart::pair, values.plain(CellId{a}), values.plain(CellId{b}));
   };
   const auto tensor = [&](const Chain& left, const Chain& right, auto&& place, int sign) {
     Chain out;

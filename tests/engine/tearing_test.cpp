@@ -250,7 +250,7 @@ class Gluings {
   /// The class of each cell under the equations that hold: its smallest member.
   std::vector<ops::CellId> quotient() const {
     std::vector<ops::CellId> smallest(types_.size());
-    std::iota(smallest.begin(), smallest.end(), 0U);
+    std::iota(smallest.begin(), smallest.end(), ops::CellId{});
     std::vector<std::pair<ops::CellId, ops::CellId>> pending;
     for (const auto& [a, b, holds] : equations_) {
       if (holds) {
