@@ -10,55 +10,12 @@
 namespace sesame::engine {
 
 using reductions::ChainComplex;
-using reductions::GradedMap;
+using reductions::map_by_columns;
 using sparse::expects;
 using sparse::Matrix;
 using sparse::Term;
 
 namespace {
-
-/// Where each symbol or generator stands within its degree.
-struct Numbering {
-  std::vector<std::vector<Index>> members;    ///< by degree
-  std::unordered_map<Index, Index> position;  ///< within the degree
-
-  void add(int degree, Index id) {
-    const auto p = static_cast<std::size_t>(degree);
-    if (p >= members.size()) {
-      members.resize(p + 1);
-    }
-    position.emplace(id, static_cast<Index>(members[p].size()));
-    members[p].push_back(id);
-  }
-  [[nodiscard]] std::vector<Index> sizes() const {
-    std::vector<Index> sizes;
-    for (const auto& degree : members) {
-      sizes.push_back(static_cast<Index>(degree.size()));
-    }
-    return sizes;
-  }
-};
-
-/// The graded map whose column at each member of `source` is column(member), a chain in members of `target`.
-template <Ring R, class Column>
-GradedMap<R> graded_map(const R& ring, int degree, const Numbering& source, const Numbering& target, Column column) {
-  const std::vector<Index> from = source.sizes();
-  const std::vector<Index> to = target.sizes();
-  std::vector<Matrix<R>> parts;
-  for (std::size_t p = 0; p < from.size(); ++p) {
-    Matrix<R> part(ring, reductions::size_at(to, static_cast<int>(p) + degree), 0);
-    for (const Index member : source.members[p]) {
-      Terms<R> terms = column(member);
-      for (Term<R>& term : terms) {
-        term.index = target.position.at(term.index);
-      }
-      sparse::normalize(ring, terms);
-      part.append_column(terms);
-    }
-    parts.push_back(std::move(part));
-  }
-  return GradedMap<R>(ring, degree, from, to, std::move(parts));
-}
 
 template <Ring R>
 Terms<R> unit(const R& ring, Index index) {
@@ -76,39 +33,36 @@ reductions::Equivalence<R> matrices_of(LiveEquivalence<R>& live) {
   Rewriter<R>& rewriter = live.rewriter();
 
   expects(window.families() == 0, "the big complex of lazy cells is not written out");
-  const ops::CellBasis basis = ops::cells_at(structure, ops::now(structure));
-  Numbering object;
-  for (std::size_t p = 0; p < basis.cells().size(); ++p) {
-    for (const CellId cell : basis.cells()[p]) {
-      object.add(static_cast<int>(p), cell);
-    }
-  }
-  Numbering big;
+  const ops::CellBasis object = ops::cells_at(structure, ops::now(structure));
+  reductions::Basis<Index> big;
   for (Index b = 0; b < big_complex.size(); ++b) {
     big.add(big_complex.degree(b), b);
   }
-  Numbering small;
+  reductions::Basis<Symbol> small;
   for (int p = 0; p < static_cast<int>(rewriter.small_counts().size()); ++p) {
     for (const Symbol x : rewriter.small(p)) {
       small.add(p, x);
     }
   }
-  const ChainComplex<R> c = ops::chain_complex(structure, basis, ops::now(structure), ring);
-  const ChainComplex<R> b = reductions::complex_with(
-      graded_map(ring, -1, big, big, [&](Index x) { return big_complex.boundary().column(x); }));
-  const ChainComplex<R> s = reductions::complex_with(
-      graded_map(ring, -1, small, small, [&](Index x) { return live.chains().boundary(unit(ring, x)); }));
+  const ChainComplex<R> c = ops::chain_complex(structure, object, ops::now(structure), ring);
+  const ChainComplex<R> b =
+      reductions::complex_by_columns(ring, big, [&](Index x) { return big_complex.boundary().column(x); });
+  const ChainComplex<R> s =
+      reductions::complex_by_columns(ring, small, [&](Symbol x) { return live.chains().boundary(unit(ring, x)); });
   const auto f = [&](Index x) { return big_complex.maps().f(unit(ring, x)); };
   const auto g = [&](Index cell) {
     Terms<R> out;
     big_complex.maps().add_g(CellId{cell}, ring.one(), out);
     return out;
   };
-  return {{b, c, graded_map(ring, 0, big, object, f), graded_map(ring, 0, object, big, g),
-           graded_map(ring, 1, big, big, [&](Index x) { return big_complex.maps().h(x); })},
-          {b, s, graded_map(ring, 0, big, small, [&](Index x) { return rewriter.rewrite(unit(ring, x)); }),
-           graded_map(ring, 0, small, big, [&](Index x) { return rewriter.lift(unit(ring, x)); }),
-           graded_map(ring, 1, big, big, [&](Index x) { return rewriter.lift({}, rewriter.trace(unit(ring, x))); })}};
+  const auto h = [&](Index x) { return big_complex.maps().h(x); };
+  const auto f_small = [&](Index x) { return rewriter.rewrite(unit(ring, x)); };
+  const auto g_small = [&](Symbol x) { return rewriter.lift(unit(ring, x)); };
+  const auto h_small = [&](Index x) { return rewriter.lift({}, rewriter.trace(unit(ring, x))); };
+  return {{b, c, map_by_columns(ring, 0, big, object, f), map_by_columns(ring, 0, object, big, g),
+           map_by_columns(ring, 1, big, big, h)},
+          {b, s, map_by_columns(ring, 0, big, small, f_small), map_by_columns(ring, 0, small, big, g_small),
+           map_by_columns(ring, 1, big, big, h_small)}};
 }
 
 namespace {
@@ -142,9 +96,9 @@ std::optional<std::string> defect_of_maps(LiveEquivalence<R>& live, const ops::C
     sparse::normalize(ring, sum);
     return sum.empty();
   };
-  for (std::size_t p = 0; p < cells.cells().size(); ++p) {
+  for (std::size_t p = 0; p < cells.generators().size(); ++p) {
     const int degree = static_cast<int>(p);
-    for (const CellId cell : cells.cells()[p]) {
+    for (const CellId cell : cells.generators()[p]) {
       const CellChain c{degree, {{1, cell}}};
       const CellChain dc = live.boundary(c);
       if (!live.boundary(dc).terms.empty()) {

@@ -18,7 +18,7 @@ std::vector<CellId> cells_of_object(const Structure& structure) {
   structure.lazy().make_all();
   const ops::CellBasis basis = ops::cells_at(structure, ops::now(structure));
   std::vector<CellId> cells;
-  for (const std::vector<CellId>& of_degree : basis.cells()) {
+  for (const std::vector<CellId>& of_degree : basis.generators()) {
     cells.insert(cells.end(), of_degree.begin(), of_degree.end());
   }
   return cells;

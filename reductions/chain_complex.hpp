@@ -18,6 +18,7 @@ using sparse::Degree;
 using sparse::Index;
 using sparse::Integer;
 using sparse::Matrix;
+using sparse::RawTerms;
 using sparse::Rest;
 using sparse::Ring;
 using sparse::Term;

@@ -126,7 +126,7 @@ void UnitElimination<R>::number_small_generators() {
 template <Ring R>
 Terms<R> UnitElimination<R>::lift(std::size_t p, Index x, const Terms<R>& trace) const {
   sparse::expects(keep_ == Keep::traces, "lifts need the traces of the rewritings");
-  Terms<R> result{{x, ring_.one()}};
+  RawTerms<R> result{{x, ring_.one()}};
   // From the latest rule to the earliest, equal terms added first: each rule is expanded at most once.
   std::map<Index, Element, std::greater<>> pending;
   const auto subtract = [&](const Element& factor, const Terms<R>& terms) {
@@ -144,8 +144,7 @@ Terms<R> UnitElimination<R>::lift(std::size_t p, Index x, const Terms<R>& trace)
       subtract(coefficient, rule.trace);
     }
   }
-  sparse::normalize(ring_, result);
-  return result;
+  return std::move(result).normal(ring_);
 }
 
 template <Ring R>

@@ -35,6 +35,38 @@ using Terms = std::vector<Term<R>>;
 template <Ring R>
 void normalize(const R& ring, Terms<R>& terms);
 
+/// A sum that is being collected: terms in any order, perhaps repeated, perhaps zero. A type of its own, so that nobody
+/// takes them for `Terms`, which they become at the end.
+template <Ring R>
+class RawTerms {
+ public:
+  RawTerms() = default;
+  RawTerms(std::initializer_list<Term<R>> terms) : terms_{terms} {}
+  /// A vector in normal form is a sum, too.
+  RawTerms(Terms<R> terms) : terms_{std::move(terms)} {}  // NOLINT(google-explicit-constructor)
+
+  void push_back(Term<R> term) { terms_.push_back(std::move(term)); }
+  [[nodiscard]] std::size_t size() const { return terms_.size(); }
+  [[nodiscard]] bool empty() const { return terms_.empty(); }
+  [[nodiscard]] auto begin() const { return terms_.begin(); }
+  [[nodiscard]] auto end() const { return terms_.end(); }
+
+  /// The sum. Cost O(n log n) for n terms, O(n) when they are in order.
+  [[nodiscard]] Terms<R> normal(const R& ring) && {
+    normalize(ring, terms_);
+    return std::move(terms_);
+  }
+  /// The same into `out`; afterwards there are no terms here. Both keep their room for the next time.
+  void finish(const R& ring, Terms<R>& out) {
+    normalize(ring, terms_);
+    out.swap(terms_);
+    terms_.clear();
+  }
+
+ private:
+  Terms<R> terms_;
+};
+
 /// into += factor * terms, both in normal form. Cost O(|into| + |terms|).
 template <Ring R>
 void add_multiple(const R& ring, Terms<R>& into, const typename R::Element& factor, std::span<const Term<R>> terms);
@@ -50,10 +82,8 @@ class Chain {
   using Element = typename R::Element;
 
   Chain(R ring, Degree degree) : ring_{ring}, degree_{degree} {}
-  /// From terms in any order, with repeats allowed.
-  Chain(R ring, Degree degree, Terms<R> terms) : ring_{ring}, degree_{degree}, terms_{std::move(terms)} {
-    normalize(ring_, terms_);
-  }
+  Chain(R ring, Degree degree, RawTerms<R> terms)
+      : ring_{ring}, degree_{degree}, terms_{std::move(terms).normal(ring_)} {}
 
   [[nodiscard]] const R& ring() const { return ring_; }
   [[nodiscard]] Degree degree() const { return degree_; }

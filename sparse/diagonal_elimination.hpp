@@ -40,15 +40,14 @@ struct Transform {
 
   /// forward[k] += a forward[pivot] for each k a of `multiples`; and the inverse accordingly.
   void add(const R& ring, Index pivot, const Terms<R>& multiples) {
-    Terms<R> gathered;  // what inverse[pivot] gains, added up at once
+    RawTerms<R> gathered;  // what inverse[pivot] gains, added up at once
     for (const auto& [k, a] : multiples) {
       add_multiple<R>(ring, forward[k], a, forward[pivot]);
       for (const Term<R>& term : inverse[k]) {
         gathered.push_back({term.index, ring.multiply(ring.negate(a), term.coefficient)});
       }
     }
-    normalize(ring, gathered);
-    add_multiple<R>(ring, inverse[pivot], ring.one(), gathered);
+    add_multiple<R>(ring, inverse[pivot], ring.one(), std::move(gathered).normal(ring));
   }
 };
 

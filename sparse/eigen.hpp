@@ -91,12 +91,11 @@ template <Ring R, std::signed_integral S>
 [[nodiscard]] Matrix<R> from_eigen(R ring, const Eigen::SparseMatrix<S>& matrix) {
   Matrix<R> result(ring, static_cast<Index>(matrix.rows()), 0);
   for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-    Terms<R> terms;
+    RawTerms<R> terms;
     for (typename Eigen::SparseMatrix<S>::InnerIterator entry(matrix, j); entry; ++entry) {
       terms.push_back({static_cast<Index>(entry.row()), ring.from(std::int64_t{entry.value()})});
     }
-    normalize(ring, terms);
-    result.append_column(terms);
+    result.append_column(std::move(terms).normal(ring));
   }
   return result;
 }

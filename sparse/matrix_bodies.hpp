@@ -131,15 +131,14 @@ void Matrix<R>::merge_right(const Matrix& b, const Matrix& d, Index rows_above, 
 
 template <Ring R>
 Terms<R> Matrix<R>::apply(std::span<const TermType> terms) const {
-  Terms<R> image;
+  RawTerms<R> image;
   for (const TermType& term : terms) {
     expects(term.index < columns(), "Matrix::apply: a term has no column");
     for_each_in_column(term.index, [&](const TermType& entry) {
       image.push_back({entry.index, ring().multiply(entry.coefficient, term.coefficient)});
     });
   }
-  normalize(ring(), image);
-  return image;
+  return std::move(image).normal(ring());
 }
 
 template <Ring R>
@@ -164,18 +163,16 @@ Matrix<R> Matrix<R>::transposed() const {
     for_each_in_column(j, [&](const TermType& e) { entries.push_back({e.index, j, e.coefficient}); });
   }
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.row < b.row; });
-  Terms<R> row;
   for (auto e = entries.begin(); e != entries.end();) {
     const Index i = e->row;
-    row.clear();
+    RawTerms<R> row;
     for (; e != entries.end() && e->row == i; ++e) {
       row.push_back({e->column, std::move(e->value)});
     }
     if (i < columns() && !is_stored(i) && has_implicit_unit(i)) {
       row.push_back({i, ring().one()});
-      normalize(ring(), row);
     }
-    result.set_column(i, row);
+    result.set_column(i, std::move(row).normal(ring()));
   }
   return result;
 }

@@ -10,39 +10,17 @@ namespace sesame::ops {
 namespace {
 
 using reductions::ChainComplex;
-using reductions::GradedMap;
+using reductions::map_by_columns;
 using sparse::Index;
 using sparse::Matrix;
+using sparse::RawTerms;
 using sparse::Rest;
 using sparse::Ring;
 using sparse::Terms;
 
-Index size_at(const std::vector<Index>& sizes, std::size_t p) { return p < sizes.size() ? sizes[p] : 0; }
-
-/// A map of degree 0 whose columns are `rest` but for those that `column(p, cell)` gives for the cells of `stored`.
-template <Ring R, class Column>
-GradedMap<R> map_with_columns(const R& ring, const CellBasis& source, const CellBasis& target, Rest rest,
-                              const CellBasis& stored, Column column) {
-  const std::vector<Index> from = source.sizes();
-  const std::vector<Index> to = target.sizes();
-  std::vector<Matrix<R>> parts;
-  for (std::size_t p = 0; p < from.size(); ++p) {
-    Matrix<R> part(ring, size_at(to, p), from[p], rest);
-    if (p < stored.cells().size()) {
-      for (const CellId cell : stored.cells()[p]) {
-        Terms<R> terms = column(cell);
-        sparse::normalize(ring, terms);
-        part.set_column(source.index(cell), terms);
-      }
-    }
-    parts.push_back(std::move(part));
-  }
-  return GradedMap<R>(ring, 0, from, to, std::move(parts));
-}
-
 template <Ring R>
-Terms<R> unit(const R& ring, const CellBasis& basis, CellId c) {
-  return {{basis.index(c), ring.one()}};
+Terms<R> unit(const R& ring, CellId c) {
+  return {{c, ring.one()}};
 }
 
 /// The node that a cell of the object is after a step: itself, but for the cells that a lazy cone was taken over.
@@ -59,7 +37,7 @@ StepSequence<R> added(const Structure& structure, Moment before, Moment after, c
   CellBasis all;
   CellBasis fresh;
   std::unordered_map<CellId, CellId> before_step;
-  for (const auto& cells : old_cells.cells()) {
+  for (const auto& cells : old_cells.generators()) {
     for (const CellId c : cells) {
       const CellId now = after_step(structure, c, after);
       before_step.emplace(now, c);
@@ -67,7 +45,7 @@ StepSequence<R> added(const Structure& structure, Moment before, Moment after, c
     }
   }
   const CellBasis now_cells = cells_at(structure, after);
-  for (const auto& cells : now_cells.cells()) {
+  for (const auto& cells : now_cells.generators()) {
     for (const CellId c : cells) {
       if (!before_step.contains(c)) {
         all.add(structure.dimension(c), c);
@@ -76,13 +54,11 @@ StepSequence<R> added(const Structure& structure, Moment before, Moment after, c
     }
   }
   const CellBasis none_stored;
-  const auto itself_in = [&ring](const CellBasis& basis) {
-    return [&ring, &basis](CellId c) { return unit(ring, basis, c); };
-  };
-  auto i = map_with_columns(ring, old_cells, all, Rest::identity, none_stored, itself_in(all));
-  auto r = map_with_columns(ring, all, old_cells, Rest::identity, none_stored, itself_in(all));
-  auto j = map_with_columns(ring, all, fresh, Rest::zero, fresh, itself_in(fresh));
-  auto s = map_with_columns(ring, fresh, all, Rest::zero, fresh, itself_in(all));
+  const auto itself = [&ring](CellId c) { return unit(ring, c); };
+  auto i = map_by_columns(ring, old_cells, all, Rest::identity, none_stored, itself);
+  auto r = map_by_columns(ring, all, old_cells, Rest::identity, none_stored, itself);
+  auto j = map_by_columns(ring, all, fresh, Rest::zero, fresh, itself);
+  auto s = map_by_columns(ring, fresh, all, Rest::zero, fresh, itself);
   return {Direction::backward,
           {chain_complex(structure, old_cells, before, ring), chain_complex(structure, all, after, ring),
            chain_complex(structure, fresh, after, ring), std::move(i), std::move(j), std::move(r), std::move(s)},
@@ -98,16 +74,13 @@ StepSequence<R> differences(const Structure& structure, const R& ring, Direction
                             CellBasis all, Moment moment_of_all, CellBasis quotient, Moment moment_of_quotient, I i_of,
                             J j_of, const typename R::Element& r_of) {
   const CellBasis none_stored;
-  auto i = map_with_columns(ring, small, all, Rest::zero, small, i_of);
-  auto r = map_with_columns(ring, all, small, Rest::zero, small, [&](CellId c) {
-    return Terms<R>{{small.index(c), r_of}};
-  });
-  auto j = map_with_columns(ring, all, quotient, Rest::identity, small, j_of);
-  auto s =
-      map_with_columns(ring, quotient, all, Rest::identity, none_stored, [&](CellId c) { return unit(ring, all, c); });
+  auto i = map_by_columns(ring, small, all, Rest::zero, small, i_of);
+  auto r = map_by_columns(ring, all, small, Rest::zero, small, [&](CellId c) { return Terms<R>{{c, r_of}}; });
+  auto j = map_by_columns(ring, all, quotient, Rest::identity, small, j_of);
+  auto s = map_by_columns(ring, quotient, all, Rest::identity, none_stored, [&](CellId c) { return unit(ring, c); });
   ChainComplex<R> c1 = chain_complex(structure, all, moment_of_all, ring);
   std::vector<Matrix<R>> d0;
-  for (int p = 0; p < static_cast<int>(small.cells().size()); ++p) {
+  for (int p = 0; p < static_cast<int>(small.generators().size()); ++p) {
     d0.push_back(r.at(p - 1) * c1.boundary(p) * i.at(p));
   }
   ChainComplex<R> c0(ring, small.sizes(), std::move(d0));
@@ -131,17 +104,16 @@ StepSequence<R> removed_cells(const Structure& structure, Moment before, Moment 
   }
   const auto minus_one = ring.negate(ring.one());
   /// The cell that c became, with its orientation, or 0 when that is degenerate.
-  const auto became = [&](const CellBasis& basis, CellId c) {
+  const auto became = [&](CellId c) {
     const auto [survivor, sign] = structure.forest().find_oriented_at(c, after.links);
-    return survivor == none ? Terms<R>{} : Terms<R>{{basis.index(survivor), ring.from(sign)}};
+    return survivor == none ? Terms<R>{} : Terms<R>{{survivor, ring.from(sign)}};
   };
   const auto i_of = [&](CellId c) {
-    Terms<R> terms = became(all, c);
-    terms.push_back({all.index(c), minus_one});
+    RawTerms<R> terms = became(c);
+    terms.push_back({c, minus_one});
     return terms;
   };
-  const auto j_of = [&](CellId c) { return became(kept, c); };
-  return differences(structure, ring, Direction::forward, removed, all, before, kept, after, i_of, j_of, minus_one);
+  return differences(structure, ring, Direction::forward, removed, all, before, kept, after, i_of, became, minus_one);
 }
 
 template <Ring R>
@@ -156,32 +128,13 @@ StepSequence<R> split_cells(const Structure& structure, Moment before, Moment af
     }
   }
   const auto source = [&](CellId c) { return structure.splits().copy(c)->source; };
-  const auto i_of = [&](CellId c) {
-    return Terms<R>{{all.index(c), ring.one()}, {all.index(source(c)), ring.negate(ring.one())}};
-  };
-  const auto j_of = [&](CellId c) { return unit(ring, old_cells, source(c)); };
+  const auto i_of = [&](CellId c) { return RawTerms<R>{{c, ring.one()}, {source(c), ring.negate(ring.one())}}; };
+  const auto j_of = [&](CellId c) { return unit(ring, source(c)); };
   return differences(structure, ring, Direction::backward, copies, all, after, old_cells, before, i_of, j_of,
                      ring.one());
 }
 
 }  // namespace
-
-void CellBasis::add(int degree, CellId cell) {
-  const auto p = static_cast<std::size_t>(degree);
-  if (p >= cells_.size()) {
-    cells_.resize(p + 1);
-  }
-  index_.emplace(cell, static_cast<Index>(cells_[p].size()));
-  cells_[p].push_back(cell);
-}
-
-std::vector<Index> CellBasis::sizes() const {
-  std::vector<Index> sizes;
-  for (const auto& cells : cells_) {
-    sizes.push_back(static_cast<Index>(cells.size()));
-  }
-  return sizes;
-}
 
 CellBasis cells_at(const Structure& structure, Moment moment) {
   CellBasis basis;
@@ -216,7 +169,7 @@ std::optional<std::string> broken_vertex_law(const Structure& structure, CellId 
 }  // namespace
 
 std::optional<std::string> first_broken_face_law(const Structure& structure, const CellBasis& basis) {
-  for (const auto& cells : basis.cells()) {
+  for (const auto& cells : basis.generators()) {
     for (const CellId c : cells) {
       const bool is_abstract = structure.bodies().kind(structure.body_of(c)).is_abstract;
       if (auto broken = is_abstract ? broken_vertex_law(structure, c) : std::nullopt) {
@@ -237,25 +190,17 @@ std::optional<std::string> first_broken_face_law(const Structure& structure, con
 
 template <Ring R>
 ChainComplex<R> chain_complex(const Structure& structure, const CellBasis& basis, Moment moment, const R& ring) {
-  const std::vector<Index> sizes = basis.sizes();
-  std::vector<Matrix<R>> boundaries;
-  for (std::size_t p = 0; p < sizes.size(); ++p) {
-    Matrix<R> boundary(ring, p == 0 ? 0 : sizes[p - 1], 0);
-    for (const CellId cell : basis.cells()[p]) {
-      Terms<R> terms;
-      const auto arity = static_cast<std::uint32_t>(structure.cells().type(cell).faces.size());
-      for (std::uint32_t k = 0; k < arity; ++k) {
-        const auto [face, sign] = structure.faces().at(cell, k, moment);
-        if (face != none && basis.contains(face)) {
-          terms.push_back({basis.index(face), ring.from(sign)});
-        }
+  return reductions::complex_by_columns(ring, basis, [&](CellId cell) {
+    RawTerms<R> terms;
+    const auto arity = static_cast<std::uint32_t>(structure.cells().type(cell).faces.size());
+    for (std::uint32_t k = 0; k < arity; ++k) {
+      const auto [face, sign] = structure.faces().at(cell, k, moment);
+      if (face != none && basis.contains(face)) {
+        terms.push_back({face, ring.from(sign)});
       }
-      sparse::normalize(ring, terms);
-      boundary.append_column(terms);
     }
-    boundaries.push_back(std::move(boundary));
-  }
-  return ChainComplex<R>(ring, sizes, std::move(boundaries));
+    return terms;
+  });
 }
 
 template <Ring R>

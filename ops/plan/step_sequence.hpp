@@ -5,29 +5,17 @@
 
 #include <optional>
 #include <string>
-#include <unordered_map>
-#include <vector>
 
 #include "ops/cells/structure.hpp"
+#include "reductions/by_columns.hpp"
 #include "reductions/exact_sequence.hpp"
 
 namespace sesame::ops {
 
 [[nodiscard]] inline Moment now(const Structure& structure) { return structure.now(); }
 
-/// The cells that generate a chain complex: cells[p][k] is generator k of degree p.
-class CellBasis {
- public:
-  void add(int degree, CellId cell);
-  [[nodiscard]] const std::vector<std::vector<CellId>>& cells() const { return cells_; }
-  [[nodiscard]] sparse::Index index(CellId cell) const { return index_.at(cell); }
-  [[nodiscard]] bool contains(CellId cell) const { return index_.contains(cell); }
-  [[nodiscard]] std::vector<sparse::Index> sizes() const;
-
- private:
-  std::vector<std::vector<CellId>> cells_;
-  std::unordered_map<CellId, sparse::Index> index_;
-};
+/// The cells that generate a chain complex.
+using CellBasis = reductions::Basis<CellId>;
 
 /// The cells that were current at a moment, by increasing id. Cost O(cells created by then).
 [[nodiscard]] CellBasis cells_at(const Structure& structure, Moment moment);

@@ -88,12 +88,11 @@ std::size_t rank_of_map(Engine& engine, const R& ring, const PastBasis& basis, s
   for (const auto& [cycle, signs] : basis.cycles[p]) {
     const ClassAnswer answer = engine.classify(carried_forward(engine.structure(), cycle, signs));
     REQUIRE(answer.is_cycle);
-    sparse::Terms<R> column;
+    sparse::RawTerms<R> column;
     for (std::size_t k = 0; k < answer.coefficients.size(); ++k) {
       column.push_back({static_cast<sparse::Index>(k), from_rational(ring, answer.coefficients[k])});
     }
-    sparse::normalize(ring, column);
-    matrix.append_column(column);
+    matrix.append_column(std::move(column).normal(ring));
   }
   return sparse::invariant_factors(matrix).size();
 }

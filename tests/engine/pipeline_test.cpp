@@ -24,7 +24,7 @@ Equivalence<R> reordered(const Equivalence<R>& equivalence, const ops::CellBasis
     there.emplace_back(ring, object.sizes()[p], object.sizes()[p]);
     back.emplace_back(ring, object.sizes()[p], object.sizes()[p]);
     for (Index k = 0; k < object.sizes()[p]; ++k) {
-      const Index at = to.index(from.cells()[p][k]);
+      const Index at = to.index(from.generators()[p][k]);
       there[p].set_column(k, Terms<R>{{at, ring.one()}});
       back[p].set_column(at, Terms<R>{{k, ring.one()}});
     }
@@ -130,7 +130,7 @@ TEMPLATE_TEST_CASE("the class of a cell's boundary chain is the same by the pipe
     for (const auto& generator : homology[p].generators) {
       CellChain cycle{static_cast<int>(p), {}};
       for (const auto& term : generator.cycle.terms()) {
-        cycle.terms.push_back({ring.to_integer(term.coefficient), basis.cells()[p][term.index]});
+        cycle.terms.push_back({ring.to_integer(term.coefficient), basis.generators()[p][term.index]});
       }
       const ClassAnswer answer = engine.classify(cycle);
       CHECK(answer.is_cycle);

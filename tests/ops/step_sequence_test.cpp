@@ -173,8 +173,8 @@ TEST_CASE("the maps of a step store only what the step touched", "[ops][stream]"
       CHECK(stored_columns(sequence.i) == touched);
       CHECK(stored_columns(sequence.r) == touched);
       CHECK(stored_columns(sequence.s) == 0);
-      for (std::size_t p = 0; p < basis0.cells().size(); ++p) {
-        for (const CellId removed : basis0.cells()[p]) {
+      for (std::size_t p = 0; p < basis0.generators().size(); ++p) {
+        for (const CellId removed : basis0.generators()[p]) {
           CHECK(sequence.j.at(static_cast<int>(p)).is_stored(basis1.index(removed)));
           CHECK(sequence.r.at(static_cast<int>(p)).is_stored(basis1.index(removed)));
         }
@@ -204,9 +204,9 @@ TEMPLATE_TEST_CASE("S. Peltier, habilitation (2023), figure 3.10: the identifica
   const Orders c1 =
       cells_named(shop, {{"v0", "v1", "v2", "v3", "v4", "v5"}, {"e0", "e1", "e2", "e3", "e4", "e5"}, {"f0", "f1"}});
   const Orders c2 = cells_named(shop, {{"v0", "v1", "v2", "v5"}, {"e0", "e1", "e2", "e3", "e5"}, {"f0", "f1"}});
-  const Orders& s0 = step.basis0.cells();
-  const Orders& s1 = step.basis1.cells();
-  const Orders& s2 = step.basis2.cells();
+  const Orders& s0 = step.basis0.generators();
+  const Orders& s1 = step.basis1.generators();
+  const Orders& s2 = step.basis2.generators();
   CHECK(entries(step.sequence.i, s0, s1) == entries(printed.i, c0, c1));
   CHECK(entries(step.sequence.j, s1, s2) == entries(printed.j, c1, c2));
   CHECK(entries(step.sequence.r, s1, s0) == entries(printed.r, c1, c0));
@@ -286,14 +286,14 @@ TEMPLATE_TEST_CASE(
   CHECK(first.direction == Direction::forward);
   const Orders c0 = cells_named(shop, {{"v1"}, {"e01"}});
   const Orders c1 = cells_named(shop, {{"v0", "v1", "v2", "v3"}, {"e01", "e02", "e12", "e03", "e13"}, {"t", "u"}});
-  REQUIRE(first.basis0.cells() == c0);
+  REQUIRE(first.basis0.generators() == c0);
   const auto id = [&](const std::string& name) { return *shop.structure().lookup("C." + name); };
   const Integer minus_one = ring.to_integer(ring.negate(ring.one()));
   using Entries = std::map<std::pair<CellId, CellId>, Integer>;
   // i is v0 - v1 and, as e01 becomes 0, - e01; r takes both back.
-  CHECK(entries(first.sequence.i, c0, first.basis1.cells()) ==
+  CHECK(entries(first.sequence.i, c0, first.basis1.generators()) ==
         Entries{{{id("v1"), id("v0")}, 1}, {{id("v1"), id("v1")}, minus_one}, {{id("e01"), id("e01")}, minus_one}});
-  CHECK(entries(first.sequence.r, first.basis1.cells(), c0) ==
+  CHECK(entries(first.sequence.r, first.basis1.generators(), c0) ==
         Entries{{{id("v1"), id("v1")}, minus_one}, {{id("e01"), id("e01")}, minus_one}});
   // d0 e01 = r d1 (-e01) = r (v0 - v1) = v1.
   CHECK(first.sequence.c0.boundary(1).column(0) == Terms<TestType>{{0, ring.one()}});
@@ -308,8 +308,8 @@ TEMPLATE_TEST_CASE(
       }
     }
   }
-  CHECK(entries(first.sequence.j, first.basis1.cells(), first.basis2.cells()) == kept);
-  CHECK(entries(first.sequence.s, first.basis2.cells(), first.basis1.cells()) == same);
+  CHECK(entries(first.sequence.j, first.basis1.generators(), first.basis2.generators()) == kept);
+  CHECK(entries(first.sequence.s, first.basis2.generators(), first.basis1.generators()) == same);
   CHECK(defect_of(first.sequence) == "");
   // The boundary of a triangle has lost the degenerate side.
   const auto& d2 = first.sequence.c2.boundary(2);

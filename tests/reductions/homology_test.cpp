@@ -133,12 +133,11 @@ TEST_CASE("universal coefficients: Betti numbers over Z/p follow from the integr
       for (const auto& boundary : integral.complex.boundaries()) {
         auto& matrix = boundaries.emplace_back(ring, boundary.rows(), boundary.columns());
         for (Index j = 0; j < boundary.columns(); ++j) {
-          Terms<R> column;
+          sparse::RawTerms<R> column;
           for (const auto& term : boundary.column(j)) {
             column.push_back({term.index, ring.from(term.coefficient)});
           }
-          sparse::normalize(ring, column);
-          matrix.set_column(j, column);
+          matrix.set_column(j, std::move(column).normal(ring));
         }
       }
       return betti(homology_groups(ChainComplex<R>(ring, integral.complex.sizes(), std::move(boundaries))));

@@ -1,6 +1,7 @@
 #include "sparse/chain.hpp"
 
 #include <map>
+#include <type_traits>
 
 #include "tests/sparse/dense.hpp"
 #include "tests/support/catch.hpp"
@@ -11,7 +12,7 @@ TEMPLATE_TEST_CASE("chains add like functions on generators", "[sparse][twin]", 
   const auto ring = sample_ring<TestType>();
   Random random{GENERATE(range(0u, 20u))};
   std::map<Index, std::int64_t> twin;
-  Terms<TestType> terms;
+  RawTerms<TestType> terms;
   for (int i = 0; i < 15; ++i) {
     const Index at = below(random, 10);
     const std::int64_t value = std::int64_t{below(random, 7)} - 3;
@@ -53,3 +54,34 @@ TEST_CASE("chains print for people", "[sparse]") {
   CHECK(Chain<Integers>(Integers{}, {1}, {{0, -1}, {1, 5}}).to_string("v") == "-v0 + 5 v1");
   CHECK(Chain<Z2>(Z2{}, {1}, {{0, 1}, {4, 1}}).to_string() == "e0 + e4");
 }
+
+TEMPLATE_TEST_CASE("RawTerms: the sum of terms in any order is that of a map, by either way", "[sparse][twin]",
+                   Integers, Rationals, Z2, Zp) {
+  const auto ring = sample_ring<TestType>();
+  Random random{GENERATE(range(0u, 20u))};
+  RawTerms<TestType> kept;
+  Terms<TestType> sum{{7, ring.one()}};
+  for (Index round = 0; round < 4; ++round) {
+    std::map<Index, std::int64_t> twin;
+    RawTerms<TestType> once;
+    for (Index k = 0; k < below(random, 30); ++k) {
+      const Index at = below(random, 12);
+      const std::int64_t value = std::int64_t{below(random, 5)} - 2;
+      once.push_back({at, ring.from(value)});
+      kept.push_back({at, ring.from(value)});
+      twin[at] += value;
+    }
+    Terms<TestType> expected;
+    for (const auto& [index, value] : twin) {
+      if (!ring.is_zero(ring.from(value))) {
+        expected.push_back({index, ring.from(value)});
+      }
+    }
+    CHECK(std::move(once).normal(ring) == expected);
+    kept.finish(ring, sum);
+    CHECK(sum == expected);
+    CHECK(kept.empty());
+  }
+}
+
+static_assert(!std::is_convertible_v<RawTerms<Integers>, Terms<Integers>>);

@@ -49,12 +49,11 @@ template <Ring R>
 Matrix<R> to_sparse(const R& ring, const Dense& a) {
   Matrix<R> result(ring, a.rows, 0);
   for (Index j = 0; j < a.columns; ++j) {
-    Terms<R> column;
+    RawTerms<R> column;
     for (Index i = 0; i < a.rows; ++i) {
       column.push_back({i, ring.from(a(i, j))});
     }
-    normalize(ring, column);
-    result.append_column(column);
+    result.append_column(std::move(column).normal(ring));
   }
   return result;
 }
@@ -129,13 +128,12 @@ Pair<R> random_pair(const R& ring, Random& random, Index rows, Index columns, Re
   for (Index round = 0; columns > 0 && round < columns / one_stored_of + 1; ++round) {
     const Index j = below(random, columns);
     const Dense column = random_dense(random, rows, 1);
-    Terms<R> terms;
+    RawTerms<R> terms;
     for (Index i = 0; i < rows; ++i) {
       pair.dense(i, j) = column(i, 0);
       terms.push_back({i, ring.from(column(i, 0))});
     }
-    normalize(ring, terms);
-    pair.sparse.set_column(j, terms);
+    pair.sparse.set_column(j, std::move(terms).normal(ring));
   }
   return pair;
 }

@@ -20,14 +20,13 @@ Pair<R> any_pair(const R& ring, Random& random, Index rows, Index columns) {
 
 template <Ring R>
 Terms<R> random_terms(const R& ring, Random& random, Index rows) {
-  Terms<R> terms;
+  RawTerms<R> terms;
   for (Index i = 0; i < rows; ++i) {
     if (below(random, 3) == 0) {
       terms.push_back({i, ring.from(std::int64_t{below(random, 7)} - 3)});
     }
   }
-  normalize(ring, terms);
-  return terms;
+  return std::move(terms).normal(ring);
 }
 
 }  // namespace

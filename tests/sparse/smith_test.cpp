@@ -205,7 +205,7 @@ Complex<Integers> glued_grid(Index n, bool klein) {
     const bool turned = klein && x >= n;
     return (x % n) * n + (turned ? (2 * n - y) % n : y % n);
   };
-  const auto add = [](Terms<Integers>& terms, Index at, int sign) { terms.push_back({at, sign}); };
+  const auto add = [](RawTerms<Integers>& terms, Index at, int sign) { terms.push_back({at, sign}); };
   // Edges of the grid point: right (0), up (1), along the diagonal (2) are numbered by their lower left vertex.
   const auto edge = [&](Index x, Index y, Index kind) { return 3 * vertex(x, y) + kind; };
   const Integers ring;
@@ -214,25 +214,22 @@ Complex<Integers> glued_grid(Index n, bool klein) {
     for (Index y = 0; y < n; ++y) {
       const std::array<std::pair<Index, Index>, 3> ends{{{x + 1, y}, {x, y + 1}, {x + 1, y + 1}}};
       for (Index kind = 0; kind < 3; ++kind) {
-        Terms<Integers> ends_of;
+        RawTerms<Integers> ends_of;
         add(ends_of, vertex(ends[kind].first, ends[kind].second), 1);
         add(ends_of, vertex(x, y), -1);
-        normalize(ring, ends_of);
-        d1.set_column(edge(x, y, kind), ends_of);
+        d1.set_column(edge(x, y, kind), std::move(ends_of).normal(ring));
       }
       const bool turned = klein && x + 1 == n;
       const Index side = turned ? edge(x + 1, y + 1, 1) : edge(x + 1, y, 1);
-      Terms<Integers> lower, upper;
+      RawTerms<Integers> lower, upper;
       add(lower, edge(x, y, 0), 1);
       add(lower, side, turned ? -1 : 1);
       add(lower, edge(x, y, 2), -1);
       add(upper, edge(x, y, 1), 1);
       add(upper, edge(x, y + 1, 0), 1);
       add(upper, edge(x, y, 2), -1);
-      normalize(ring, lower);
-      normalize(ring, upper);
-      d2.set_column(2 * vertex(x, y), lower);
-      d2.set_column(2 * vertex(x, y) + 1, upper);
+      d2.set_column(2 * vertex(x, y), std::move(lower).normal(ring));
+      d2.set_column(2 * vertex(x, y) + 1, std::move(upper).normal(ring));
     }
   }
   return {Matrix<Integers>(ring, 0, n * n), d1, d2};
@@ -305,9 +302,8 @@ TEMPLATE_TEST_CASE("Agoston bases of random complexes with torsion keep all thei
     const Index size = free + count + moving;
     Matrix<TestType> diagonal(ring, basis_below.first.rows(), size);
     for (Index k = 0; k < moving; ++k) {
-      Terms<TestType> column{{free_below + k, ring.from(orders_below[k])}};
-      normalize(ring, column);
-      diagonal.set_column(free + count + k, column);
+      RawTerms<TestType> column{{free_below + k, ring.from(orders_below[k])}};
+      diagonal.set_column(free + count + k, std::move(column).normal(ring));
     }
     const auto basis = random_invertible(ring, random, size);
     d.push_back(basis_below.first * diagonal * basis.second);

@@ -41,12 +41,11 @@ using Entry = std::pair<Index, int>;
 
 template <Ring R>
 Terms<R> terms_of(const R& ring, const std::vector<Entry>& entries) {
-  Terms<R> terms;
+  sparse::RawTerms<R> terms;
   for (const auto& [row, coefficient] : entries) {
     terms.push_back({row, ring.from(std::int64_t{coefficient})});
   }
-  sparse::normalize(ring, terms);
-  return terms;
+  return std::move(terms).normal(ring);
 }
 
 /// A matrix from its columns, each a list of {row, coefficient}.

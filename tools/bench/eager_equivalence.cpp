@@ -88,9 +88,8 @@ void EagerEquivalence<R>::split_cells(const std::vector<Copy>& copies, const Col
     const Copy& y = copies[k];
     changed.insert(size());
     append(y.degree, shifted(y.boundary, first));
-    Terms difference{{y.source, minus_one}, {y.cell, ring_.one()}};
-    sparse::normalize(ring_, difference);
-    f_.append_column(difference);
+    sparse::RawTerms<R> difference{{y.source, minus_one}, {y.cell, ring_.one()}};
+    f_.append_column(std::move(difference).normal(ring_));
     reach(g_, y.cell);
     g_[y.cell] = g_[y.source];
     add(g_[y.cell], ring_.one(), {{first + static_cast<Index>(k), ring_.one()}});
@@ -244,15 +243,14 @@ void EagerEquivalence<R>::add(Terms& into, const Element& factor, const Terms& t
 template <sparse::Ring R>
 template <class Column>
 auto EagerEquivalence<R>::image(const Terms& chain, const Column& column) -> Terms {
-  Terms image;
+  sparse::RawTerms<R> image;
   for (const auto& term : chain) {
     for (const auto& [index, coefficient] : column(term.index)) {
       image.push_back({index, ring_.multiply(term.coefficient, coefficient)});
     }
   }
   touched_ += image.size();
-  sparse::normalize(ring_, image);
-  return image;
+  return std::move(image).normal(ring_);
 }
 
 template <sparse::Ring R>
@@ -321,11 +319,12 @@ std::uint64_t EagerEquivalence<R>::map_generators() {
   sparse::expects(keeps_all(), "generators are mapped back by gS and f");
   const auto generators = small_generators();
   std::uint64_t terms = 0;
-  for (const auto& group : reductions::homology(small_complex(generators))) {
+  for (const auto& group :
+       reductions::homology(reductions::complex_by_columns(ring_, generators, column_of<R>(d_small_)))) {
     for (const auto& generator : group.generators) {
       Terms cycle = generator.cycle.terms();
       for (auto& term : cycle) {
-        term.index = generators[static_cast<std::size_t>(generator.cycle.degree().value)][term.index];
+        term.index = generators.generators(static_cast<std::size_t>(generator.cycle.degree().value))[term.index];
       }
       terms += image(image(cycle, column_of(g_small_)), column_of(f_)).size();
     }
@@ -352,82 +351,33 @@ std::uint64_t EagerEquivalence<R>::entries_touched() const {
 
 // ---- written out
 
-namespace {
-
-using Basis = std::vector<std::vector<Index>>;
-
-/// Where each generator stands in its degree.
-std::map<Index, Index> positions(const Basis& basis) {
-  std::map<Index, Index> at;
-  for (const auto& generators : basis) {
-    for (std::size_t k = 0; k < generators.size(); ++k) {
-      at.emplace(generators[k], static_cast<Index>(k));
-    }
-  }
-  return at;
-}
-
-reductions::Sizes sizes_of(const Basis& basis) {
-  reductions::Sizes sizes;
-  for (const auto& generators : basis) {
-    sizes.push_back(static_cast<Index>(generators.size()));
-  }
-  return sizes;
-}
-
-/// The map of this degree between two bases; column(x) gives the chain that x is sent to.
-template <sparse::Ring R, class Column>
-reductions::GradedMap<R> map_between(const R& ring, int degree, const Basis& source, const Basis& target,
-                                     const Column& column) {
-  const std::map<Index, Index> rows = positions(target);
-  std::vector<sparse::Matrix<R>> parts;
-  for (std::size_t p = 0; p < source.size(); ++p) {
-    sparse::Matrix<R> part(ring, reductions::size_at(sizes_of(target), static_cast<int>(p) + degree), 0);
-    for (const Index x : source[p]) {
-      sparse::Terms<R> terms = column(x);
-      for (auto& term : terms) {
-        term.index = rows.at(term.index);
-      }
-      sparse::normalize(ring, terms);
-      part.append_column(terms);
-    }
-    parts.push_back(std::move(part));
-  }
-  return reductions::GradedMap<R>(ring, degree, sizes_of(source), sizes_of(target), std::move(parts));
-}
-
-}  // namespace
-
 template <sparse::Ring R>
-std::vector<std::vector<Index>> EagerEquivalence<R>::small_generators() const {
-  std::vector<std::vector<Index>> generators;
-  for (const Level& level : levels_) {
-    generators.emplace_back(level.small.begin(), level.small.end());
+reductions::Basis<Index> EagerEquivalence<R>::small_generators() const {
+  reductions::Basis<Index> generators;
+  for (std::size_t p = 0; p < levels_.size(); ++p) {
+    for (const Index b : levels_[p].small) {
+      generators.add(static_cast<int>(p), b);
+    }
   }
   return generators;
 }
 
 template <sparse::Ring R>
-reductions::ChainComplex<R> EagerEquivalence<R>::small_complex(
-    const std::vector<std::vector<Index>>& generators) const {
-  return reductions::complex_with(map_between(ring_, -1, generators, generators, column_of(d_small_)));
-}
-
-template <sparse::Ring R>
 reductions::Equivalence<R> EagerEquivalence<R>::matrices(const reductions::ChainComplex<R>& object,
-                                                         const std::vector<std::vector<Index>>& cells) const {
+                                                         const reductions::Basis<Index>& cells) const {
   sparse::expects(keeps_all(), "an equivalence is written out when all of it is kept");
-  Basis big(levels_.size());
+  reductions::Basis<Index> big;
   for (Index b = 0; b < size(); ++b) {
-    big[static_cast<std::size_t>(degrees_[b])].push_back(b);
+    big.add(degrees_[b], b);
   }
-  const Basis small = small_generators();
-  const auto big_complex = reductions::complex_with(map_between(ring_, -1, big, big, column_of<R>(d_)));
-  return {
-      {big_complex, object, map_between(ring_, 0, big, cells, column_of(f_)),
-       map_between(ring_, 0, cells, big, column_of<R>(g_)), map_between(ring_, 1, big, big, column_of<R>(h_))},
-      {big_complex, small_complex(small), map_between(ring_, 0, big, small, column_of(f_small_)),
-       map_between(ring_, 0, small, big, column_of(g_small_)), map_between(ring_, 1, big, big, column_of(h_small_))}};
+  const auto small = small_generators();
+  const auto map = [&](int degree, const auto& source, const auto& target, const auto& matrix) {
+    return reductions::map_by_columns(ring_, degree, source, target, column_of<R>(matrix));
+  };
+  const auto big_complex = reductions::complex_by_columns(ring_, big, column_of<R>(d_));
+  return {{big_complex, object, map(0, big, cells, f_), map(0, cells, big, g_), map(1, big, big, h_)},
+          {big_complex, reductions::complex_by_columns(ring_, small, column_of<R>(d_small_)),
+           map(0, big, small, f_small_), map(0, small, big, g_small_), map(1, big, big, h_small_)}};
 }
 
 #define SESAME_INSTANTIATE(R) template class EagerEquivalence<R>;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/homology_tracker.hpp"
+#include "reductions/by_columns.hpp"
 #include "reductions/equivalence.hpp"
 #include "tools/bench/two_way_matrix.hpp"
 
@@ -81,10 +82,10 @@ class EagerEquivalence {
   /// The entries that were read and written so far.
   [[nodiscard]] std::uint64_t entries_touched() const;
 
-  /// The equivalence as matrices: generator k of degree p of C is cells[p][k], those of B and S go by their numbers.
+  /// The equivalence as matrices: the generators of C are cells, those of B and S go by their numbers.
   /// Requires: all maps are kept; `object` has these cells. Cost: the size of it all.
   [[nodiscard]] reductions::Equivalence<R> matrices(const reductions::ChainComplex<R>& object,
-                                                    const std::vector<std::vector<Index>>& cells) const;
+                                                    const reductions::Basis<Index>& cells) const;
 
  private:
   [[nodiscard]] Index size() const { return static_cast<Index>(degrees_.size()); }
@@ -118,8 +119,7 @@ class EagerEquivalence {
   [[nodiscard]] Level& level_of(Index b) { return level(degrees_[b]); }
   [[nodiscard]] const std::vector<Element>& invariant_factors(Level& level) const;
 
-  [[nodiscard]] reductions::ChainComplex<R> small_complex(const std::vector<std::vector<Index>>& generators) const;
-  [[nodiscard]] std::vector<std::vector<Index>> small_generators() const;
+  [[nodiscard]] reductions::Basis<Index> small_generators() const;
 
   R ring_;
   Keep keep_;

@@ -18,14 +18,13 @@ namespace {
 /// The terms on some cells, written by the positions of those.
 template <sparse::Ring R>
 sparse::Terms<R> restricted(const R& ring, const sparse::Terms<R>& chain, const std::map<CellId, Index>& positions) {
-  sparse::Terms<R> part;
+  sparse::RawTerms<R> part;
   for (const auto& term : chain) {
     if (const auto at = positions.find(term.index); at != positions.end()) {
       part.push_back({at->second, term.coefficient});
     }
   }
-  sparse::normalize(ring, part);
-  return part;
+  return std::move(part).normal(ring);
 }
 
 template <sparse::Ring R>
@@ -184,7 +183,7 @@ void EagerMethod<R>::split_cells() {
 template <sparse::Ring R>
 auto EagerMethod<R>::boundary(CellId cell, const ops::Moment& moment) const -> Terms {
   const ops::Structure& structure = object_.structure();
-  Terms terms;
+  sparse::RawTerms<R> terms;
   const auto arity = static_cast<std::uint32_t>(structure.cells().type(cell).faces.size());
   for (std::uint32_t k = 0; k < arity; ++k) {
     const auto [face, sign] = structure.faces().at(cell, k, moment);
@@ -192,8 +191,7 @@ auto EagerMethod<R>::boundary(CellId cell, const ops::Moment& moment) const -> T
       terms.push_back({face, ring_.from(sign)});
     }
   }
-  sparse::normalize(ring_, terms);
-  return terms;
+  return std::move(terms).normal(ring_);
 }
 
 template <sparse::Ring R>
@@ -207,7 +205,7 @@ reductions::Equivalence<R> EagerMethod<R>::matrices() const {
   const ops::Structure& structure = object_.structure();
   const ops::Moment now = structure.now();
   const ops::CellBasis basis = ops::cells_at(structure, now);
-  return equivalence_.matrices(ops::chain_complex(structure, basis, now, ring_), basis.cells());
+  return equivalence_.matrices(ops::chain_complex(structure, basis, now, ring_), basis);
 }
 
 namespace {

@@ -44,18 +44,18 @@ reductions::ChainComplex<R> PresentComplex::matrices(const R& ring) {
   catch_up();
   std::vector<Index> sizes;
   std::vector<sparse::Matrix<R>> boundaries;
+  sparse::RawTerms<R> faces_of_cell;  // kept from cell to cell, as is the next: no allocation for each
   sparse::Terms<R> terms;
   for (const auto& cells : cells_) {
     sparse::Matrix<R> boundary(ring, sizes.empty() ? 0 : sizes.back(), 0);
     for (const CellId cell : cells) {
-      terms.clear();
       const auto faces = structure_.faces().of(cell);
       for (std::uint32_t k = 0; k < faces.size(); ++k) {
         if (const auto [face, sign] = structure_.forest().find_oriented(faces[k]); face != ops::none) {
-          terms.push_back({position_[face], ring.from(sign * structure_.faces().sign_as_created(cell, k))});
+          faces_of_cell.push_back({position_[face], ring.from(sign * structure_.faces().sign_as_created(cell, k))});
         }
       }
-      sparse::normalize(ring, terms);
+      faces_of_cell.finish(ring, terms);
       boundary.append_column(terms);
     }
     sizes.push_back(static_cast<Index>(cells.size()));

@@ -45,14 +45,13 @@ BasisSelection<R>::BasisSelection(R ring, Index rank) : ring_{ring}, missing_{ra
 
 template <sparse::Ring R>
 typename BasisSelection<R>::Vector BasisSelection<R>::image(const Vector& vector) const {
-  Vector sum;
+  sparse::RawTerms<R> sum;
   for (const auto& [index, factor] : vector) {
     for (const auto& [coordinate, entry] : images_[index]) {
       sum.push_back({coordinate, ring_.multiply(factor, entry)});
     }
   }
-  sparse::normalize(ring_, sum);
-  return sum;
+  return std::move(sum).normal(ring_);
 }
 
 template <sparse::Ring R>

@@ -24,11 +24,11 @@ struct Coordinates {
 sparse::Matrix<Integers> small_boundary(engine::Engine& engine, Index rows, std::uint32_t columns) {
   sparse::Matrix<Integers> boundary{Integers{}, rows, 0};
   for (std::uint32_t y = 0; y < columns; ++y) {
-    Terms<Integers> column;
+    sparse::RawTerms<Integers> sum;
     for (const auto& [coefficient, x] : engine.maps().boundary(SmallChain{2, {{1, y}}}).terms) {
-      column.push_back({x, coefficient.numerator()});
+      sum.push_back({x, coefficient.numerator()});
     }
-    sparse::normalize(Integers{}, column);
+    const Terms<Integers> column = std::move(sum).normal(Integers{});
     if (!column.empty()) {
       boundary.append_column(column);
     }

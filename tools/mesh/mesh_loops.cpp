@@ -39,14 +39,13 @@ std::optional<sparse::AnyRing> common_prime(const std::vector<Integer>& orders) 
 }
 
 SmallChain sum(const Terms<Integers>& factors, const std::vector<SmallChain>& cycles) {
-  Terms<Integers> terms;
+  sparse::RawTerms<Integers> terms;
   for (const auto& [k, factor] : factors) {
     for (const auto& [coefficient, x] : cycles[k].terms) {
       terms.push_back({x, factor * coefficient.numerator()});
     }
   }
-  sparse::normalize(Integers{}, terms);
-  return small_chain(terms);
+  return small_chain(std::move(terms).normal(Integers{}));
 }
 
 class LoopFinder {

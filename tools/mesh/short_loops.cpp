@@ -227,18 +227,13 @@ class Search {
   void select_over(const R& ring) {
     BasisSelection<R> selection{ring, search_.wanted->rank};
     for (Loop& loop : pool_) {
-      if (selection.missing() == 0) {
-        break;
-      }
-      if (search_.zero != nullptr && !class_of(graph_, *search_.zero, loop).empty()) {
-        continue;
-      }
-      Terms<R> vector;
+      if (selection.missing() == 0) break;
+      if (search_.zero != nullptr && !class_of(graph_, *search_.zero, loop).empty()) continue;
+      sparse::RawTerms<R> vector;
       for (const auto& [index, coefficient] : class_of(graph_, *search_.wanted, loop)) {
         vector.push_back({index, ring.from(coefficient)});
       }
-      sparse::normalize(ring, vector);
-      if (selection.take(vector)) {
+      if (selection.take(std::move(vector).normal(ring))) {
         found_.loops.push_back(std::move(loop));
       }
     }
@@ -302,7 +297,7 @@ const EdgeGraph::Way& EdgeGraph::way(std::uint32_t from, std::uint32_t to) const
 }
 
 Terms<Integers> class_of(const EdgeGraph& graph, const Annotation& annotation, const Loop& loop) {
-  Terms<Integers> sum;
+  sparse::RawTerms<Integers> sum;
   for (std::size_t i = 0; i < loop.points.size(); ++i) {
     const auto from = loop.points[i];
     const auto to = loop.points[i + 1 < loop.points.size() ? i + 1 : 0];
@@ -310,8 +305,7 @@ Terms<Integers> class_of(const EdgeGraph& graph, const Annotation& annotation, c
       sum.push_back({index, from < to ? coefficient : -coefficient});
     }
   }
-  sparse::normalize(Integers{}, sum);
-  return sum;
+  return std::move(sum).normal(Integers{});
 }
 
 LoopBasis short_loops(const EdgeGraph& graph, const LoopSearch& search) { return Search{graph, search}.run(); }
