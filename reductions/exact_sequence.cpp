@@ -1,7 +1,8 @@
 #include "reductions/exact_sequence.hpp"
 
 #include "reductions/cone.hpp"
-#include "reductions/defect.hpp"
+#include "reductions/direct_sum.hpp"
+#include "reductions/perturbation.hpp"
 
 namespace sesame::reductions {
 
@@ -30,24 +31,12 @@ Equivalence<R> forward(const ExactSequence<R>& sequence, const Equivalence<R>& e
 
 namespace {
 
-/// [[a, b], [0, d]].
+/// The map C0 + C2 -> D0 + D2 of degree -1 that is delta: C2 -> D0 and zero elsewhere.
 template <Ring R>
-GradedMap<R> upper_triangle(const GradedMap<R>& a, const GradedMap<R>& b, const GradedMap<R>& d) {
-  return block_map(a, b, GradedMap<R>::zero(a.ring(), a.degree(), a.source(), d.target()), d);
-}
-
-/// The right reduction of `backward`: the sum of two reductions, perturbed by delta from the second summand to the
-/// first.
-template <Ring R>
-Reduction<R> perturbed_sum(const ChainComplex<R>& big, const GradedMap<R>& delta, const Reduction<R>& first,
-                           const Reduction<R>& second) {
-  const auto& [big0, small0, f0, g0, h0] = first;
-  const auto& [big2, small2, f2, g2, h2] = second;
-  const GradedMap<R> delta_g = delta * g2;
-  const GradedMap<R> delta_h = delta * h2;
-  return {big, complex_with(upper_triangle(differential(small0), f0 * delta_g, differential(small2))),
-          upper_triangle(f0, -(f0 * delta_h), f2), upper_triangle(g0, -(h0 * delta_g), g2),
-          upper_triangle(h0, -(h0 * delta_h), h2)};
+GradedMap<R> from_second_to_first(const GradedMap<R>& delta, const Sizes& first, const Sizes& second) {
+  const R& ring = delta.ring();
+  return block_map(GradedMap<R>::zero(ring, -1, first, first), delta, GradedMap<R>::zero(ring, -1, first, second),
+                   GradedMap<R>::zero(ring, -1, second, second));
 }
 
 }  // namespace
@@ -55,18 +44,21 @@ Reduction<R> perturbed_sum(const ChainComplex<R>& big, const GradedMap<R>& delta
 template <Ring R>
 Result<Equivalence<R>> backward(const ExactSequence<R>& sequence, const Equivalence<R>& eq0,
                                 const Equivalence<R>& eq2) {
-  const auto& [big0, object0, f0, g0, h0] = eq0.left;
-  const auto& [big2, object2, f2, g2, h2] = eq2.left;
   const GradedMap<R> chi = sequence.chi();
-  const GradedMap<R> residual = differential(sequence.c0) * chi + chi * differential(sequence.c2);
-  if (const auto defect = first_nonzero("d0 chi + chi d2 = 0", residual)) {
-    return Error{Errc::law_broken, "exact sequence: " + defect->to_string()};
+  auto left = easy_perturbation(direct_sum(eq0.left, eq2.left),
+                                from_second_to_first(chi, sequence.c0.sizes(), sequence.c2.sizes()));
+  if (!left) {
+    return left.error();
   }
-  const GradedMap<R> delta = g0 * chi * f2;
-  const ChainComplex<R> big = complex_with(upper_triangle(differential(big0), delta, differential(big2)));
-  Reduction<R> left{big, sequence.c1, beside(sequence.i * f0, sequence.s * f2),
-                    stacked(g0 * sequence.r, g2 * sequence.j), diagonal(h0, h2)};
-  return Equivalence<R>{std::move(left), perturbed_sum(big, delta, eq0.right, eq2.right)};
+  const GradedMap<R> delta = eq0.left.g * chi * eq2.left.f;
+  auto right = basic_perturbation(direct_sum(eq0.right, eq2.right),
+                                  from_second_to_first(delta, eq0.big().sizes(), eq2.big().sizes()));
+  if (!right) {
+    return right.error();
+  }
+  const Reduction<R> to_object =
+      isomorphism(left->small, beside(sequence.i, sequence.s), stacked(sequence.r, sequence.j));
+  return Equivalence<R>{compose(*left, to_object), std::move(*right)};
 }
 
 #define SESAME_INSTANTIATE(R)                                                                             \

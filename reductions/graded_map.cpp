@@ -159,39 +159,6 @@ Sizes sum(const Sizes& a, const Sizes& b) {
   return result;
 }
 
-namespace {
-
-template <Ring R>
-bool is_implicit_identity(const Matrix<R>& m) {
-  return m.rest() == Rest::identity && m.rows() == m.columns();
-}
-
-/// Appends the entries of `above` over those of `below` as columns of `into`, from column `start` on.
-template <Ring R>
-void place_columns(Matrix<R>& into, Index start, const Matrix<R>& above, const Matrix<R>& below) {
-  Terms<R> terms;
-  for (Index j = 0; j < above.columns(); ++j) {
-    terms = above.column(j);
-    below.for_each_in_column(j, [&](const Term<R>& t) { terms.push_back({t.index + above.rows(), t.coefficient}); });
-    if (!terms.empty()) {
-      into.set_column(start + j, terms);
-    }
-  }
-}
-
-template <Ring R>
-Matrix<R> block_matrix(const Matrix<R>& a, const Matrix<R>& b, const Matrix<R>& c, const Matrix<R>& d) {
-  if (is_implicit_identity(a) && is_implicit_identity(d) && b.rest() == Rest::zero && c.rest() == Rest::zero) {
-    return sparse::blocks(a, b, c, d);
-  }
-  Matrix<R> result(a.ring(), a.rows() + c.rows(), a.columns() + b.columns());
-  place_columns(result, 0, a, c);
-  place_columns(result, a.columns(), b, d);
-  return result;
-}
-
-}  // namespace
-
 template <Ring R>
 GradedMap<R> block_map(const GradedMap<R>& a, const GradedMap<R>& b, const GradedMap<R>& c, const GradedMap<R>& d) {
   sparse::expects(a.degree() == b.degree() && a.degree() == c.degree() && a.degree() == d.degree(),
@@ -203,7 +170,7 @@ GradedMap<R> block_map(const GradedMap<R>& a, const GradedMap<R>& b, const Grade
   Sizes target = sum(a.target(), c.target());
   std::vector<Matrix<R>> parts;
   for (int p = 0; p < static_cast<int>(source.size()); ++p) {
-    parts.push_back(block_matrix(a.at(p), b.at(p), c.at(p), d.at(p)));
+    parts.push_back(sparse::blocks(a.at(p), b.at(p), c.at(p), d.at(p)));
   }
   return GradedMap<R>(a.ring(), a.degree(), std::move(source), std::move(target), std::move(parts));
 }

@@ -10,6 +10,7 @@
 #include "tools/bench/constructions.hpp"
 #include "tools/bench/eager_method.hpp"
 #include "tools/bench/sessions.hpp"
+#include "tools/bench/theorem_method.hpp"
 
 using namespace sesame;
 using namespace sesame::tests;
@@ -176,6 +177,59 @@ TEST_CASE("all methods agree on random steps of every kind but products", "[benc
     REQUIRE(to_text(eager->homology()) == answer);
     REQUIRE(to_text(recompute->homology()) == answer);
   });
+}
+
+TEST_CASE("the theorem agrees with the live method after each step", "[bench]") {
+  const std::vector<std::string> names{"live", "theorem"};
+  const std::string ring = GENERATE("Z", "Z/2", "Z/3");
+  require_agreement(names, ring, tools::torus(2, {tools::Order::random, 5}));
+  require_agreement(names, ring, tools::klein_bottle(3, {tools::Order::inside_out, 5}));
+  require_agreement(names, ring, tools::iterated_cones(3, 3));
+  require_agreement(names, ring, tools::glued_and_split(2, 9));
+  require_agreement(names, ring, tools::glued_and_cut_square(3));
+  require_agreement(names, ring, tools::glued_triangles(3, 1));
+  require_agreement(names, ring, tools::glued_and_undone(2, 9));
+  require_agreement(names, ring, tools::replayed_backwards(tools::klein_bottle(3)));
+}
+
+TEMPLATE_TEST_CASE("what the theorem gives is an equivalence after every step, and no larger than need be",
+                   "[bench][stream]", Integers, sparse::Z2, sparse::Zp) {
+  const unsigned seed = GENERATE(range(0U, 6U));
+  tools::TheoremMethod<TestType> method(third_ring<TestType>());
+  tools::EagerMethod<TestType> eager(third_ring<TestType>(), tools::Keep::all_maps);
+  follow_random_steps(seed, [&](const Engine&, const ops::Operation& operation) {
+    take(method, operation);
+    take(eager, operation);
+    REQUIRE(defect_of(method.equivalence()) == "");
+    REQUIRE(unit_left_in(method.equivalence().small()) == "");
+    REQUIRE(to_text(method.homology()) == to_text(eager.homology()));
+    REQUIRE(method.homology().big == eager.homology().big);
+  });
+}
+
+TEST_CASE("the theorem undoes several steps at once, refuses products, and counts generators", "[bench]") {
+  const auto method = method_named("theorem", "Z");
+  const tools::Operations operations = tools::klein_bottle(3);
+  for (const ops::Operation& operation : operations) {
+    take(*method, operation);
+  }
+  const std::string answer = to_text(method->homology());
+  const std::uint64_t terms = method->generators();
+  take(*method, ops::Undo{operations.size() / 2});
+  for (std::size_t k = operations.size() - operations.size() / 2; k < operations.size(); ++k) {
+    take(*method, operations[k]);
+  }
+  CHECK(to_text(method->homology()) == answer);
+  CHECK(method->generators() == terms);
+  CHECK_FALSE(method->apply(ops::Undo{operations.size() + 1}));
+  const auto product = method_named("theorem", "Z");
+  const tools::Operations circles = tools::product_of_circles(3, 2);
+  for (std::size_t k = 0; k + 1 < circles.size(); ++k) {
+    take(*product, circles[k]);
+  }
+  const Status status = product->apply(circles.back());
+  REQUIRE_FALSE(status);
+  CHECK_THAT(status.error().what, Catch::Contains("no products"));
 }
 
 TEMPLATE_TEST_CASE("the matrices of the eager method follow insertions and collapses", "[bench][stream]", Integers,

@@ -43,6 +43,7 @@ struct MethodEntry {
   std::string name;
   std::string what;  ///< one line for people
   std::function<std::unique_ptr<Method>(const sparse::AnyRing& ring)> make;
+  bool only_when_named = false;  ///< too slow to be measured by default
 };
 
 /// All methods, the live one first.

@@ -2,6 +2,7 @@
 #include "tools/bench/live_method.hpp"
 #include "tools/bench/method.hpp"
 #include "tools/bench/recompute_method.hpp"
+#include "tools/bench/theorem_method.hpp"
 
 namespace sesame::tools {
 
@@ -13,7 +14,9 @@ const std::vector<MethodEntry>& methods() {
       {"eager-small", "the same, but only the maps that the small complex needs: no generators, no splits",
        make_small_eager_method},
       {"recompute", "the boundary matrices of the present object, reduced from scratch at every step",
-       make_recompute_method}};
+       make_recompute_method},
+      {"theorem", "the exact sequence of each step written out, and the theorem by whole matrices; only when named",
+       make_theorem_method, true}};
   return entries;
 }
 

@@ -489,7 +489,9 @@ std::vector<std::string> methods_of(const Scenario& scenario) {
   std::vector<std::string> names;
   if (std::holds_alternative<Construction>(scenario.input)) {
     for (const MethodEntry& entry : methods()) {
-      names.push_back(entry.name);
+      if (!entry.only_when_named) {
+        names.push_back(entry.name);
+      }
     }
     return names;
   }
