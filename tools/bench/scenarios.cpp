@@ -5,8 +5,6 @@
 #include <memory>
 
 #include "tools/bench/constructions.hpp"
-#include "tools/bench/method.hpp"
-#include "tools/bench/runs.hpp"
 #include "tools/bench/sessions.hpp"
 #include "tools/bench/surface_count.hpp"
 
@@ -423,24 +421,6 @@ void add_towers(std::vector<Scenario>& list) {
         {0, 300, 3, 0.05, true, 1}, recorded({{500, {21, 71, 1}}, {200'000, {28, 501, 189, 157}}}));
 }
 
-std::string list_of(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
-}
-
-std::vector<std::string> all_method_names() {
-  std::vector<std::string> names;
-  for (const MethodEntry& entry : methods()) {
-    names.push_back(entry.name);
-  }
-  names.insert(names.end(), tracker_methods().begin(), tracker_methods().end());
-  names.insert(names.end(), program_methods().begin(), program_methods().end());
-  return names;
-}
-
 }  // namespace
 
 const std::vector<Scenario>& scenarios() {
@@ -458,58 +438,6 @@ const std::vector<Scenario>& scenarios() {
     return list;
   }();
   return all;
-}
-
-Result<std::vector<const Scenario*>> find_scenarios(const std::vector<std::string>& names) {
-  std::vector<const Scenario*> found;
-  const auto is_meant = [&](const Scenario& scenario) {
-    return names.empty() || std::ranges::find(names, scenario.name) != names.end() ||
-           std::ranges::find(names, scenario.family) != names.end();
-  };
-  for (const Scenario& scenario : scenarios()) {
-    if (is_meant(scenario)) {
-      found.push_back(&scenario);
-    }
-  }
-  for (const std::string& name : names) {
-    const auto has_name = [&](const Scenario* s) { return s->name == name || s->family == name; };
-    if (std::ranges::none_of(found, has_name)) {
-      std::vector<std::string> known;
-      for (const Scenario& scenario : scenarios()) {
-        known.push_back(scenario.name);
-      }
-      return Error{Errc::unknown_name,
-                   "there is no scenario or family \"" + name + "\"; there are scaling, " + list_of(known)};
-    }
-  }
-  return found;
-}
-
-std::vector<std::string> methods_of(const Scenario& scenario) {
-  std::vector<std::string> names;
-  if (std::holds_alternative<Construction>(scenario.input)) {
-    for (const MethodEntry& entry : methods()) {
-      if (!entry.only_when_named) {
-        names.push_back(entry.name);
-      }
-    }
-    return names;
-  }
-  names.assign(tracker_methods().begin(), tracker_methods().end());
-  if (std::holds_alternative<CellFiltration>(scenario.input)) {
-    names.insert(names.end(), program_methods().begin(), program_methods().end());
-  }
-  return names;
-}
-
-Status check_method_names(const std::vector<std::string>& names) {
-  const std::vector<std::string> known = all_method_names();
-  for (const std::string& name : names) {
-    if (std::ranges::find(known, name) == known.end()) {
-      return Error{Errc::unknown_name, "there is no method \"" + name + "\"; there are " + list_of(known)};
-    }
-  }
-  return Done{};
 }
 
 }  // namespace sesame::tools
