@@ -30,10 +30,10 @@ enum class Keep {
 ///
 /// Every step is made of the matrices of the theorem, with the equivalence of the small end of the sequence (new cells,
 /// removed cells, copies) trivial; blocks are appended, the old ones neither copied nor read but where the formulas
-/// have a product with them. Unit pairs of S are eliminated at once, of all possible ones the pair whose row of fS is
-/// shortest: without that choice, which no source names, a step that joins a small piece to a large one could rewrite
-/// all of the large one.
-/// Source: S. Peltier, habilitation (2023), theorem 4 and section 3.3.3; W. Rharbaoui's thesis (2022).
+/// have a product with them (`sparse::Matrix::merge`). Unit pairs of S are eliminated at once, of all possible ones the
+/// pair whose row of fS is shortest: without that choice, which no source names, a step that joins a small piece to a
+/// large one could rewrite all of the large one. Source: S. Peltier, habilitation (2023), theorem 4 and section 3.3.3;
+/// W. Rharbaoui's thesis (2022).
 template <sparse::Ring R>
 class EagerEquivalence {
  public:
@@ -44,7 +44,16 @@ class EagerEquivalence {
   using Columns = std::vector<std::pair<Index, Terms>>;
 
   EagerEquivalence(R ring, Keep keep)
-      : ring_{ring}, keep_{keep}, f_{ring}, f_small_{ring}, g_small_{ring}, h_small_{ring}, d_small_{ring} {}
+      : ring_{ring},
+        keep_{keep},
+        d_{ring, 0, 0},
+        f_{ring},
+        g_{ring, 0, 0},
+        h_{ring, 0, 0},
+        f_small_{ring},
+        g_small_{ring},
+        h_small_{ring},
+        d_small_{ring} {}
 
   /// Backward sequence: a cell is added. `boundary` is in cells that are there.
   void add_cell(Index cell, int degree, const Terms& boundary);
@@ -91,21 +100,27 @@ class EagerEquivalence {
   [[nodiscard]] Index size() const { return static_cast<Index>(degrees_.size()); }
   [[nodiscard]] bool keeps_all() const { return keep_ == Keep::all_maps; }
   void add(Terms& into, const Element& factor, const Terms& terms);
-  /// The image of a chain under the map with these columns: column(x) is that of a generator.
-  template <class Column>
-  [[nodiscard]] Terms image(const Terms& chain, const Column& column);
+  /// matrix * chain.
+  template <class Matrix>
+  [[nodiscard]] Terms image(const Terms& chain, const Matrix& matrix);
   [[nodiscard]] Terms shifted(const Terms& terms, Index by) const;
 
-  /// Appends a generator with this boundary in B.
+  [[nodiscard]] sparse::Matrix<R> block(Index rows, Index columns, const Columns& stored) const;
+  void merge(sparse::Matrix<R>& into, const sparse::Matrix<R>& below, const sparse::Matrix<R>& corner);
+  void append_to(sparse::Matrix<R>& matrix, const Terms& column) const;
+  void set_g(Index cell, const Terms& column);
+
+  /// Appends a generator with this boundary in B to the right reduction.
   void append(int degree, const Terms& boundary);
   void eliminate_units(std::set<Index> columns);
   [[nodiscard]] std::optional<Index> best_unit(Index b);
   void eliminate(Index a, Index b);
   void settle(Index b);
 
-  /// delta = chi f, by columns, in the numbers that the copies have in B.
+  [[nodiscard]] Columns pulled_back_removal(const std::vector<Removed>& removed);
+  /// delta = chi f, by columns; chains of copies, the first of which is generator `first` of B.
   [[nodiscard]] Columns perturbation(const Columns& chi);
-  void perturb_right(const Columns& delta, std::set<Index>& changed);
+  void perturb_right(const Columns& delta, Index first, std::set<Index>& changed);
 
   /// Of one degree.
   struct Level {
@@ -124,10 +139,10 @@ class EagerEquivalence {
   R ring_;
   Keep keep_;
   std::vector<int> degrees_;  ///< of the generators of B
-  std::vector<Terms> d_;      ///< of B
+  sparse::Matrix<R> d_;       ///< of B
   TwoWayMatrix<R> f_;
-  std::vector<Terms> g_;  ///< by cell
-  std::vector<Terms> h_;
+  sparse::Matrix<R> g_;  ///< by cell
+  sparse::Matrix<R> h_;
   TwoWayMatrix<R> f_small_;
   TwoWayMatrix<R> g_small_;  ///< by generator; zero for those that S does not have
   TwoWayMatrix<R> h_small_;
@@ -135,5 +150,19 @@ class EagerEquivalence {
   std::vector<Level> levels_;  ///< by degree
   std::uint64_t touched_ = 0;  ///< outside of the two-way matrices
 };
+
+/// All terms first, then one sorting: adding column after column would read a long image again for each.
+template <sparse::Ring R>
+template <class Matrix>
+auto EagerEquivalence<R>::image(const Terms& chain, const Matrix& matrix) -> Terms {
+  sparse::RawTerms<R> image;
+  for (const auto& term : chain) {
+    matrix.for_each_in_column(term.index, [&](const sparse::Term<R>& entry) {
+      image.push_back({entry.index, ring_.multiply(term.coefficient, entry.coefficient)});
+    });
+  }
+  touched_ += image.size();
+  return std::move(image).normal(ring_);
+}
 
 }  // namespace sesame::tools

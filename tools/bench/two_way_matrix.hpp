@@ -2,6 +2,7 @@
 /// Sparse matrices by columns that also know where the entries of a row are.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -25,6 +26,10 @@ class TwoWayMatrix {
   /// Appends a column.
   void append_column(std::span<const sparse::Term<R>> terms);
   [[nodiscard]] const Terms& column(Index j) const { return columns_[j]; }
+  template <class Visit>
+  void for_each_in_column(Index j, const Visit& visit) const {
+    std::for_each(columns_[j].begin(), columns_[j].end(), visit);
+  }
   /// column j += factor * terms. Cost: the terms of both.
   void add_to_column(Index j, const typename R::Element& factor, std::span<const sparse::Term<R>> terms);
   void clear_column(Index j) { columns_[j] = {}; }
