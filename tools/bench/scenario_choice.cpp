@@ -57,9 +57,7 @@ std::vector<std::string> methods_of(const Scenario& scenario) {
   std::vector<std::string> names;
   if (std::holds_alternative<Construction>(scenario.input)) {
     for (const MethodEntry& entry : methods()) {
-      if (!entry.only_when_named) {
-        names.push_back(entry.name);
-      }
+      names.push_back(entry.name);
     }
     return names;
   }

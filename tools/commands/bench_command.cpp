@@ -172,6 +172,10 @@ class Bench {
   [[nodiscard]] std::vector<std::string> chosen_methods(const Scenario& scenario) const {
     std::vector<std::string> chosen = methods_of(scenario);
     if (arguments_.methods.empty()) {
+      std::erase_if(chosen, [](const std::string& name) {
+        return std::ranges::any_of(methods(),
+                                   [&](const MethodEntry& m) { return m.name == name && m.only_when_named; });
+      });
       chosen.resize(scenario.all_methods ? chosen.size() : 1);
     } else {
       std::erase_if(chosen, [&](const std::string& name) {
