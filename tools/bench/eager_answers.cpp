@@ -114,7 +114,7 @@ reductions::Basis<Index> EagerEquivalence<R>::small_generators() const {
 
 template <sparse::Ring R>
 reductions::Equivalence<R> EagerEquivalence<R>::matrices(const reductions::ChainComplex<R>& object,
-                                                         const reductions::Basis<Index>& cells) const {
+                                                         const ops::CellBasis& cells) const {
   sparse::expects(keeps_all(), "an equivalence is written out when all of it is kept");
   reductions::Basis<Index> big;
   for (Index b = 0; b < size(); ++b) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/homology_tracker.hpp"
+#include "ops/plan/step_sequence.hpp"
 #include "reductions/by_columns.hpp"
 #include "reductions/equivalence.hpp"
 #include "tools/bench/two_way_matrix.hpp"
@@ -94,7 +95,7 @@ class EagerEquivalence {
   /// The equivalence as matrices: the generators of C are cells, those of B and S go by their numbers.
   /// Requires: all maps are kept; `object` has these cells. Cost: the size of it all.
   [[nodiscard]] reductions::Equivalence<R> matrices(const reductions::ChainComplex<R>& object,
-                                                    const reductions::Basis<Index>& cells) const;
+                                                    const ops::CellBasis& cells) const;
 
  private:
   [[nodiscard]] Index size() const { return static_cast<Index>(degrees_.size()); }

@@ -20,7 +20,7 @@ template <sparse::Ring R>
 sparse::Terms<R> restricted(const R& ring, const sparse::Terms<R>& chain, const std::map<CellId, Index>& positions) {
   sparse::RawTerms<R> part;
   for (const auto& term : chain) {
-    if (const auto at = positions.find(term.index); at != positions.end()) {
+    if (const auto at = positions.find(CellId{term.index}); at != positions.end()) {
       part.push_back({at->second, term.coefficient});
     }
   }
@@ -105,7 +105,7 @@ void EagerMethod<R>::add_cells() {
   const ops::Structure& structure = object_.structure();
   const ops::Moment now = structure.now();
   std::vector<CellId> cells;
-  for (CellId k = 0; k < plan.cells.size(); ++k) {
+  for (std::size_t k = 0; k < plan.cells.size(); ++k) {
     if (structure.is_current(plan.first + k)) {
       cells.push_back(plan.first + k);
     }
