@@ -76,14 +76,14 @@ class Tracker final : public BarcodeTracker {
     }
     reach(changes.size());
     // A class that is born and dies within the contraction is nobody's: it has no bar.
-    std::vector<std::size_t> nodes_before;
+    nodes_before_.clear();
     for (const Level& level : levels_) {
-      nodes_before.push_back(level.space.nodes());
+      nodes_before_.push_back(level.space.nodes());
     }
     for (std::size_t d = 0; d < changes.size() && dimensions_.have(d); ++d) {
       shifts_.begin_dimension(d);
       for (const TowerComplex::Change& change : changes[d]) {
-        apply(complex, d, change, time, static_cast<std::uint32_t>(nodes_before[d]));
+        apply(complex, d, change, time, static_cast<std::uint32_t>(nodes_before_[d]));
       }
     }
     for (std::size_t d = 0; d < levels_.size(); ++d) {
@@ -262,7 +262,8 @@ class Tracker final : public BarcodeTracker {
   Dimensions dimensions_;
   std::vector<Level> levels_;
   std::uint64_t hidden_ = 0;
-  std::vector<ClassRef> facet_refs_;  ///< of the cell that is being included
+  std::vector<ClassRef> facet_refs_;       ///< of the cell that is being included
+  std::vector<std::size_t> nodes_before_;  ///< the contraction that is being made, by dimension
   ContractionShifts shifts_;
   std::unique_ptr<ChainImages<R>> chains_;  ///< when cycles are kept
 };

@@ -109,8 +109,8 @@ void SimplexIndex::build_stars() {
 }
 
 void SimplexIndex::make_room(Layer& layer, Vertex v) {
-  layer.first.resize(v + std::size_t{1}, nothing);
-  star_size_.resize(std::max(star_size_.size(), layer.first.size()), 0);
+  star_size_.resize(std::max(star_size_.size(), std::size_t{v} + 1), 0);
+  layer.first.resize(star_size_.size(), nothing);
 }
 
 void SimplexIndex::link(std::size_t dimension, Slot slot) {
