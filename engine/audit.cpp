@@ -51,7 +51,7 @@ reductions::Equivalence<R> matrices_of(LiveEquivalence<R>& live) {
       reductions::complex_by_columns(ring, small, [&](Symbol x) { return live.chains().boundary(unit(ring, x)); });
   const auto f = [&](Index x) { return big_complex.maps().f(unit(ring, x)); };
   const auto g = [&](Index cell) {
-    Terms<R> out;
+    RawTerms<R> out;
     big_complex.maps().add_g(CellId{cell}, ring.one(), out);
     return out;
   };
@@ -89,12 +89,11 @@ std::optional<std::string> defect_of_maps(LiveEquivalence<R>& live, const ops::C
     return a;
   };
   const auto is_zero = [&](const CellChain& chain) {
-    Terms<R> sum;
+    RawTerms<R> sum;
     for (const auto& [coefficient, cell] : chain.terms) {
       sum.push_back({cell, from_rational(ring, coefficient)});
     }
-    sparse::normalize(ring, sum);
-    return sum.empty();
+    return std::move(sum).normal(ring).empty();
   };
   for (std::size_t p = 0; p < cells.generators().size(); ++p) {
     const int degree = static_cast<int>(p);

@@ -11,32 +11,30 @@ using sparse::Term;
 
 template <Ring R>
 Terms<R> Chains<R>::g(const CellChain& chain) const {
-  Terms<R> out;
+  RawTerms<R> out;
   for (const auto& [coefficient, cell] : chain.terms) {
     expects(structure_.is_current(cell) && !structure_.lazy().is_consumed(cell) &&
                 structure_.dimension(cell) == chain.degree,
             "a chain is made of current cells of its degree");
     left_.add_g(cell, in_own_orientation(cell, coefficient), out);
   }
-  sparse::normalize(ring_, out);
-  return out;
+  return std::move(out).normal(ring_);
 }
 
 template <Ring R>
 CellChain Chains<R>::bounding(const CellChain& z, const Terms<R>& g_of_z, const Terms<R>& y) {
-  Terms<R> cells = left_.f(rewriter_.lift(y, rewriter_.trace(g_of_z)));
+  RawTerms<R> cells = left_.f(rewriter_.lift(y, rewriter_.trace(g_of_z)));
   for (const auto& [coefficient, cell] : z.terms) {
     left_.add_K_of_lazy_part(cell, in_own_orientation(cell, coefficient), cells);
   }
-  sparse::normalize(ring_, cells);
-  return to_chain(z.degree + 1, cells);
+  return to_chain(z.degree + 1, std::move(cells).normal(ring_));
 }
 
 // ------------------------------------------------------------------------------------------------------- boundaries
 
 template <Ring R>
 CellChain Chains<R>::boundary(const CellChain& chain) const {
-  Terms<R> out;
+  RawTerms<R> out;
   for (const auto& [coefficient, cell] : chain.terms) {
     const auto faces = structure_.faces().of(cell);
     const auto element = in_own_orientation(cell, coefficient);
@@ -46,8 +44,7 @@ CellChain Chains<R>::boundary(const CellChain& chain) const {
       }
     }
   }
-  sparse::normalize(ring_, out);
-  return to_chain(chain.degree - 1, out);
+  return to_chain(chain.degree - 1, std::move(out).normal(ring_));
 }
 
 template <Ring R>
@@ -100,13 +97,12 @@ SmallChain Chains<R>::to_small(int degree, const Terms<R>& symbols) const {
 template <Ring R>
 Terms<R> Chains<R>::to_symbols(const SmallChain& chain) const {
   const std::vector<Symbol> small = rewriter_.small(chain.degree);
-  Terms<R> out;
+  RawTerms<R> out;
   for (const auto& [coefficient, generator] : chain.terms) {
     expects(generator < small.size(), "a chain of the small complex is made of its generators");
     out.push_back({small[generator], from_rational(ring_, coefficient)});
   }
-  sparse::normalize(ring_, out);
-  return out;
+  return std::move(out).normal(ring_);
 }
 
 #define SESAME_INSTANTIATE(R) template class Chains<R>;

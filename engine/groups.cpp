@@ -24,7 +24,7 @@ Matrix<R> Groups<R>::core_matrix(const std::vector<Symbol>& columns) const {
   std::unordered_map<Symbol, Index> rows;
   Matrix<R> matrix(ring_, 0, 0);
   for (const Symbol x : columns) {
-    Terms<R> terms;
+    RawTerms<R> terms;
     for (const Term<R>& term : *rewriter_.core().find(x)) {
       const auto [row, is_new] = rows.try_emplace(term.index, static_cast<Index>(rows.size()));
       if (is_new) {
@@ -32,8 +32,7 @@ Matrix<R> Groups<R>::core_matrix(const std::vector<Symbol>& columns) const {
       }
       terms.push_back({row->second, term.coefficient});
     }
-    sparse::normalize(ring_, terms);
-    matrix.append_column(terms);
+    matrix.append_column(std::move(terms).normal(ring_));
   }
   return matrix;
 }
@@ -113,7 +112,7 @@ Group<R> Groups<R>::of(int degree) const {
 
 template <Ring R>
 Terms<R> Group<R>::in_symbols(const R& ring, const Terms<R>& coordinates) const {
-  Terms<R> out;
+  RawTerms<R> out;
   const auto rank = static_cast<Index>(kernel.factors.size());
   for (const Term<R>& term : coordinates) {
     if (term.index < bound.size()) {
@@ -125,8 +124,7 @@ Terms<R> Group<R>::in_symbols(const R& ring, const Terms<R>& coordinates) const 
       out.push_back({lower[part.index], ring.multiply(term.coefficient, part.coefficient)});
     });
   }
-  sparse::normalize(ring, out);
-  return out;
+  return std::move(out).normal(ring);
 }
 
 template <Ring R>
@@ -135,7 +133,7 @@ Terms<R> Group<R>::coordinates(const R& ring, const Terms<R>& cycle) const {
     const auto at = std::lower_bound(symbols.begin(), symbols.end(), x);
     return at != symbols.end() && *at == x ? std::optional{static_cast<Index>(at - symbols.begin())} : std::nullopt;
   };
-  Terms<R> out;
+  RawTerms<R> out;
   Terms<R> on_lower;
   for (const Term<R>& term : cycle) {
     if (const auto at = position(bound, term.index)) {
@@ -151,8 +149,7 @@ Terms<R> Group<R>::coordinates(const R& ring, const Terms<R>& cycle) const {
     expects(term.index >= rank, "the image of a cycle is a cycle of the small complex");
     out.push_back({static_cast<Index>(bound.size()) + term.index - rank, term.coefficient});
   }
-  sparse::normalize(ring, out);
-  return out;
+  return std::move(out).normal(ring);
 }
 
 /// A chain of the core's columns of the degree above, in symbols.

@@ -46,6 +46,7 @@ class RawTerms {
   RawTerms(Terms<R> terms) : terms_{std::move(terms)} {}  // NOLINT(google-explicit-constructor)
 
   void push_back(Term<R> term) { terms_.push_back(std::move(term)); }
+  void clear() { terms_.clear(); }
   [[nodiscard]] std::size_t size() const { return terms_.size(); }
   [[nodiscard]] bool empty() const { return terms_.empty(); }
   [[nodiscard]] auto begin() const { return terms_.begin(); }

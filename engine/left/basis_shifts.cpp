@@ -5,7 +5,7 @@
 namespace sesame::engine {
 
 template <Ring R>
-void BasisShifts<R>::add_as_created(Index generator, const typename R::Element& factor, Terms<R>& out) const {
+void BasisShifts<R>::add_as_created(Index generator, const typename R::Element& factor, RawTerms<R>& out) const {
   if (const auto at = as_created_.empty() ? as_created_.end() : as_created_.find(generator); at != as_created_.end()) {
     for (const auto& [index, coefficient] : at->second) {
       out.push_back({index, ring_.multiply(factor, coefficient)});

@@ -11,6 +11,7 @@
 
 namespace sesame::engine {
 
+using sparse::RawTerms;
 using sparse::Ring;
 using sparse::Terms;
 
@@ -28,7 +29,7 @@ class BasisShifts {
   BasisShifts(R ring, const Generators& generators) : ring_{ring}, generators_{generators} {}
 
   /// A generator as it was when it was appended, in the present basis, times a factor, added to `out`.
-  void add_as_created(Index generator, const typename R::Element& factor, Terms<R>& out) const;
+  void add_as_created(Index generator, const typename R::Element& factor, RawTerms<R>& out) const;
   /// The e that were added to a generator, in that order.
   [[nodiscard]] std::span<const Index> added_to(Index generator) const { return find(added_to_, generator); }
   /// The generators that an e was added to.

@@ -19,7 +19,7 @@ BigComplex<R>::BigComplex(R ring, const Window& window)
   for (const CellId cell : window_.cells()) {
     begin_column();
     window_.for_each_first_face(cell, [this](CellId face, int sign) {
-      column_.push_back({window_.place(face), ring_.from(sign)});
+      gathered_.push_back({window_.place(face), ring_.from(sign)});
     });
     append_column(generators_.append_first(cell));
   }
@@ -62,8 +62,10 @@ Index BigComplex<R>::append_removal(LinkId link) {
 
 template <Ring R>
 Index BigComplex<R>::append_of_family(ops::FamilyId family, int degree, std::span<const sparse::Term<R>> boundary) {
-  column_.assign(boundary.begin(), boundary.end());
-  lazy_column_.clear();
+  begin_column();
+  for (const sparse::Term<R>& term : boundary) {
+    gathered_.push_back(term);
+  }
   const Index generator = generators_.append_of_family(family, degree);
   append_column(generator);
   return generator;
@@ -77,7 +79,7 @@ Index BigComplex<R>::append_copy(CellId copy) {
   const CellId source = structure_.splits().copy(copy)->source;
   const auto add = [&](CellId face, int sign) {
     if (face >= first && face < structure_.cells().size() && structure_.splits().copy(face) != nullptr) {
-      column_.push_back({generators_.of(face), ring_.from(sign)});
+      gathered_.push_back({generators_.of(face), ring_.from(sign)});
     }
   };
   for (std::uint32_t k = 0; k < structure_.cells().type(copy).faces.size(); ++k) {
@@ -97,21 +99,21 @@ Index BigComplex<R>::append_copy(CellId copy) {
 
 template <Ring R>
 void BigComplex<R>::begin_column() {
-  column_.clear();
-  lazy_column_.clear();
+  gathered_.clear();
+  gathered_lazy_.clear();
 }
 
 template <Ring R>
 void BigComplex<R>::add_to_column(CellId cell, int sign) {
   const auto coefficient = ring_.from(sign);
-  maps_.add_g(cell, coefficient, column_);
-  maps_.add_lazy_part(cell, coefficient, lazy_column_);
+  maps_.add_g(cell, coefficient, gathered_);
+  maps_.add_lazy_part(cell, coefficient, gathered_lazy_);
 }
 
 /// Appends the column that has been gathered as the boundary of the last generator.
 template <Ring R>
 void BigComplex<R>::append_column(Index generator) {
-  sparse::normalize(ring_, column_);
+  gathered_.finish(ring_, column_);
   if (!columns_followed_.empty()) {
     for (const sparse::Term<R>& term : column_) {
       if (const auto followed = columns_followed_.find(term.index); followed != columns_followed_.end()) {
@@ -122,9 +124,9 @@ void BigComplex<R>::append_column(Index generator) {
   boundary_.append_rows(1);
   boundary_.append_column(column_);
   entries_appended_ += column_.size();
-  if (!lazy_column_.empty()) {
-    sparse::normalize(ring_, lazy_column_);
-    families_.attach(generator, lazy_column_);
+  if (!gathered_lazy_.empty()) {
+    gathered_lazy_.finish(ring_, column_);
+    families_.attach(generator, column_);
   }
 }
 
@@ -153,15 +155,15 @@ std::vector<Index> BigComplex<R>::split(Index first, std::span<const ops::SplitH
 template <Ring R>
 typename BigComplex<R>::Changes BigComplex<R>::gains_of_moves(Index first,
                                                               std::span<const ops::SplitHistory::MadeMove> moves) {
-  std::map<CellId, Terms<R>> gains;  // per cell: what its boundary gains
+  std::map<CellId, RawTerms<R>> gathered;  // per cell: what its boundary gains
   for (const ops::SplitHistory::MadeMove& move : moves) {
     const int sign = structure_.faces().sign(move.cell, move.slot);
-    gains[move.cell].push_back({generators_.of(move.after), ring_.from(sign)});
+    gathered[move.cell].push_back({generators_.of(move.after), ring_.from(sign)});
   }
   Changes changes;
   typename Families<R>::Gains of_lazy;
-  for (auto& [cell, gain] : gains) {
-    sparse::normalize(ring_, gain);
+  for (auto& [cell, sum] : gathered) {
+    const Terms<R> gain = std::move(sum).normal(ring_);
     if (!gain.empty()) {
       add_gains(cell, gain, first, changes, of_lazy);
     }

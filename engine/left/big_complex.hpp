@@ -120,7 +120,8 @@ class BigComplex {
   std::vector<Index> changed_;                                      ///< generators whose boundaries gained, for undo
   std::unordered_map<Index, std::vector<Index>> columns_followed_;  ///< columns with a generator, for those followed
   std::uint64_t entries_appended_ = 0;
-  Terms<R> column_, lazy_column_;  ///< scratch: the next column, and the lazy cells in it
+  RawTerms<R> gathered_, gathered_lazy_;  ///< the next column, and the lazy cells in it
+  Terms<R> column_;                       ///< scratch
 };
 
 }  // namespace sesame::engine

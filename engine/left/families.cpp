@@ -7,7 +7,7 @@
 namespace sesame::engine {
 
 template <Ring R>
-void Families<R>::add_F(CellId cell, const Element& factor, Terms<R>& out) const {
+void Families<R>::add_F(CellId cell, const Element& factor, RawTerms<R>& out) const {
   maps_of(cell).add_F(cell, factor, out);
   if (!gains_.empty()) {
     subtract_gains_of_K(gains_, cell, factor, out);
@@ -17,7 +17,7 @@ void Families<R>::add_F(CellId cell, const Element& factor, Terms<R>& out) const
 /// -chi(K c) times a factor, for a lazy cell c.
 template <Ring R>
 void Families<R>::subtract_gains_of_K(const GainsByPlace& gains, CellId cell, const Element& factor,
-                                      Terms<R>& out) const {
+                                      RawTerms<R>& out) const {
   const auto [family, dimension] = place_of(cell);
   const auto concerned = gains.find({family, dimension + 1});
   if (concerned == gains.end()) {
@@ -27,7 +27,7 @@ void Families<R>::subtract_gains_of_K(const GainsByPlace& gains, CellId cell, co
   for (const auto& gain : concerned->second) {
     cells.push_back(gain.first);
   }
-  Terms<R> bounded;
+  RawTerms<R> bounded;
   maps(family).add_K_at(cell, cells, ring_.negate(factor), bounded);
   for (const auto& [gained, coefficient] : bounded) {
     for (const auto& [generator, part] : concerned->second.at(CellId{gained})) {
@@ -44,7 +44,7 @@ std::span<const sparse::Term<R>> Families<R>::attached_to(Index generator) const
 }
 
 template <Ring R>
-void Families<R>::add_K_of_attached(Index generator, const Element& factor, Terms<R>& out) const {
+void Families<R>::add_K_of_attached(Index generator, const Element& factor, RawTerms<R>& out) const {
   for (const auto& [cell, coefficient] : attached_to(generator)) {
     add_K(CellId{cell}, ring_.multiply(factor, coefficient), out);
   }
@@ -73,11 +73,11 @@ void Families<R>::add_gains(const Gains& gains, std::map<Index, Terms<R>>& chang
     by_place[place_of(cell)].emplace(cell, gain);
   }
   for (const auto& [generator, lazy_cells] : attached_) {
-    Terms<R> change;
+    RawTerms<R> sum;
     for (const auto& [cell, coefficient] : lazy_cells) {
-      subtract_gains_of_K(by_place, CellId{cell}, coefficient, change);
+      subtract_gains_of_K(by_place, CellId{cell}, coefficient, sum);
     }
-    sparse::normalize(ring_, change);
+    const Terms<R> change = std::move(sum).normal(ring_);
     if (!change.empty()) {
       sparse::add_multiple<R>(ring_, changes[generator], ring_.one(), change);
     }

@@ -39,15 +39,15 @@ class Families {
   }
 
   /// F of a lazy cell times a factor, gains included, in the present basis of B; K of one, in cells as created.
-  void add_F(CellId cell, const Element& factor, Terms<R>& out) const;
-  void add_K(CellId cell, const Element& factor, Terms<R>& out) const { maps_of(cell).add_K(cell, factor, out); }
+  void add_F(CellId cell, const Element& factor, RawTerms<R>& out) const;
+  void add_K(CellId cell, const Element& factor, RawTerms<R>& out) const { maps_of(cell).add_K(cell, factor, out); }
 
   /// Attaches a generator to a chain of lazy cells as created. Requires: it is younger than those attached before.
   void attach(Index generator, Terms<R> lazy_cells) { attached_.emplace_back(generator, std::move(lazy_cells)); }
   [[nodiscard]] bool has_attached() const { return !attached_.empty(); }
   /// K of the lazy cells that a generator is attached to, times a factor, in cells as created; how many terms that
   /// adds.
-  void add_K_of_attached(Index generator, const Element& factor, Terms<R>& out) const;
+  void add_K_of_attached(Index generator, const Element& factor, RawTerms<R>& out) const;
   [[nodiscard]] std::uint64_t terms_of_K_of_attached(Index generator) const;
 
   using Gains = std::map<CellId, Terms<R>>;
@@ -72,7 +72,7 @@ class Families {
     return {structure_.lazy().of(cell)->key.family, structure_.dimension(cell)};
   }
   [[nodiscard]] std::span<const sparse::Term<R>> attached_to(Index generator) const;
-  void subtract_gains_of_K(const GainsByPlace& gains, CellId cell, const Element& factor, Terms<R>& out) const;
+  void subtract_gains_of_K(const GainsByPlace& gains, CellId cell, const Element& factor, RawTerms<R>& out) const;
 
   R ring_;
   const Window& window_;

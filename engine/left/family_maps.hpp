@@ -14,6 +14,7 @@ namespace sesame::engine {
 
 using ops::CellId;
 using sparse::Index;
+using sparse::RawTerms;
 using sparse::Ring;
 using sparse::Terms;
 
@@ -36,10 +37,10 @@ class FamilyMaps {
   FamilyMaps& operator=(const FamilyMaps&) = delete;
   virtual ~FamilyMaps() = default;
 
-  /// A map of a cell of the family or of one of its generators, times a factor, added to `out` (not in normal form).
-  virtual void add_F(CellId cell, const Element& factor, Terms<R>& out) const = 0;
-  virtual void add_G(Index generator, const Element& factor, Terms<R>& out) const = 0;
-  virtual void add_K(CellId cell, const Element& factor, Terms<R>& out) const = 0;
+  /// A map of a cell of the family or of one of its generators, times a factor, added to `out`.
+  virtual void add_F(CellId cell, const Element& factor, RawTerms<R>& out) const = 0;
+  virtual void add_G(Index generator, const Element& factor, RawTerms<R>& out) const = 0;
+  virtual void add_K(CellId cell, const Element& factor, RawTerms<R>& out) const = 0;
 
   /// How many terms add_G and add_K add, or `uncountable`, without adding them.
   [[nodiscard]] virtual std::uint64_t terms_of_G(Index generator) const = 0;
@@ -47,12 +48,14 @@ class FamilyMaps {
 
   /// As add_K, but only the terms at some cells, `at`, which are sorted. Here K is written out for that; a family that
   /// can do without does.
-  virtual void add_K_at(CellId cell, std::span<const CellId> at, const Element& factor, Terms<R>& out) const {
-    Terms<R> all;
+  virtual void add_K_at(CellId cell, std::span<const CellId> at, const Element& factor, RawTerms<R>& out) const {
+    RawTerms<R> all;
     add_K(cell, factor, all);
-    std::copy_if(all.begin(), all.end(), std::back_inserter(out), [at](const sparse::Term<R>& term) {
-      return std::binary_search(at.begin(), at.end(), CellId{term.index});
-    });
+    for (const sparse::Term<R>& term : all) {
+      if (std::binary_search(at.begin(), at.end(), CellId{term.index})) {
+        out.push_back(term);
+      }
+    }
   }
   /// The generators whose G has a cell, each with the cell's coefficient there.
   [[nodiscard]] virtual Terms<R> transposed_G(CellId cell) const = 0;

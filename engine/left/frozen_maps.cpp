@@ -28,12 +28,11 @@ const typename FrozenMaps<R>::Homotopy& FrozenMaps<R>::homotopy(CellId cell) {
     return known->second;
   }
   const Terms<R> g = left_.g(cell);
-  Terms<R> bounded = left_.f(rewriter_.lift({}, rewriter_.trace(g)));
+  RawTerms<R> bounded = left_.f(rewriter_.lift({}, rewriter_.trace(g)));
   left_.add_K_of_lazy_part(cell, ring_.one(), bounded);
-  sparse::normalize(ring_, bounded);
   Terms<R> image = left_.f(rewriter_.lift(rewriter_.rewrite(g)));
   homotopies_known_.push_back(cell);
-  return homotopies_.emplace(cell, Homotopy{std::move(bounded), std::move(image)}).first->second;
+  return homotopies_.emplace(cell, Homotopy{std::move(bounded).normal(ring_), std::move(image)}).first->second;
 }
 
 template <Ring R>

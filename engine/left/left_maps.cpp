@@ -8,14 +8,13 @@ namespace sesame::engine {
 
 template <Ring R>
 Terms<R> LeftMaps<R>::g(CellId cell) const {
-  Terms<R> out;
+  RawTerms<R> out;
   add_g(cell, ring_.one(), out);
-  sparse::normalize(ring_, out);
-  return out;
+  return std::move(out).normal(ring_);
 }
 
 template <Ring R>
-void LeftMaps<R>::add_g(CellId cell, const Element& factor, Terms<R>& out) const {
+void LeftMaps<R>::add_g(CellId cell, const Element& factor, RawTerms<R>& out) const {
   if (window_.has_splits() || window_.is_lazy(cell)) {
     add_g_at(cell, structure_.now(), factor, out);
     return;
@@ -30,7 +29,7 @@ void LeftMaps<R>::add_g(CellId cell, const Element& factor, Terms<R>& out) const
 
 /// g as the history was at a moment, for a cell that was current then.
 template <Ring R>
-void LeftMaps<R>::add_g_at(CellId cell, const ops::Moment& moment, const Element& factor, Terms<R>& out) const {
+void LeftMaps<R>::add_g_at(CellId cell, const ops::Moment& moment, const Element& factor, RawTerms<R>& out) const {
   if (window_.is_lazy(cell)) {
     families_.add_F(cell, factor, out);
   } else {
@@ -45,7 +44,7 @@ void LeftMaps<R>::add_g_at(CellId cell, const ops::Moment& moment, const Element
 }
 
 template <Ring R>
-void LeftMaps<R>::add_path(CellId x, LinkId links, const Element& factor, Terms<R>& out) const {
+void LeftMaps<R>::add_path(CellId x, LinkId links, const Element& factor, RawTerms<R>& out) const {
   int sign = 1;
   while (x != ops::none) {
     const LinkId link = structure_.forest().link_of(x);
@@ -60,7 +59,7 @@ void LeftMaps<R>::add_path(CellId x, LinkId links, const Element& factor, Terms<
 }
 
 template <Ring R>
-void LeftMaps<R>::add_lazy_part(CellId cell, const Element& factor, Terms<R>& out) const {
+void LeftMaps<R>::add_lazy_part(CellId cell, const Element& factor, RawTerms<R>& out) const {
   if (window_.families() == 0) {
     return;
   }
@@ -73,10 +72,10 @@ void LeftMaps<R>::add_lazy_part(CellId cell, const Element& factor, Terms<R>& ou
 }
 
 template <Ring R>
-void LeftMaps<R>::add_K_of_lazy_part(CellId cell, const Element& factor, Terms<R>& out) const {
-  Terms<R> part;
+void LeftMaps<R>::add_K_of_lazy_part(CellId cell, const Element& factor, RawTerms<R>& out) const {
+  RawTerms<R> part;
   add_lazy_part(cell, factor, part);
-  Terms<R> nodes;
+  RawTerms<R> nodes;
   for (const auto& [lazy, coefficient] : part) {
     families_.add_K(CellId{lazy}, coefficient, nodes);
   }
@@ -87,19 +86,18 @@ void LeftMaps<R>::add_K_of_lazy_part(CellId cell, const Element& factor, Terms<R
 
 template <Ring R>
 Terms<R> LeftMaps<R>::f(std::span<const sparse::Term<R>> chain) const {
-  Terms<R> cells;
+  RawTerms<R> cells;
   for (const auto& [generator, coefficient] : chain) {
     add_f(generator, coefficient, cells);
   }
-  sparse::normalize(ring_, cells);
-  return cells;
+  return std::move(cells).normal(ring_);
 }
 
-/// f of a generator times a factor, added to `out`: current cells, not in normal form.
+/// f of a generator times a factor, added to `out`: current cells.
 template <Ring R>
-void LeftMaps<R>::add_f(Index generator, const Element& factor, Terms<R>& out) const {
+void LeftMaps<R>::add_f(Index generator, const Element& factor, RawTerms<R>& out) const {
   if (families_.has_attached()) {
-    Terms<R> bounded;
+    RawTerms<R> bounded;
     families_.add_K_of_attached(generator, ring_.negate(factor), bounded);
     add_as_now(bounded, out);
   }
@@ -107,7 +105,7 @@ void LeftMaps<R>::add_f(Index generator, const Element& factor, Terms<R>& out) c
     return;
   }
   if (generators_.is_of_family(generator)) {
-    Terms<R> cells;
+    RawTerms<R> cells;
     families_.maps(generators_.family(generator)).add_G(generator, factor, cells);
     add_as_now(cells, out);
     return;
@@ -124,16 +122,16 @@ void LeftMaps<R>::add_f(Index generator, const Element& factor, Terms<R>& out) c
   }
 }
 
-/// A chain of cells as created, as the current cells that they are now, added to `out` (not in normal form).
+/// A chain of cells as created, as the current cells that they are now, added to `out`.
 template <Ring R>
-void LeftMaps<R>::add_as_now(std::span<const sparse::Term<R>> nodes, Terms<R>& out) const {
+void LeftMaps<R>::add_as_now(const RawTerms<R>& nodes, RawTerms<R>& out) const {
   for (const auto& [node, coefficient] : nodes) {
     add_cell(CellId{node}, coefficient, out);
   }
 }
 
 template <Ring R>
-void LeftMaps<R>::add_cell(CellId node, const Element& factor, Terms<R>& out) const {
+void LeftMaps<R>::add_cell(CellId node, const Element& factor, RawTerms<R>& out) const {
   if (const auto [cell, sign] = structure_.forest().find_oriented(node); cell != ops::none) {
     out.push_back({cell, sign > 0 ? factor : ring_.negate(factor)});
   }
@@ -165,9 +163,9 @@ std::uint64_t LeftMaps<R>::terms_of_f(Index generator) const {
 
 template <Ring R>
 Terms<R> LeftMaps<R>::h(Index generator) const {
-  Terms<R> path;
+  RawTerms<R> path;
   if (generators_.is_removal(generator)) {
-    return path;
+    return {};
   }
   const auto add = [&](CellId node) {
     add_path(node, structure_.forest().links(), ring_.negate(ring_.one()), path);
@@ -179,8 +177,7 @@ Terms<R> LeftMaps<R>::h(Index generator) const {
   for (const Index e : shifts_.added_to(generator)) {
     add(generators_.cell(e));
   }
-  sparse::normalize(ring_, path);
-  return path;
+  return std::move(path).normal(ring_);
 }
 
 #define SESAME_INSTANTIATE(R) template class LeftMaps<R>;

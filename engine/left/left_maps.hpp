@@ -43,32 +43,32 @@ class LeftMaps {
         shifts_{shifts},
         families_{families} {}
 
-  /// g of a current cell, in normal form; times a factor, added to `out` (not in normal form).
+  /// g of a current cell, in normal form; times a factor, added to `out`.
   [[nodiscard]] Terms<R> g(CellId cell) const;
-  void add_g(CellId cell, const Element& factor, Terms<R>& out) const;
+  void add_g(CellId cell, const Element& factor, RawTerms<R>& out) const;
   /// f of a chain of B, as a chain of current cells (indices are cell ids), in normal form.
   [[nodiscard]] Terms<R> f(std::span<const sparse::Term<R>> chain) const;
   /// How many terms `f` adds up, without writing out more than the factors of lazy families.
   [[nodiscard]] std::uint64_t terms_of_f(std::span<const sparse::Term<R>> chain) const;
   /// h of a generator, in normal form. Requires: there are no lazy families.
   [[nodiscard]] Terms<R> h(Index generator) const;
-  /// P(x) times a factor, added to `out` (not in normal form); of the path up to a number of removals.
-  void add_path(CellId x, LinkId links, const Element& factor, Terms<R>& out) const;
+  /// P(x) times a factor, added to `out`; of the path up to a number of removals.
+  void add_path(CellId x, LinkId links, const Element& factor, RawTerms<R>& out) const;
 
   /// The lazy cells in g of a cell, as chains of the lazy families: for a lazy cell itself, with the factor.
-  void add_lazy_part(CellId cell, const Element& factor, Terms<R>& out) const;
-  /// K of them, in current cells (not in normal form): the part of K of a current cell that no lift has.
-  void add_K_of_lazy_part(CellId cell, const Element& factor, Terms<R>& out) const;
+  void add_lazy_part(CellId cell, const Element& factor, RawTerms<R>& out) const;
+  /// K of them, in current cells: the part of K of a current cell that no lift has.
+  void add_K_of_lazy_part(CellId cell, const Element& factor, RawTerms<R>& out) const;
 
   /// The links ever followed on the paths P(x).
   [[nodiscard]] std::uint64_t links_followed() const { return links_followed_; }
 
  private:
   [[nodiscard]] std::uint64_t terms_of_f(Index generator) const;
-  void add_f(Index generator, const Element& factor, Terms<R>& out) const;
-  void add_as_now(std::span<const sparse::Term<R>> nodes, Terms<R>& out) const;
-  void add_cell(CellId node, const Element& factor, Terms<R>& out) const;
-  void add_g_at(CellId cell, const ops::Moment& moment, const Element& factor, Terms<R>& out) const;
+  void add_f(Index generator, const Element& factor, RawTerms<R>& out) const;
+  void add_as_now(const RawTerms<R>& nodes, RawTerms<R>& out) const;
+  void add_cell(CellId node, const Element& factor, RawTerms<R>& out) const;
+  void add_g_at(CellId cell, const ops::Moment& moment, const Element& factor, RawTerms<R>& out) const;
 
   R ring_;
   const Window& window_;

@@ -42,11 +42,10 @@ void add_columns(const std::vector<Symbol>& symbols, const Rewriter<R>& rewriter
 template <Ring R>
 Terms<R> boundary_of_pair(const R& ring, const PairTable& pairs, Symbol a, Symbol b, int degree_of_a,
                           const Columns<R>& columns) {
-  Terms<R> boundary;
+  RawTerms<R> boundary;
   pairs.add_tensor(ring, columns.at(a), {{b, ring.one()}}, ring.one(), boundary);
   pairs.add_tensor(ring, {{a, ring.one()}}, columns.at(b), ring.from(degree_of_a % 2 == 0 ? 1 : -1), boundary);
-  sparse::normalize(ring, boundary);
-  return boundary;
+  return std::move(boundary).normal(ring);
 }
 
 template <Ring R>

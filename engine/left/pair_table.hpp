@@ -32,7 +32,7 @@ class PairTable {
   /// left (x) right times a factor, two chains in symbols of the factors, in generators, added to `out`.
   template <Ring R>
   void add_tensor(const R& ring, const Terms<R>& left, const Terms<R>& right, const typename R::Element& factor,
-                  Terms<R>& out) const;
+                  RawTerms<R>& out) const;
 
  private:
   [[nodiscard]] static std::size_t index(const std::vector<Symbol>& symbols, Symbol x) {
@@ -62,7 +62,7 @@ PairTable::PairTable(std::vector<Symbol> left, std::vector<Symbol> right, Index 
 
 template <Ring R>
 void PairTable::add_tensor(const R& ring, const Terms<R>& left, const Terms<R>& right,
-                           const typename R::Element& factor, Terms<R>& out) const {
+                           const typename R::Element& factor, RawTerms<R>& out) const {
   for (const auto& [a, coefficient_a] : left) {
     const std::size_t row = index(left_, a) * right_.size();
     const auto scaled = ring.multiply(factor, coefficient_a);

@@ -3,13 +3,13 @@
 namespace sesame::engine {
 
 template <Ring R>
-void ProductMaps<R>::add_F(CellId cell, const Element& factor, Terms<R>& out) const {
+void ProductMaps<R>::add_F(CellId cell, const Element& factor, RawTerms<R>& out) const {
   const ops::LazyKey key = this->key(cell);
   this->add_F_of_pair(key.left.cell, key.right.cell, factor, out);
 }
 
 template <Ring R>
-void ProductMaps<R>::add_K(CellId cell, const Element& factor, Terms<R>& out) const {
+void ProductMaps<R>::add_K(CellId cell, const Element& factor, RawTerms<R>& out) const {
   const ops::LazyKey key = this->key(cell);
   this->add_K_of_pair(key.left.cell, key.right.cell, factor, out);
 }
@@ -22,7 +22,7 @@ std::uint64_t ProductMaps<R>::terms_of_K(CellId cell) const {
 
 /// Only the coefficients that count: K of a cell is as long as those of its factors multiplied.
 template <Ring R>
-void ProductMaps<R>::add_K_at(CellId cell, std::span<const CellId> at, const Element& factor, Terms<R>& out) const {
+void ProductMaps<R>::add_K_at(CellId cell, std::span<const CellId> at, const Element& factor, RawTerms<R>& out) const {
   const ops::LazyKey key = this->key(cell);
   const auto& left = factors_.homotopy(key.left.cell);
   const Terms<R>& right = factors_.homotopy(key.right.cell).K;
@@ -41,7 +41,7 @@ void ProductMaps<R>::add_K_at(CellId cell, std::span<const CellId> at, const Ele
 
 template <Ring R>
 void ProductMaps<R>::add_pairs(const Terms<R>& left, const Terms<R>& right, const Element& factor,
-                               Terms<R>& out) const {
+                               RawTerms<R>& out) const {
   const ops::Values& values = structure_.values();
   for (const auto& [a, coefficient_a] : left) {
     const Element scaled = ring_.multiply(factor, coefficient_a);

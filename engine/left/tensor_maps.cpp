@@ -5,7 +5,7 @@
 namespace sesame::engine {
 
 template <Ring R>
-void TensorMaps<R>::add_G(Index generator, const Element& factor, Terms<R>& out) const {
+void TensorMaps<R>::add_G(Index generator, const Element& factor, RawTerms<R>& out) const {
   const auto [a, b] = pairs_.pair(generator);
   add_pairs(factors_.G(a), factors_.G(b), factor, out);
 }
@@ -20,10 +20,10 @@ std::uint64_t TensorMaps<R>::terms_of_G(Index generator) const {
 template <Ring R>
 Terms<R> TensorMaps<R>::transposed_G(CellId cell) const {
   const auto [left, right] = std::pair{key(cell).left.cell, key(cell).right.cell};
-  Terms<R> generators;
+  RawTerms<R> generators;
   const int sign = sign_in_pair(key(cell));
   if (sign == 0) {
-    return generators;
+    return {};
   }
   const int p = structure_.dimension(left);
   const int q = structure_.dimension(right);
@@ -35,12 +35,11 @@ Terms<R> TensorMaps<R>::transposed_G(CellId cell) const {
       generators.push_back({generator, ring_.multiply(ring_.from(sign), ring_.multiply(of_left, of_right))});
     }
   }
-  sparse::normalize(ring_, generators);
-  return generators;
+  return std::move(generators).normal(ring_);
 }
 
 template <Ring R>
-void TensorMaps<R>::add_K_of_pair(CellId a, CellId b, const Element& factor, Terms<R>& out) const {
+void TensorMaps<R>::add_K_of_pair(CellId a, CellId b, const Element& factor, RawTerms<R>& out) const {
   const auto& of_a = factors_.homotopy(a);
   const Terms<R>& of_b = factors_.homotopy(b).K;
   add_pairs(of_a.K, {{b, ring_.one()}}, factor, out);

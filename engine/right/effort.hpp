@@ -43,10 +43,11 @@ template <class Element>
   }
   return 1;
 }
-template <Ring R>
-[[nodiscard]] std::uint64_t words_of(const Terms<R>& terms) {
+/// Of Terms or RawTerms.
+template <class Vector>
+[[nodiscard]] std::uint64_t words_of(const Vector& terms) {
   std::uint64_t sum = 0;
-  for (const sparse::Term<R>& term : terms) {
+  for (const auto& term : terms) {
     sum += words(term.coefficient);
   }
   return sum;

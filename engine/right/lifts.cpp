@@ -96,7 +96,7 @@ void Lifts<R>::drop_work() {
 /// told of those of a combination, `add_rule(rule, coefficient)` of those of the symbols b of rules.
 template <Ring R>
 template <class Add, class AddRule>
-void Lifts<R>::expand(RuleId time, Symbol x, const Element& a, Terms<R>& generators, Add add, AddRule add_rule) {
+void Lifts<R>::expand(RuleId time, Symbol x, const Element& a, RawTerms<R>& generators, Add add, AddRule add_rule) {
   if (const auto* combination = rules_.combination(x)) {
     add(combination->rule, combination->x, a);
     add(combination->rule, combination->y, ring_.negate(ring_.multiply(a, combination->q)));
@@ -124,15 +124,14 @@ Terms<R> Lifts<R>::lift(std::span<const TermType> chain_of_s, const Trace<R>& tr
   for (const auto& [rule, coefficient] : trace) {
     add_rule(rule, coefficient);
   }
-  Terms<R> chain;
+  RawTerms<R> chain;
   while (!pending.empty()) {
     const auto node = pending.extract(pending.begin());
     if (!ring_.is_zero(node.mapped())) {
       expand(node.key().first, node.key().second, node.mapped(), chain, add, add_rule);
     }
   }
-  sparse::normalize(ring_, chain);
-  return chain;
+  return std::move(chain).normal(ring_);
 }
 
 template <Ring R>
@@ -154,7 +153,7 @@ typename Lifts<R>::Expansion Lifts<R>::expansion(Symbol x, RuleId time) {
 /// delta(V), in symbols from `first` on. Requires: the rules of the trace are up to date.
 template <Ring R>
 Terms<R> Lifts<R>::gain_of(const Expansion& v, Symbol first) {
-  Terms<R> gain;
+  RawTerms<R> gain;
   for (const TermType& part : v.generators) {
     boundary_.for_each_in_column(part.index, [&](const TermType& term) {
       if (term.index > part.index && rules_.symbol_of(term.index) >= first) {
@@ -169,9 +168,8 @@ Terms<R> Lifts<R>::gain_of(const Expansion& v, Symbol first) {
       }
     }
   }
-  effort_.spend(words_of<R>(gain));
-  sparse::normalize(ring_, gain);
-  return gain;
+  effort_.spend(words_of(gain));
+  return std::move(gain).normal(ring_);
 }
 
 /// With a stack of its own, for chains of rules can be as long as the history.
@@ -203,7 +201,7 @@ void Lifts<R>::take_in(RuleId rule) {
     const Terms<R> gain = gain_of(top.lift, perturbations_.first_missing(top.rule));
     perturbations_.take_in(top.rule, gain);
     effort_.read(gain.size() + top.lift.trace.size());
-    effort_.spend(words_of<R>(gain));
+    effort_.spend(words_of(gain));
     stack.pop_back();
   }
 }

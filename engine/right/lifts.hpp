@@ -62,7 +62,7 @@ class Lifts {
  private:
   /// V_t(x) = generators - sum trace[a] V(b_a).
   struct Expansion {
-    Terms<R> generators;
+    RawTerms<R> generators;
     Trace<R> trace;
   };
 
@@ -70,7 +70,7 @@ class Lifts {
   Trace<R> run_trace(RuleId before, Begin begin);
   Trace<R> trace_of_boundary(Symbol x, RuleId before);
   template <class Add, class AddRule>
-  void expand(RuleId time, Symbol x, const Element& coefficient, Terms<R>& generators, Add add, AddRule add_rule);
+  void expand(RuleId time, Symbol x, const Element& coefficient, RawTerms<R>& generators, Add add, AddRule add_rule);
   [[nodiscard]] Expansion expansion(Symbol x, RuleId time);
   [[nodiscard]] Terms<R> gain_of(const Expansion& v, Symbol first);
 

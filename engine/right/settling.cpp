@@ -129,7 +129,7 @@ void Settling<R>::substitute_row(Symbol row, std::span<const TermType> value) {
     const Element coefficient = at->coefficient;
     column.erase(at);
     sparse::add_multiple(ring_, column, coefficient, value);
-    effort_.spend(words_of<R>(column));
+    effort_.spend(words_of(column));
     core_.set(z, std::move(column));
     unsettled_.insert(z);
   }
@@ -144,7 +144,7 @@ void Settling<R>::settle() {
       const Symbol x = *unsettled_.begin();
       unsettled_.erase(unsettled_.begin());
       if (const Terms<R>* column = core_.find(x)) {
-        effort_.spend(words_of<R>(*column));
+        effort_.spend(words_of(*column));
         settle_column(x);
       }
     }

@@ -9,6 +9,7 @@
 namespace sesame::engine {
 
 using sparse::Index;
+using sparse::RawTerms;
 using sparse::Ring;
 using sparse::Terms;
 

@@ -49,16 +49,15 @@ GrowingComplex<R> in_random_order(Random& random, const ChainComplex<R>& complex
   while (!waiting.empty()) {
     const auto at = waiting.begin() + random.in(0, static_cast<int>(waiting.size()) - 1);
     const auto [p, x] = *at;
-    Terms<R> column = complex.boundary(p).column(x);
+    sparse::RawTerms<R> column;
     bool is_ready = true;
-    for (auto& term : column) {
+    for (const auto& term : complex.boundary(p).column(x)) {
       const auto row = place.find({p - 1, term.index});
       is_ready = is_ready && row != place.end();
-      term.index = is_ready ? row->second : 0;
+      column.push_back({is_ready ? row->second : 0, term.coefficient});
     }
     if (is_ready) {
-      sparse::normalize(complex.ring(), column);
-      place[{p, x}] = growing.append(p, column);
+      place[{p, x}] = growing.append(p, std::move(column).normal(complex.ring()));
       waiting.erase(at);
     }
   }
@@ -87,22 +86,21 @@ Terms<R> rewritten(const R& ring, const engine::Rules<R>& rules, const Terms<R>&
       }
     }
   }
-  Terms<R> image;
+  sparse::RawTerms<R> image;
   for (const auto& [x, coefficient] : sum) {
     image.push_back({x, coefficient});
   }
-  sparse::normalize(ring, image);
-  return image;
+  return std::move(image).normal(ring);
 }
 
 /// A chain of generators of B in symbols.
 template <Ring R>
-Terms<R> in_symbols(const R& ring, const engine::Rules<R>& rules, Terms<R> chain) {
-  for (auto& term : chain) {
-    term.index = rules.symbol_of(term.index);
+Terms<R> in_symbols(const R& ring, const engine::Rules<R>& rules, const Terms<R>& chain) {
+  sparse::RawTerms<R> symbols;
+  for (const auto& term : chain) {
+    symbols.push_back({rules.symbol_of(term.index), term.coefficient});
   }
-  sparse::normalize(ring, chain);
-  return chain;
+  return std::move(symbols).normal(ring);
 }
 
 template <Ring R>
