@@ -5,22 +5,22 @@
 namespace sesame::sparse {
 
 template <Ring R>
-void normalize(const R& ring, Terms<R>& terms) {
+void RawTerms<R>::normalize(const R& ring) {
   const auto by_index = [](const Term<R>& a, const Term<R>& b) { return a.index < b.index; };
-  if (!std::is_sorted(terms.begin(), terms.end(), by_index)) {
-    std::sort(terms.begin(), terms.end(), by_index);  // equal indices get added: their order does not matter
+  if (!std::is_sorted(terms_.begin(), terms_.end(), by_index)) {
+    std::sort(terms_.begin(), terms_.end(), by_index);  // equal indices get added: their order does not matter
   }
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < terms.size();) {
-    Term<R> sum = std::move(terms[i]);
-    for (++i; i < terms.size() && terms[i].index == sum.index; ++i) {
-      sum.coefficient = ring.add(sum.coefficient, terms[i].coefficient);
+  for (std::size_t i = 0; i < terms_.size();) {
+    Term<R> sum = std::move(terms_[i]);
+    for (++i; i < terms_.size() && terms_[i].index == sum.index; ++i) {
+      sum.coefficient = ring.add(sum.coefficient, terms_[i].coefficient);
     }
     if (!ring.is_zero(sum.coefficient)) {
-      terms[kept++] = std::move(sum);
+      terms_[kept++] = std::move(sum);
     }
   }
-  terms.resize(kept);
+  terms_.resize(kept);
 }
 
 template <Ring R>
@@ -97,7 +97,7 @@ std::string Chain<R>::to_string(std::string_view letter) const {
 }
 
 #define SESAME_INSTANTIATE(R)                                                                      \
-  template void normalize<R>(const R&, Terms<R>&);                                                 \
+  template class RawTerms<R>;                                                                      \
   template void add_multiple<R>(const R&, Terms<R>&, const R::Element&, std::span<const Term<R>>); \
   template std::string to_string<R>(const R&, std::span<const Term<R>>, std::string_view);         \
   template class Chain<R>;

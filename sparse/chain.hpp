@@ -31,10 +31,6 @@ struct Term {
 template <Ring R>
 using Terms = std::vector<Term<R>>;
 
-/// Brings any list of terms to normal form: sorts, adds equal indices, drops zeros. Cost O(n log n).
-template <Ring R>
-void normalize(const R& ring, Terms<R>& terms);
-
 /// A sum that is being collected: terms in any order, perhaps repeated, perhaps zero. A type of its own, so that nobody
 /// takes them for `Terms`, which they become at the end.
 template <Ring R>
@@ -54,18 +50,20 @@ class RawTerms {
 
   /// The sum. Cost O(n log n) for n terms, O(n) when they are in order.
   [[nodiscard]] Terms<R> normal(const R& ring) && {
-    normalize(ring, terms_);
+    normalize(ring);
     return std::move(terms_);
   }
   /// The same into `out`; afterwards there are no terms here. Both keep their room for the next time.
   void finish(const R& ring, Terms<R>& out) {
-    normalize(ring, terms_);
+    normalize(ring);
     out.swap(terms_);
     terms_.clear();
   }
 
  private:
-  Terms<R> terms_;
+  void normalize(const R& ring);
+
+  std::vector<Term<R>> terms_;
 };
 
 /// into += factor * terms, both in normal form. Cost O(|into| + |terms|).
