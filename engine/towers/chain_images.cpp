@@ -21,14 +21,14 @@ std::vector<typename ChainImages<R>::Image>& ChainImages<R>::images_of(std::size
   return images_[at];
 }
 
-/// boundary_ += factor g(cell).
+/// gathered_ += factor g(cell).
 template <Ring R>
 void ChainImages<R>::add_cell(std::size_t dimension, Slot slot, const Element& factor) {
   const Image& image = images_of(dimension)[slot];
-  boundary_.push_back({image.generator, image.is_negative ? ring_.negate(factor) : factor});
+  gathered_.push_back({image.generator, image.is_negative ? ring_.negate(factor) : factor});
   if (image.corrections != no_terms) {
     for (const TermType& each : corrections_[image.corrections]) {
-      boundary_.push_back({each.index, ring_.multiply(factor, each.coefficient)});
+      gathered_.push_back({each.index, ring_.multiply(factor, each.coefficient)});
     }
   }
 }
@@ -36,7 +36,7 @@ void ChainImages<R>::add_cell(std::size_t dimension, Slot slot, const Element& f
 template <Ring R>
 void ChainImages<R>::include(std::size_t dimension, Slot slot, std::span<const Slot> facets) {
   Element sign = ring_.one();
-  boundary_.clear();
+  gathered_.clear();
   for (const Slot facet : facets) {
     add_cell(dimension - 1, facet, sign);
     sign = ring_.negate(sign);
@@ -51,7 +51,7 @@ void ChainImages<R>::include(std::size_t dimension, Slot slot, std::span<const S
 
 template <Ring R>
 void ChainImages<R>::contract(std::size_t dimension, const TowerComplex::Change& change) {
-  boundary_.clear();
+  gathered_.clear();
   add_cell(dimension, change.slot, ring_.one());
   if (change.fate == TowerComplex::Fate::merged) {
     add_cell(dimension, change.survivor, change.is_reversed ? ring_.one() : ring_.negate(ring_.one()));
@@ -82,11 +82,11 @@ void ChainImages<R>::reverse(std::size_t dimension, Slot slot) {
 
 // ---- generators
 
-/// The generator whose boundary is boundary_.
+/// The generator whose boundary is gathered_.
 template <Ring R>
 typename ChainImages<R>::Generator ChainImages<R>::append(std::size_t dimension) {
   sparse::expects(std::max(generators_.size(), times_.size()) < negative_mark, "fewer than 2^32 - 2 generators");
-  sparse::normalize(ring_, boundary_);
+  gathered_.finish(ring_, boundary_);
   const Generator b = next_generator();
   generators_.push_back({terms_.size(), static_cast<std::uint32_t>(boundary_.size()), alive_mark,
                          static_cast<std::uint32_t>(times_.size() - 1), inclusion_,

@@ -127,7 +127,8 @@ class ChainImages final : public BarCycles {
   std::vector<sparse::Terms<R>> corrections_;
   std::vector<std::vector<Generator>> bearers_;  ///< per dimension and node that is alive
   sparse::DescendingSum<R> sum_;
-  sparse::Terms<R> boundary_;               ///< of the next generator
+  sparse::RawTerms<R> gathered_;            ///< the boundary of the next generator
+  sparse::Terms<R> boundary_;               ///< the same in normal form
   std::uint32_t inclusion_ = no_inclusion;  ///< of the next generator
   sparse::Terms<R> column_;
 };

@@ -36,7 +36,7 @@ struct PlainBasis {
 
 void check(const engine::BasisShifts<Integers>& shifts, const PlainBasis& plain) {
   for (Index x = 0; x < plain.rows.size(); ++x) {
-    Terms<Integers> as_created;
+    sparse::RawTerms<Integers> as_created;
     shifts.add_as_created(x, Integers::Element{2}, as_created);
     Row sum(plain.rows.size(), 0);
     for (const auto& [index, coefficient] : as_created) {

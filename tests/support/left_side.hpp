@@ -25,24 +25,24 @@ Terms<R> one_term(const R& ring, Index index) {
 /// A linear map, given on generators, of a chain.
 template <sparse::Ring R, class Map>
 Terms<R> applied(const R& ring, const Map& map, const Terms<R>& chain) {
-  Terms<R> sum;
+  sparse::RawTerms<R> sum;
   for (const auto& [index, coefficient] : chain) {
     for (const auto& [other, factor] : map(index)) {
       sum.push_back({other, ring.multiply(coefficient, factor)});
     }
   }
-  sparse::normalize(ring, sum);
-  return sum;
+  return std::move(sum).normal(ring);
 }
 
 template <sparse::Ring R>
 Terms<R> sum_of(const R& ring, const std::vector<Terms<R>>& chains) {
-  Terms<R> sum;
+  sparse::RawTerms<R> sum;
   for (const Terms<R>& chain : chains) {
-    sum.insert(sum.end(), chain.begin(), chain.end());
+    for (const auto& term : chain) {
+      sum.push_back(term);
+    }
   }
-  sparse::normalize(ring, sum);
-  return sum;
+  return std::move(sum).normal(ring);
 }
 
 /// Follows the steps of a structure. Maps of cells and generators are in normal form.
@@ -117,22 +117,20 @@ class LeftSide {
   Terms<R> g(ops::CellId cell) const { return maps().g(cell); }
   Terms<R> h(Index generator) const { return maps().h(generator); }
   Terms<R> K(ops::CellId cell) const {
-    Terms<R> out;
+    sparse::RawTerms<R> out;
     maps().add_K_of_lazy_part(cell, ring_.one(), out);
-    sparse::normalize(ring_, out);
-    return out;
+    return std::move(out).normal(ring_);
   }
   Terms<R> boundary_of_generator(Index generator) const { return big_.boundary().column(generator); }
   Terms<R> boundary_of_cell(ops::CellId cell) const {
-    Terms<R> out;
+    sparse::RawTerms<R> out;
     const auto faces = structure().faces().of(cell);
     for (std::uint32_t k = 0; k < faces.size(); ++k) {
       if (const auto [face, sign] = structure().forest().find_oriented(faces[k]); face != ops::none) {
         out.push_back({face, ring_.from(sign * structure().faces().sign(cell, k))});
       }
     }
-    sparse::normalize(ring_, out);
-    return out;
+    return std::move(out).normal(ring_);
   }
 
  private:
