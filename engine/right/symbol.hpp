@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "ops/ids.hpp"
 #include "sparse/chain.hpp"
 
 namespace sesame::engine {
@@ -18,7 +19,7 @@ using Symbol = sparse::Index;
 inline constexpr Symbol no_symbol = UINT32_MAX;
 
 /// Rules are counted from 0 in the order in which they were made; time t is the moment when t of them existed.
-using RuleId = std::uint32_t;
-inline constexpr RuleId no_rule = UINT32_MAX;
+using RuleId = ops::Id<struct RuleOfRewriting>;
+inline constexpr RuleId no_rule = ops::none;
 
 }  // namespace sesame::engine

@@ -167,7 +167,7 @@ void TowerComplex::contract() {
     vertices_of_labels_.insert(sparse::spread_bits(merged_label_), kept_);
   }
   free_slot(0, moved_);
-  moved_ = nothing;
+  moved_ = none;
 }
 
 // ---- questions

@@ -94,7 +94,7 @@ class TowerComplex {
   std::array<Slot, largest_dimension + 1> facets_{};
   std::size_t facets_size_ = 0;
   Changes changes_;
-  Vertex moved_ = nothing, kept_ = nothing;
+  Vertex moved_ = none, kept_ = none;
   Label merged_label_ = 0;
 };
 

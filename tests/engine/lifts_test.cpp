@@ -120,8 +120,8 @@ TEST_CASE("Lifts: a triangle's edges are traced by the rules that eliminated its
   rules.eliminate(1, 3, {{0, -1}, {1, 1}});
   rules.eliminate(2, 4, {{0, -1}, {2, 1}});
   // Vertex 2 was rewritten by the second rule only: its value is 0, as the boundary of 4 had been rewritten then.
-  CHECK(lifts.trace(Terms<Integers>{{2, 1}}) == engine::Trace<Integers>{{1, 1}});
-  CHECK(lifts.lift({}, {{1, 1}}) == Terms<Integers>{{3, 1}, {4, 1}});  // V(12) = 12 + 01: its boundary is 2 - 0
+  CHECK(lifts.trace(Terms<Integers>{{2, 1}}) == engine::Trace<Integers>{{RuleId{1U}, 1}});
+  CHECK(lifts.lift({}, {{RuleId{1U}, 1}}) == Terms<Integers>{{3, 1}, {4, 1}});  // V(12) = 12 + 01: its boundary is 2 - 0
   CHECK(lifts.lift(Terms<Integers>{{5, 1}}) == Terms<Integers>{{3, -1}, {4, -1}, {5, 1}});  // the loop
 }
 

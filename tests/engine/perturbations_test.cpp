@@ -90,7 +90,7 @@ struct Recording {
     if (rules.size() == 0) {
       return;
     }
-    const auto rule = static_cast<RuleId>(random.in(0, static_cast<int>(rules.size()) - 1));
+    const auto rule = RuleId{static_cast<unsigned>(random.in(0, static_cast<int>(rules.size()) - 1))};
     const std::size_t from = first_unseen(rule);
     if (from == plain.all.size()) {
       return;

@@ -19,8 +19,6 @@ namespace {
 struct Picture {
   std::vector<CellId> cell;  ///< per node: the current cell, or none
   std::vector<int> sign;
-
-  friend bool operator==(const Picture&, const Picture&) = default;
 };
 
 void check(const Forest& forest, const std::vector<Picture>& after) {
