@@ -36,13 +36,10 @@ template <Ring R>
 CellChain Chains<R>::boundary(const CellChain& chain) const {
   RawTerms<R> out;
   for (const auto& [coefficient, cell] : chain.terms) {
-    const auto faces = structure_.faces().of(cell);
     const auto element = in_own_orientation(cell, coefficient);
-    for (std::uint32_t k = 0; k < faces.size(); ++k) {
-      if (const auto [face, sign] = structure_.forest().find_oriented(faces[k]); face != ops::none) {
-        out.push_back({face, sign * structure_.faces().sign(cell, k) > 0 ? element : ring_.negate(element)});
-      }
-    }
+    structure_.faces().for_each_now(cell, [&](CellId face, int sign) {
+      out.push_back({face, sign > 0 ? element : ring_.negate(element)});
+    });
   }
   return to_chain(chain.degree - 1, std::move(out).normal(ring_));
 }

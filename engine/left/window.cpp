@@ -14,11 +14,11 @@ Window::Window(const Structure& structure, std::vector<CellId> cells)
   first_coface_.assign(cells_.size() + 1, 0);
   for (std::uint32_t at = 0; at < cells_.size(); ++at) {
     const CellId cell = cells_[at];
-    const auto nodes = structure.faces().of(cell);
-    for (std::uint32_t k = 0; k < nodes.size(); ++k) {
-      const auto [face, sign] = structure.forest().find_oriented(nodes[k]);
+    const auto arity = static_cast<std::uint32_t>(structure.faces().of(cell).size());
+    for (std::uint32_t k = 0; k < arity; ++k) {
+      const auto [face, sign] = structure.faces().now(cell, k);
       faces_.push_back(face);
-      signs_.push_back(static_cast<std::int8_t>(sign * structure.faces().sign(cell, k)));
+      signs_.push_back(static_cast<std::int8_t>(sign));
       if (face != ops::none) {
         const auto place = places_.find(face);
         sparse::expects(place != places_.end(), "each cell comes after its faces");

@@ -45,8 +45,23 @@ class Faces {
   }
   /// The sign of the face in the boundary of the cell after a move.
   [[nodiscard]] int sign_after(const MadeMove& made) const { return in_order(made.cell, made.slot, made.order_after); }
-  /// The cell that face k of c was at a moment, or none, with its sign in the boundary of c.
+  /// The cell that face k of c is now, was at a moment, or none, with its sign in the boundary of c.
+  [[nodiscard]] OrientedCell now(CellId c, std::uint32_t k) const {
+    const OrientedCell face = forest_.find_oriented(of(c)[k]);
+    return {face.cell, sign(c, k) * face.sign};
+  }
   [[nodiscard]] OrientedCell at(CellId c, std::uint32_t k, const Moment& moment) const;
+  /// The boundary of c, now and at a moment: calls visit(cell, sign) for each face that is not degenerate.
+  template <class Visit>
+  void for_each_now(CellId c, Visit&& visit) const {
+    for_each_cell(
+        c, [&](std::uint32_t k) { return now(c, k); }, visit);
+  }
+  template <class Visit>
+  void for_each_at(CellId c, const Moment& moment, Visit&& visit) const {
+    for_each_cell(
+        c, [&](std::uint32_t k) { return at(c, k, moment); }, visit);
+  }
 
   /// The places where a node was given as a face since a moment: at the creation of cells, and by moves. As (cell as
   /// created, number). Stops when there are more than `most`. Cost: their number, times the logarithm of the cells.
@@ -54,6 +69,15 @@ class Faces {
                                                                         std::size_t most = SIZE_MAX) const;
 
  private:
+  template <class Face, class Visit>
+  void for_each_cell(CellId c, Face&& face, Visit&& visit) const {
+    const auto arity = static_cast<std::uint32_t>(cells_.faces(c).size());
+    for (std::uint32_t k = 0; k < arity; ++k) {
+      if (const auto [cell, sign] = face(k); cell != none) {
+        visit(cell, sign);
+      }
+    }
+  }
   [[nodiscard]] int in_order(CellId c, std::uint32_t k, OrderId order) const {
     const int sign = cells_.type(c).faces[k].sign;
     return order == same_order ? sign : sign * maps_.sign(order);

@@ -192,13 +192,11 @@ template <Ring R>
 ChainComplex<R> chain_complex(const Structure& structure, const CellBasis& basis, Moment moment, const R& ring) {
   return reductions::complex_by_columns(ring, basis, [&](CellId cell) {
     RawTerms<R> terms;
-    const auto arity = static_cast<std::uint32_t>(structure.cells().type(cell).faces.size());
-    for (std::uint32_t k = 0; k < arity; ++k) {
-      const auto [face, sign] = structure.faces().at(cell, k, moment);
-      if (face != none && basis.contains(face)) {
+    structure.faces().for_each_at(cell, moment, [&](CellId face, int sign) {
+      if (basis.contains(face)) {
         terms.push_back({face, ring.from(sign)});
       }
-    }
+    });
     return terms;
   });
 }

@@ -1,11 +1,11 @@
 #include "tools/bench/eager_method.hpp"
-#include "ops/cells/cofaces.hpp"
 
 #include <algorithm>
 #include <map>
 #include <set>
 #include <variant>
 
+#include "ops/cells/cofaces.hpp"
 #include "ops/plan/step_sequence.hpp"
 
 namespace sesame::tools {
@@ -182,15 +182,10 @@ void EagerMethod<R>::split_cells() {
 
 template <sparse::Ring R>
 auto EagerMethod<R>::boundary(CellId cell, const ops::Moment& moment) const -> Terms {
-  const ops::Structure& structure = object_.structure();
   sparse::RawTerms<R> terms;
-  const auto arity = static_cast<std::uint32_t>(structure.cells().type(cell).faces.size());
-  for (std::uint32_t k = 0; k < arity; ++k) {
-    const auto [face, sign] = structure.faces().at(cell, k, moment);
-    if (face != ops::none) {
-      terms.push_back({face, ring_.from(sign)});
-    }
-  }
+  object_.structure().faces().for_each_at(cell, moment, [&](CellId face, int sign) {
+    terms.push_back({face, ring_.from(sign)});
+  });
   return std::move(terms).normal(ring_);
 }
 

@@ -49,12 +49,9 @@ reductions::ChainComplex<R> PresentComplex::matrices(const R& ring) {
   for (const auto& cells : cells_) {
     sparse::Matrix<R> boundary(ring, sizes.empty() ? 0 : sizes.back(), 0);
     for (const CellId cell : cells) {
-      const auto faces = structure_.faces().of(cell);
-      for (std::uint32_t k = 0; k < faces.size(); ++k) {
-        if (const auto [face, sign] = structure_.forest().find_oriented(faces[k]); face != ops::none) {
-          faces_of_cell.push_back({position_[face], ring.from(sign * structure_.faces().sign_as_created(cell, k))});
-        }
-      }
+      structure_.faces().for_each_now(cell, [&](CellId face, int sign) {
+        faces_of_cell.push_back({position_[face], ring.from(sign)});
+      });
       faces_of_cell.finish(ring, terms);
       boundary.append_column(terms);
     }
