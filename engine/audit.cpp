@@ -39,11 +39,7 @@ reductions::Equivalence<R> matrices_of(LiveEquivalence<R>& live) {
     big.add(big_complex.degree(b), b);
   }
   reductions::Basis<Symbol> small;
-  for (int p = 0; p < static_cast<int>(rewriter.small_counts().size()); ++p) {
-    for (const Symbol x : rewriter.small(p)) {
-      small.add(p, x);
-    }
-  }
+  rewriter.for_each_small([&](Symbol x) { small.add(rewriter.degree(x), x); });
   const ChainComplex<R> c = ops::chain_complex(structure, object, ops::now(structure), ring);
   const ChainComplex<R> b =
       reductions::complex_by_columns(ring, big, [&](Index x) { return big_complex.boundary().column(x); });

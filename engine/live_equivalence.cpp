@@ -166,11 +166,7 @@ void LiveEquivalence<R>::go_back_to(const Mark& mark) {
 template <Ring R>
 std::uint64_t LiveEquivalence<R>::small_of(ops::BodyId body) const {
   std::uint64_t count = 0;
-  for (int p = 0; p < static_cast<int>(rewriter_.small_counts().size()); ++p) {
-    for (const Symbol x : rewriter_.small(p)) {
-      count += big_.body_of(rewriter_.generator_in(x)) == body ? 1 : 0;
-    }
-  }
+  rewriter_.for_each_small([&](Symbol x) { count += big_.body_of(rewriter_.generator_in(x)) == body ? 1 : 0; });
   return count;
 }
 
@@ -184,11 +180,9 @@ std::vector<Lifetime> LiveEquivalence<R>::lifetimes() const {
   };
   std::vector<Lifetime> lifetimes;
   rewriter_.for_each_pair([&](Index a, Index b) { lifetimes.push_back({big_.degree(a), step_of(a), step_of(b)}); });
-  for (int p = 0; p < static_cast<int>(rewriter_.small_counts().size()); ++p) {
-    for (const Symbol x : rewriter_.small(p)) {
-      lifetimes.push_back({p, step_of(rewriter_.generator_in(x)), Lifetime::never});
-    }
-  }
+  rewriter_.for_each_small([&](Symbol x) {
+    lifetimes.push_back({rewriter_.degree(x), step_of(rewriter_.generator_in(x)), Lifetime::never});
+  });
   return lifetimes;
 }
 

@@ -37,6 +37,15 @@ class Accumulator {
   /// The sum so far at an index that is part of this sum, which is set to zero.
   Element take(Index index) { return std::exchange(values_[index], ring_.zero()); }
 
+  /// A fresh start: the sum so far is forgotten. Cost O(n) for n indices.
+  void clear() {
+    for (const Index index : touched_) {
+      (void)take(index);
+      present_[index] = 0;
+    }
+    touched_.clear();
+  }
+
   /// The sum in normal form, and a fresh start. Cost O(n log n) for n indices.
   void finish(Terms<R>& out) {
     out.clear();

@@ -69,9 +69,8 @@ std::string to_string(const R& ring, std::span<const Term<R>> terms, std::string
 
 template <Ring R>
 typename R::Element Chain<R>::coefficient(Index generator) const {
-  const auto at = std::lower_bound(terms_.begin(), terms_.end(), generator,
-                                   [](const Term<R>& term, Index index) { return term.index < index; });
-  return at != terms_.end() && at->index == generator ? at->coefficient : ring_.zero();
+  const Term<R>* term = find_term<R>(terms_, generator);
+  return term != nullptr ? term->coefficient : ring_.zero();
 }
 
 template <Ring R>

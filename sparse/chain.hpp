@@ -2,6 +2,7 @@
 /// Finite formal sums of generators: terms, term vectors, and chains that know their degree.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -65,6 +66,14 @@ class RawTerms {
 
   std::vector<Term<R>> terms_;
 };
+
+/// The term of a vector in normal form at an index, or null. Cost: the logarithm of its length.
+template <Ring R>
+[[nodiscard]] const Term<R>* find_term(const Terms<R>& terms, Index index) {
+  const auto at = std::lower_bound(terms.begin(), terms.end(), index,
+                                   [](const Term<R>& term, Index wanted) { return term.index < wanted; });
+  return at != terms.end() && at->index == index ? &*at : nullptr;
+}
 
 /// into += factor * terms, both in normal form. Cost O(|into| + |terms|).
 template <Ring R>

@@ -169,10 +169,8 @@ class DiagonalElimination {
   }
 
   [[nodiscard]] const Element* find(Index row, Index column) const {
-    const Terms<R>& terms = columns_[column];
-    const auto at = std::lower_bound(terms.begin(), terms.end(), row,
-                                     [](const Term<R>& term, Index index) { return term.index < index; });
-    return at != terms.end() && at->index == row ? &at->coefficient : nullptr;
+    const Term<R>* term = find_term<R>(columns_[column], row);
+    return term != nullptr ? &term->coefficient : nullptr;
   }
 
   /// Takes multiples of the pivot's column off the others that meet its row. The least remainder, if there is one.

@@ -48,10 +48,8 @@ void BasisShifts<R>::substitute(Index key, Index generator, Index e) {
   if (is_new) {
     chain->second = {{key, ring_.one()}};
   }
-  const auto at = std::find_if(chain->second.begin(), chain->second.end(),
-                               [&](const sparse::Term<R>& term) { return term.index == generator; });
-  if (at != chain->second.end()) {
-    const auto coefficient = ring_.negate(at->coefficient);
+  if (const sparse::Term<R>* term = sparse::find_term<R>(chain->second, generator)) {
+    const auto coefficient = ring_.negate(term->coefficient);
     sparse::add_multiple<R>(ring_, chain->second, coefficient, Terms<R>{{e, ring_.one()}});
     in_as_created_[e].insert(key);
   }

@@ -110,15 +110,22 @@ void LeftMaps<R>::add_f(Index generator, const Element& factor, RawTerms<R>& out
     add_as_now(cells, out);
     return;
   }
-  const auto add_difference = [&](CellId node) {
-    add_cell(node, factor, out);
+  for_each_node_of(generator,
+                   [&](CellId node, int sign) { add_cell(node, sign > 0 ? factor : ring_.negate(factor), out); });
+}
+
+template <Ring R>
+template <class Visit>
+void LeftMaps<R>::for_each_node_of(Index generator, Visit visit) const {
+  const auto visit_difference = [&](CellId node) {
+    visit(node, 1);
     if (const ops::SplitHistory::Copy* copy = window_.copy(node)) {
-      add_cell(copy->source, ring_.negate(factor), out);
+      visit(copy->source, -1);
     }
   };
-  add_difference(generators_.cell(generator));
+  visit_difference(generators_.cell(generator));
   for (const Index e : shifts_.added_to(generator)) {
-    add_difference(generators_.cell(e));
+    visit_difference(generators_.cell(e));
   }
 }
 
@@ -167,16 +174,8 @@ Terms<R> LeftMaps<R>::h(Index generator) const {
   if (generators_.is_removal(generator)) {
     return {};
   }
-  const auto add = [&](CellId node) {
-    add_path(node, structure_.forest().links(), ring_.negate(ring_.one()), path);
-    if (const ops::SplitHistory::Copy* copy = window_.copy(node)) {
-      add_path(copy->source, structure_.forest().links(), ring_.one(), path);
-    }
-  };
-  add(generators_.cell(generator));
-  for (const Index e : shifts_.added_to(generator)) {
-    add(generators_.cell(e));
-  }
+  for_each_node_of(
+      generator, [&](CellId node, int sign) { add_path(node, structure_.forest().links(), ring_.from(-sign), path); });
   return std::move(path).normal(ring_);
 }
 

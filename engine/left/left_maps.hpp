@@ -64,6 +64,10 @@ class LeftMaps {
   [[nodiscard]] std::uint64_t links_followed() const { return links_followed_; }
 
  private:
+  /// What a generator of a cell stands for now: calls visit(node, sign) for y and, with -1, for x when it was made for
+  /// a copy y of x, and likewise for each e that was added to it.
+  template <class Visit>
+  void for_each_node_of(Index generator, Visit visit) const;
   [[nodiscard]] std::uint64_t terms_of_f(Index generator) const;
   void add_f(Index generator, const Element& factor, RawTerms<R>& out) const;
   void add_as_now(const RawTerms<R>& nodes, RawTerms<R>& out) const;

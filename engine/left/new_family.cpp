@@ -15,13 +15,11 @@ namespace {
 template <Ring R>
 std::vector<Symbol> symbols_of(ops::BodyId body, const BigComplex<R>& big, const Rewriter<R>& rewriter) {
   std::vector<Symbol> symbols;
-  for (int p = 0; p < static_cast<int>(rewriter.small_counts().size()); ++p) {
-    for (const Symbol x : rewriter.small(p)) {
-      if (big.body_of(rewriter.generator_in(x)) == body) {
-        symbols.push_back(x);
-      }
+  rewriter.for_each_small([&](Symbol x) {
+    if (big.body_of(rewriter.generator_in(x)) == body) {
+      symbols.push_back(x);
     }
-  }
+  });
   std::sort(symbols.begin(), symbols.end());
   return symbols;
 }

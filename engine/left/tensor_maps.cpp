@@ -59,9 +59,8 @@ std::uint64_t TensorMaps<R>::terms_of_K_of_pair(CellId a, CellId b) const {
 
 template <Ring R>
 typename R::Element TensorMaps<R>::coefficient_at(const Terms<R>& chain, CellId cell) const {
-  const auto at = std::lower_bound(chain.begin(), chain.end(), cell,
-                                   [](const sparse::Term<R>& term, CellId c) { return term.index < c; });
-  return at != chain.end() && at->index == cell ? at->coefficient : ring_.zero();
+  const sparse::Term<R>* term = sparse::find_term<R>(chain, cell);
+  return term != nullptr ? term->coefficient : ring_.zero();
 }
 
 #define SESAME_INSTANTIATE(R) template class TensorMaps<R>;

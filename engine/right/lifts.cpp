@@ -50,8 +50,7 @@ Trace<R> Lifts<R>::run_trace(RuleId before, Begin begin) {
     effort_.spend(effort);
     effort_.check();
   }
-  Terms<R> nothing;
-  traced.finish(nothing);  // all taken: this only clears
+  traced.clear();
   --traces_running_;
   return trace;
 }
@@ -83,9 +82,8 @@ Trace<R> Lifts<R>::trace_of_boundary(Symbol x, RuleId before) {
 
 template <Ring R>
 void Lifts<R>::drop_work() {
-  Terms<R> nothing;
   for (sparse::Accumulator<R>& traced : traced_) {
-    traced.finish(nothing);
+    traced.clear();
   }
   traces_running_ = 0;
 }

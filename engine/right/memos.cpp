@@ -98,12 +98,6 @@ void Memos<R>::undo(std::size_t size) {
   ++epoch_;
 }
 
-template <Ring R>
-void Memos<R>::drop_work() {
-  Terms<R> nothing;
-  sum_.finish(nothing);
-}
-
 #define SESAME_INSTANTIATE(R) template class Memos<R>;
 SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
 #undef SESAME_INSTANTIATE

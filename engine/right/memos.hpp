@@ -55,7 +55,7 @@ class Memos {
   void undo(std::size_t size);
 
   /// Forgets what an OverBudget has cut off.
-  void drop_work();
+  void drop_work() { sum_.clear(); }
 
  private:
   struct Memo {

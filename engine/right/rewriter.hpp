@@ -68,6 +68,15 @@ class Rewriter {
 
   /// The small generators of a degree, oldest first.
   [[nodiscard]] std::vector<Symbol> small(int degree) const { return rules_.small(degree); }
+  /// Calls visit(x) for all of them, by degree.
+  template <class Visit>
+  void for_each_small(Visit visit) const {
+    for (int p = 0; p < static_cast<int>(small_counts().size()); ++p) {
+      for (const Symbol x : small(p)) {
+        visit(x);
+      }
+    }
+  }
   /// The number of small generators of each degree.
   [[nodiscard]] const std::vector<std::uint32_t>& small_counts() const { return rules_.small_counts(); }
   /// dS of a small generator, in symbols.

@@ -40,16 +40,6 @@ Integer content(const R& ring, const Terms<R>& column) {
   return divisor;
 }
 
-/// Requires: the column has an entry in the row.
-template <Ring R>
-auto entry_at(Terms<R>& column, Symbol row) {
-  return std::find_if(column.begin(), column.end(), [row](const sparse::Term<R>& term) { return term.index == row; });
-}
-template <Ring R>
-const sparse::Term<R>& entry_at(const Terms<R>& column, Symbol row) {
-  return *std::find_if(column.begin(), column.end(), [row](const sparse::Term<R>& term) { return term.index == row; });
-}
-
 /// Whether a coefficient has become larger than it was, and larger than small.
 bool grows(const Integer& before, const Integer& after) { return after > before && after > largest_of_combination; }
 
@@ -125,9 +115,9 @@ template <Ring R>
 void Settling<R>::substitute_row(Symbol row, std::span<const TermType> value) {
   for (const Symbol z : core_.columns_with_row(row)) {
     Terms<R> column = *core_.find(z);
-    const auto at = entry_at<R>(column, row);
-    const Element coefficient = at->coefficient;
-    column.erase(at);
+    const TermType* entry = sparse::find_term<R>(column, row);
+    const Element coefficient = entry->coefficient;
+    column.erase(column.begin() + (entry - column.data()));
     sparse::add_multiple(ring_, column, coefficient, value);
     effort_.spend(words_of(column));
     core_.set(z, std::move(column));
@@ -210,7 +200,7 @@ void Settling<R>::settle_row_of(Symbol x) {
   }
   const TermType& pivot = column.back();
   for (const Symbol z : core_.columns_with_row(pivot.index)) {
-    const Element& other = entry_at<R>(*core_.find(z), pivot.index).coefficient;
+    const Element& other = sparse::find_term<R>(*core_.find(z), pivot.index)->coefficient;
     if (z != x && moves_left_ > 0 && !ring_.is_zero(ring_.quotient(other, pivot.coefficient))) {
       --moves_left_;
       unsettled_.insert(z);
@@ -257,7 +247,7 @@ bool Settling<R>::combine(Symbol x, const Element& q, Symbol y) {
   const Terms<R> value{{y, q}, {made, ring_.one()}};
   for (const Symbol z : core_.columns_with_row(x)) {
     Terms<R> changed = *core_.find(z);
-    sparse::add_multiple<R>(ring_, changed, Element{entry_at<R>(changed, x)->coefficient}, value);
+    sparse::add_multiple<R>(ring_, changed, Element{sparse::find_term<R>(changed, x)->coefficient}, value);
     if (grows(largest(ring_, *core_.find(z)), largest(ring_, changed))) {
       return false;
     }

@@ -8,14 +8,7 @@ namespace {
 /// One search for cofaces.
 class Cofaces {
  public:
-  explicit Cofaces(const Structure& structure)
-      : types_{structure.types()},
-        cells_{structure.cells()},
-        forest_{structure.forest()},
-        splits_{structure.splits()},
-        faces_{structure.faces()},
-        values_{structure.values()},
-        lazy_{structure.lazy()} {}
+  explicit Cofaces(const Structure& structure) : structure_{structure}, lazy_{structure.lazy()} {}
 
   [[nodiscard]] std::vector<CellId> of(CellId current) const;
 
@@ -24,12 +17,7 @@ class Cofaces {
   void add_of_apex(FamilyId id, std::vector<CellId>& out) const;
   void add_of_lazy(const LazyKey& key, CellId cell, std::vector<CellId>& out) const;
 
-  TypeTable& types_;
-  const CellStore& cells_;
-  const Forest& forest_;
-  const SplitHistory& splits_;
-  const Faces& faces_;
-  const Values& values_;
+  const Structure& structure_;
   const LazyCells& lazy_;
 };
 
@@ -38,19 +26,21 @@ std::vector<CellId> Cofaces::of(CellId current) const {
   add_candidates(current, candidates);
   std::vector<CellId> cells;
   for (const CellId candidate : candidates) {
-    const CellId c = forest_.find(candidate);
+    const CellId c = structure_.forest().find(candidate);
     if (c == none) {
       continue;
     }
-    const auto nodes = faces_.of(c);
-    if (std::any_of(nodes.begin(), nodes.end(), [&](CellId node) { return values_.of(node).cell == current; })) {
+    const auto nodes = structure_.faces().of(c);
+    if (std::any_of(nodes.begin(), nodes.end(),
+                    [&](CellId node) { return structure_.values().of(node).cell == current; })) {
       cells.push_back(c);
     }
   }
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  std::sort(cells.begin(), cells.end(),
-            [this](CellId a, CellId b) { return lazy_.is_older(forest_.oldest(a), forest_.oldest(b)); });
+  std::sort(cells.begin(), cells.end(), [this](CellId a, CellId b) {
+    return lazy_.is_older(structure_.forest().oldest(a), structure_.forest().oldest(b));
+  });
   return cells;
 }
 
@@ -59,15 +49,15 @@ void Cofaces::add_candidates(CellId current, std::vector<CellId>& out) const {
   while (!pending.empty()) {
     const CellId root = pending.back();
     pending.pop_back();
-    forest_.for_each_member(root, [&](CellId node) {
-      cells_.for_each_incidence(node, [&](CellId owner, std::uint32_t) {
+    structure_.forest().for_each_member(root, [&](CellId node) {
+      structure_.cells().for_each_incidence(node, [&](CellId owner, std::uint32_t) {
         out.push_back(owner);
         return true;
       });
-      for (const std::uint32_t number : splits_.moves_onto(node)) {
-        out.push_back(splits_.moves()[number].cell);
+      for (const std::uint32_t number : structure_.splits().moves_onto(node)) {
+        out.push_back(structure_.splits().moves()[number].cell);
       }
-      const auto over = forest_.squashed_onto(node);
+      const auto over = structure_.forest().squashed_onto(node);
       pending.insert(pending.end(), over.begin(), over.end());
       if (const LazyCell* lazy = lazy_.of(node)) {
         add_of_lazy(lazy->key, node, out);
@@ -86,8 +76,8 @@ void Cofaces::add_of_apex(FamilyId id, std::vector<CellId>& out) const {
   const LazyFamily& family = lazy_.family(id);
   for (const BodyId body : family.bodies) {
     for (const CellId c : lazy_.cells_of(body)) {
-      if (family.by_edges || cells_.dimension(c) == 0) {
-        out.push_back(lazy_.cell(id, LazyPart::coned, values_.plain(c)));
+      if (family.by_edges || structure_.dimension(c) == 0) {
+        out.push_back(lazy_.cell(id, LazyPart::coned, structure_.values().plain(c)));
       }
     }
   }
@@ -98,7 +88,7 @@ void Cofaces::add_of_lazy(const LazyKey& key, CellId cell, std::vector<CellId>& 
   const LazyFamily& family = lazy_.family(key.family);
   if (family.kind == FamilyKind::cone) {
     for (const CellId coface : of(key.left.cell)) {
-      out.push_back(lazy_.cell(key.family, key.part, values_.plain(coface)));
+      out.push_back(lazy_.cell(key.family, key.part, structure_.values().plain(coface)));
     }
     if (key.part == LazyPart::base) {
       out.push_back(lazy_.cell(key.family, LazyPart::coned, key.left));
@@ -107,10 +97,10 @@ void Cofaces::add_of_lazy(const LazyKey& key, CellId cell, std::vector<CellId>& 
   }
   if (family.kind == FamilyKind::product) {
     for (const CellId coface : of(key.left.cell)) {
-      out.push_back(lazy_.cell(key.family, LazyPart::pair, values_.plain(coface), key.right));
+      out.push_back(lazy_.cell(key.family, LazyPart::pair, structure_.values().plain(coface), key.right));
     }
     for (const CellId coface : of(key.right.cell)) {
-      out.push_back(lazy_.cell(key.family, LazyPart::pair, key.left, values_.plain(coface)));
+      out.push_back(lazy_.cell(key.family, LazyPart::pair, key.left, structure_.values().plain(coface)));
     }
     return;
   }
@@ -120,11 +110,11 @@ void Cofaces::add_of_lazy(const LazyKey& key, CellId cell, std::vector<CellId>& 
   rights.push_back(key.right.cell);
   for (const CellId left : lefts) {
     for (const CellId right : rights) {  // a face may be degenerate over the cell: any larger dimension
-      const int p = cells_.dimension(left);
-      const int q = cells_.dimension(right);
-      for (int n = cells_.dimension(cell) + 1; n <= p + q; ++n) {
+      const int p = structure_.dimension(left);
+      const int q = structure_.dimension(right);
+      for (int n = structure_.dimension(cell) + 1; n <= p + q; ++n) {
         for_each_pair_of_degeneracies(n, p, q, [&](Degeneracy l, Degeneracy r) {
-          const TypeId type = types_.simplex(n);
+          const TypeId type = structure_.types().simplex(n);
           out.push_back(lazy_.cell(key.family, LazyPart::pair, {left, type, l}, {right, type, r}));
         });
       }

@@ -42,9 +42,11 @@ class LazyCells final : public FaceSource {
     return std::any_of(families_.begin(), families_.end(), holds);
   }
   /// Whether a cell is one of a body that has become a factor: it is no cell of the object any more.
-  [[nodiscard]] bool is_consumed(CellId c) const { return !families_.empty() && consumed_by(c) != none; }
+  [[nodiscard]] bool is_consumed(CellId c) const { return consumed_by(c) != none; }
   /// The family whose factor the body of a cell has become, or none.
-  [[nodiscard]] FamilyId consumed_by(CellId c) const { return bodies_.consumed_by(cells_.body(c)); }
+  [[nodiscard]] FamilyId consumed_by(CellId c) const {
+    return families_.empty() ? FamilyId{none} : bodies_.consumed_by(cells_.body(c));
+  }
 
   // ---- cells
   [[nodiscard]] bool is_lazy(CellId c) const { return cells_.lazy(c) != none; }

@@ -56,7 +56,7 @@ struct LazyCell {
   LazyKey key;
   bool is_expanded = false;
   std::vector<CellId> faces = {};    ///< when expanded
-  std::vector<OrderId> orders = {};  ///< of the faces; empty when all are the same order
+  std::vector<OrderId> orders = {};  ///< of the faces
   mutable std::string name = {};     ///< when asked for
 };
 

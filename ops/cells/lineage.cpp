@@ -16,8 +16,7 @@ Instant Lineage::end_of(CellId node) const {
     const LinkId link = structure_.forest().link_of(node);
     return link == none ? 0 : instant_after(link);  // 0: degenerate from the start
   }
-  const FamilyId family =
-      structure_.lazy().is_consumed(node) ? structure_.bodies().consumed_by(structure_.body_of(node)) : none;
+  const FamilyId family = structure_.lazy().consumed_by(node);
   return family != none && structure_.lazy().family(family).kind == FamilyKind::cone
              ? instant_of(structure_.lazy().family(family).links, family + 1)
              : never;
@@ -28,8 +27,7 @@ void Lineage::advance(Value& at) const {
   const TypeId type = structure_.cells().type_id(node);
   const CellId parent = structure_.forest().parent(node);
   if (parent == node) {
-    const FamilyId family = structure_.bodies().consumed_by(structure_.body_of(node));
-    at.cell = structure_.lazy().cell(family, LazyPart::base, {node, type, 0});
+    at.cell = structure_.lazy().cell(structure_.lazy().consumed_by(node), LazyPart::base, {node, type, 0});
   } else if (parent == none) {
     at = structure_.maps().compose(at, structure_.forest().squashed(node));
   } else {
@@ -81,7 +79,7 @@ std::vector<CellId> Lineage::nodes_that_are(Value value) const {
   while (!pending.empty()) {
     const CellId root = pending.back();
     pending.pop_back();
-    Value of_root{root, structure_.cells().type_id(root), 0};
+    Value of_root = structure_.values().plain(root);
     advance_to_now(of_root);
     structure_.forest().for_each_member(root, [&](CellId member) {
       if (differ_in_order_only(of_root, value)) {

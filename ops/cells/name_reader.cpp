@@ -228,7 +228,7 @@ std::optional<Value> NameReader::coned(const Cone& cone, Value base) const {
   Instant when = 0;
   CellId oldest = none;
   for (const CellId node : lineage_.nodes_that_are(base)) {
-    Value itself{node, structure_.cells().type_id(node), 0};
+    Value itself = structure_.values().plain(node);
     const bool was_current = lineage_.end_of(node) > cone.made;
     if (!was_current || !cone_over(cone, itself)) {
       continue;

@@ -67,7 +67,7 @@ bool Structure::was_current(CellId c, const Moment& moment) const {
   if (lazy != nullptr ? lazy->key.family >= moment.families : c >= moment.created) {
     return false;
   }
-  if (lazy_.families() != 0 && lazy_.consumed_by(c) < moment.families) {  // none is more than any
+  if (lazy_.consumed_by(c) < moment.families) {  // none is more than any
     return false;
   }
   return forest_.find_at(c, moment.links) == c;

@@ -105,7 +105,7 @@ Value Congruence::root(CellId c) {
     const auto at = entries_.find(cell);
     return at == entries_.end() || at->second.parent == cell || at->second.parent == none ? nullptr : &at->second;
   };
-  Value v{c, structure_.cells().type_id(c), 0};
+  Value v = structure_.values().plain(c);
   while (Entry* at = above(v.cell)) {
     if (const Entry* next = above(at->parent)) {  // paths are halved as they are gone
       *at = {next->parent, structure_.maps().compose(at->becomes, next->becomes)};
@@ -146,7 +146,7 @@ void Congruence::add_restrictions(const Value& one, const Value& other) {
 
 Status Congruence::settle_foldings() {
   for (auto at = foldings_.begin(); at != foldings_.end();) {
-    const Value cell{at->first, structure_.cells().type_id(at->first), 0};
+    const Value cell = structure_.values().plain(at->first);
     const Value one = value(cell);
     const Value other = value(structure_.maps().reordered(at->second, cell));
     if (one.is_degenerate() && !(one == other)) {

@@ -46,8 +46,7 @@ class InsertPlanner {
     vertices_.reserve(labels_.size());
     for (VertexId next{structure_.abstract().labels()}; const std::string& label : labels_) {
       const LabelId known = structure_.abstract().label(label);
-      vertices_.push_back(known == none ? next : structure_.abstract().vertex(known));
-      next = next + (known == none ? 1U : 0U);
+      vertices_.push_back(known == none ? next++ : structure_.abstract().vertex(known));
     }
   }
 
@@ -111,8 +110,7 @@ class InsertPlanner {
     CellId next = plan.first;
     for (auto& simplices : missing_) {
       for (auto& [simplex, cell] : simplices) {
-        cell = next;
-        ++next;
+        cell = next++;
         const std::vector<VertexId> vertices = chosen(vertices_, simplex);
         const std::size_t first_face = plan.faces.size();
         if (simplex.size() > 1) {

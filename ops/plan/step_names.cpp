@@ -47,8 +47,8 @@ Result<Value> resolve_cell(const std::string& name, const Structure& structure) 
     return Error{Errc::unknown_name, why_unreadable(name, reader.failure(), structure)};
   }
   Lineage(structure).advance_to_now(*named);
-  if (structure.lazy().is_consumed(named->cell)) {
-    const LazyFamily& product = structure.lazy().family(structure.bodies().consumed_by(structure.body_of(named->cell)));
+  if (const FamilyId consumer = structure.lazy().consumed_by(named->cell); consumer != none) {
+    const LazyFamily& product = structure.lazy().family(consumer);
     return Error{
         Errc::unknown_name,
         fmt::format("the cell \"{}\" went into the product \"{}\", whose cells have names such as \"{}.(a|b)\"", name,

@@ -25,10 +25,8 @@ Terms<R> unit(const R& ring, CellId c) {
 
 /// The node that a cell of the object is after a step: itself, but for the cells that a lazy cone was taken over.
 CellId after_step(const Structure& structure, CellId c, Moment after) {
-  const FamilyId family =
-      structure.lazy().families() == 0 ? none : structure.bodies().consumed_by(structure.body_of(c));
-  return family < after.families ? structure.lazy().cell(family, LazyPart::base, {c, structure.cells().type_id(c), 0})
-                                 : c;
+  const FamilyId family = structure.lazy().consumed_by(c);
+  return family < after.families ? structure.lazy().cell(family, LazyPart::base, structure.values().plain(c)) : c;
 }
 
 template <Ring R>

@@ -120,12 +120,14 @@ TowerComplex::Change TowerComplex::change_of(std::size_t dimension, Slot slot) {
 }
 
 Result<const TowerComplex::Changes*> TowerComplex::plan_contraction(Label u, Label v) {
-  if (const Status status = rules().check_contraction(u, v); !status) {
-    return status.error();
+  const Vertex from = find_vertex(u);
+  const Vertex to = find_vertex(v);
+  if (from == nothing || to == nothing || from == to) {
+    return rules().check_contraction(u, v).error();
   }
   simplices_.build_stars();
-  moved_ = find_vertex(u);
-  kept_ = find_vertex(v);
+  moved_ = from;
+  kept_ = to;
   if (simplices_.star_size(moved_) > simplices_.star_size(kept_)) {
     std::swap(moved_, kept_);
   }

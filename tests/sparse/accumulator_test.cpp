@@ -48,3 +48,14 @@ TEST_CASE("Accumulator: what cancels leaves no term and does not come back", "[s
   sum.finish(terms);
   CHECK(terms == Terms<Integers>{{7, 1}});
 }
+
+TEST_CASE("Accumulator: what was cleared is no part of the next sum", "[sparse]") {
+  Accumulator<Integers> sum{Integers{}};
+  sum.add_product(7, 2, 3);
+  sum.add_product(2, 1, 1);
+  sum.clear();
+  CHECK(sum.add_product(7, 1, 5));
+  Terms<Integers> terms;
+  sum.finish(terms);
+  CHECK(terms == Terms<Integers>{{7, 5}});
+}

@@ -85,3 +85,13 @@ TEMPLATE_TEST_CASE("RawTerms: the sum of terms in any order is that of a map, by
 }
 
 static_assert(!std::is_convertible_v<RawTerms<Integers>, Terms<Integers>>);
+
+TEST_CASE("a term is found by its index, or not at all", "[sparse]") {
+  const Terms<Integers> terms{{1, 5}, {4, -2}, {9, 3}};
+  for (Index index = 0; index < 11; ++index) {
+    const Term<Integers>* found = find_term<Integers>(terms, index);
+    const auto at = std::find_if(terms.begin(), terms.end(), [index](const auto& term) { return term.index == index; });
+    CHECK(found == (at == terms.end() ? nullptr : &*at));
+  }
+  CHECK(find_term<Integers>(Terms<Integers>{}, 0) == nullptr);
+}

@@ -9,13 +9,6 @@ namespace {
 using sparse::Index;
 using sparse::Terms;
 
-template <sparse::Ring R>
-auto entry_at(Terms<R>& vector, Index index) {
-  const auto at = std::lower_bound(vector.begin(), vector.end(), index,
-                                   [](const sparse::Term<R>& term, Index wanted) { return term.index < wanted; });
-  return at != vector.end() && at->index == index ? at : vector.end();
-}
-
 /// Whether the entries have no common divisor but units. Over a field: whether there are any.
 template <sparse::Ring R>
 bool is_primitive(const R& ring, const Terms<R>& vector) {
@@ -66,8 +59,8 @@ bool BasisSelection<R>::take(const Vector& vector) {
   const Index gone = pivot->index;
   const auto inverse = ring_.inverse(pivot->coefficient);
   for (Vector& column : images_) {
-    const auto entry = entry_at<R>(column, gone);
-    if (entry == column.end()) {
+    const auto* entry = sparse::find_term<R>(column, gone);
+    if (entry == nullptr) {
       continue;
     }
     const auto factor = ring_.negate(ring_.multiply(entry->coefficient, inverse));
@@ -105,10 +98,11 @@ void BasisSelection<R>::make_unit(Vector& image) {
 /// `image`.
 template <sparse::Ring R>
 void BasisSelection<R>::change_basis(Vector& image, Index reduced, Index by) {
-  const auto q = ring_.quotient(entry_at<R>(image, reduced)->coefficient, entry_at<R>(image, by)->coefficient);
+  const auto q =
+      ring_.quotient(sparse::find_term<R>(image, reduced)->coefficient, sparse::find_term<R>(image, by)->coefficient);
   const auto reduce = [&](Vector& column) {
-    const auto entry = entry_at<R>(column, by);
-    if (entry == column.end()) {
+    const auto* entry = sparse::find_term<R>(column, by);
+    if (entry == nullptr) {
       return;
     }
     const Vector change{{reduced, ring_.negate(ring_.multiply(q, entry->coefficient))}};
