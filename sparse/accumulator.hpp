@@ -12,7 +12,7 @@ namespace sesame::sparse {
 
 /// Sums terms by index. One slot per index, kept between sums; a sum touches only the indices that occur in it.
 /// Source: the sparse accumulator of J. Gilbert, C. Moler and R. Schreiber, "Sparse matrices in MATLAB" (1992).
-template <Ring R>
+template <Ring R, class Id = Index>
 class Accumulator {
  public:
   using Element = typename R::Element;
@@ -20,9 +20,9 @@ class Accumulator {
   explicit Accumulator(R ring) : ring_{ring} {}
 
   /// Adds factor * coefficient at an index. True when the index is new to this sum. Cost O(1), amortised.
-  bool add_product(Index index, const Element& factor, const Element& coefficient) {
+  bool add_product(Id index, const Element& factor, const Element& coefficient) {
     if (index >= values_.size()) [[unlikely]] {
-      values_.resize(std::max<std::size_t>(index + std::size_t{1}, values_.size() * 2), ring_.zero());
+      values_.resize(std::max<std::size_t>(std::size_t{index} + 1, values_.size() * 2), ring_.zero());
       present_.resize(values_.size(), 0);
     }
     const bool is_new = present_[index] == 0;
@@ -35,11 +35,11 @@ class Accumulator {
   }
 
   /// The sum so far at an index that is part of this sum, which is set to zero.
-  Element take(Index index) { return std::exchange(values_[index], ring_.zero()); }
+  Element take(Id index) { return std::exchange(values_[index], ring_.zero()); }
 
   /// A fresh start: the sum so far is forgotten. Cost O(n) for n indices.
   void clear() {
-    for (const Index index : touched_) {
+    for (const Id index : touched_) {
       (void)take(index);
       present_[index] = 0;
     }
@@ -47,10 +47,10 @@ class Accumulator {
   }
 
   /// The sum in normal form, and a fresh start. Cost O(n log n) for n indices.
-  void finish(Terms<R>& out) {
+  void finish(Terms<R, Id>& out) {
     out.clear();
     std::sort(touched_.begin(), touched_.end());
-    for (const Index index : touched_) {
+    for (const Id index : touched_) {
       Element value = take(index);
       present_[index] = 0;
       if (!ring_.is_zero(value)) {
@@ -64,7 +64,7 @@ class Accumulator {
   R ring_;
   std::vector<Element> values_;
   std::vector<unsigned char> present_;
-  std::vector<Index> touched_;
+  std::vector<Id> touched_;
 };
 
 }  // namespace sesame::sparse

@@ -1,52 +1,6 @@
-#include "sparse/chain.hpp"
-
-#include <algorithm>
+#include "sparse/chain_bodies.hpp"
 
 namespace sesame::sparse {
-
-template <Ring R>
-void RawTerms<R>::normalize(const R& ring) {
-  const auto by_index = [](const Term<R>& a, const Term<R>& b) { return a.index < b.index; };
-  if (!std::is_sorted(terms_.begin(), terms_.end(), by_index)) {
-    std::sort(terms_.begin(), terms_.end(), by_index);  // equal indices get added: their order does not matter
-  }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < terms_.size();) {
-    Term<R> sum = std::move(terms_[i]);
-    for (++i; i < terms_.size() && terms_[i].index == sum.index; ++i) {
-      sum.coefficient = ring.add(sum.coefficient, terms_[i].coefficient);
-    }
-    if (!ring.is_zero(sum.coefficient)) {
-      terms_[kept++] = std::move(sum);
-    }
-  }
-  terms_.resize(kept);
-}
-
-template <Ring R>
-void add_multiple(const R& ring, Terms<R>& into, const typename R::Element& factor, std::span<const Term<R>> terms) {
-  if (ring.is_zero(factor) || terms.empty()) {
-    return;
-  }
-  Terms<R> sum;
-  sum.reserve(into.size() + terms.size());
-  auto a = into.begin();
-  for (const Term<R>& b : terms) {
-    while (a != into.end() && a->index < b.index) {
-      sum.push_back(std::move(*a++));
-    }
-    Term<R> term{b.index, ring.zero()};
-    if (a != into.end() && a->index == b.index) {
-      term.coefficient = std::move((a++)->coefficient);
-    }
-    ring.add_product(term.coefficient, factor, b.coefficient);
-    if (!ring.is_zero(term.coefficient)) {
-      sum.push_back(std::move(term));
-    }
-  }
-  std::move(a, into.end(), std::back_inserter(sum));
-  into = std::move(sum);
-}
 
 template <Ring R>
 std::string to_string(const R& ring, std::span<const Term<R>> terms, std::string_view letter) {
@@ -95,10 +49,9 @@ std::string Chain<R>::to_string(std::string_view letter) const {
   return sparse::to_string<R>(ring_, terms_, letter);
 }
 
-#define SESAME_INSTANTIATE(R)                                                                      \
-  template class RawTerms<R>;                                                                      \
-  template void add_multiple<R>(const R&, Terms<R>&, const R::Element&, std::span<const Term<R>>); \
-  template std::string to_string<R>(const R&, std::span<const Term<R>>, std::string_view);         \
+#define SESAME_INSTANTIATE(R)                                                              \
+  SESAME_INSTANTIATE_CHAINS(R, Index)                                                      \
+  template std::string to_string<R>(const R&, std::span<const Term<R>>, std::string_view); \
   template class Chain<R>;
 SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
 #undef SESAME_INSTANTIATE

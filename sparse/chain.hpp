@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,29 +21,32 @@ namespace sesame::sparse {
 /// The index of a generator within its degree, or of a row or column of a matrix.
 using Index = std::uint32_t;
 
-/// One term of a chain, one entry of a matrix column: `coefficient * generator(index)`.
-template <Ring R>
+/// One term of a chain, one entry of a matrix column: `coefficient * generator(index)`. Where the generators have ids
+/// of a kind of their own, chains are in these: then a chain of one kind is no chain of another.
+template <Ring R, class Id = Index>
 struct Term {
-  Index index;
+  Id index;
   typename R::Element coefficient;
   friend bool operator==(const Term&, const Term&) = default;
 };
 
 /// Terms sorted by index, without repeats and without zero coefficients: the *normal form* of a sparse vector.
-template <Ring R>
-using Terms = std::vector<Term<R>>;
+template <Ring R, class Id = Index>
+using Terms = std::vector<Term<R, Id>>;
 
 /// A sum that is being collected: terms in any order, perhaps repeated, perhaps zero. A type of its own, so that nobody
 /// takes them for `Terms`, which they become at the end.
-template <Ring R>
+template <Ring R, class Id = Index>
 class RawTerms {
  public:
-  RawTerms() = default;
-  RawTerms(std::initializer_list<Term<R>> terms) : terms_{terms} {}
-  /// A vector in normal form is a sum, too.
-  RawTerms(Terms<R> terms) : terms_{std::move(terms)} {}  // NOLINT(google-explicit-constructor)
+  using TermType = Term<R, Id>;
 
-  void push_back(Term<R> term) { terms_.push_back(std::move(term)); }
+  RawTerms() = default;
+  RawTerms(std::initializer_list<TermType> terms) : terms_{terms} {}
+  /// A vector in normal form is a sum, too.
+  RawTerms(Terms<R, Id> terms) : terms_{std::move(terms)} {}  // NOLINT(google-explicit-constructor)
+
+  void push_back(TermType term) { terms_.push_back(std::move(term)); }
   void clear() { terms_.clear(); }
   [[nodiscard]] std::size_t size() const { return terms_.size(); }
   [[nodiscard]] bool empty() const { return terms_.empty(); }
@@ -50,12 +54,12 @@ class RawTerms {
   [[nodiscard]] auto end() const { return terms_.end(); }
 
   /// The sum. Cost O(n log n) for n terms, O(n) when they are in order.
-  [[nodiscard]] Terms<R> normal(const R& ring) && {
+  [[nodiscard]] Terms<R, Id> normal(const R& ring) && {
     normalize(ring);
     return std::move(terms_);
   }
   /// The same into `out`; afterwards there are no terms here. Both keep their room for the next time.
-  void finish(const R& ring, Terms<R>& out) {
+  void finish(const R& ring, Terms<R, Id>& out) {
     normalize(ring);
     out.swap(terms_);
     terms_.clear();
@@ -64,20 +68,21 @@ class RawTerms {
  private:
   void normalize(const R& ring);
 
-  std::vector<Term<R>> terms_;
+  std::vector<TermType> terms_;
 };
 
 /// The term of a vector in normal form at an index, or null. Cost: the logarithm of its length.
-template <Ring R>
-[[nodiscard]] const Term<R>* find_term(const Terms<R>& terms, Index index) {
+template <Ring R, class Id>
+[[nodiscard]] const Term<R, Id>* find_term(const Terms<R, Id>& terms, std::type_identity_t<Id> index) {
   const auto at = std::lower_bound(terms.begin(), terms.end(), index,
-                                   [](const Term<R>& term, Index wanted) { return term.index < wanted; });
+                                   [](const Term<R, Id>& term, Id wanted) { return term.index < wanted; });
   return at != terms.end() && at->index == index ? &*at : nullptr;
 }
 
 /// into += factor * terms, both in normal form. Cost O(|into| + |terms|).
-template <Ring R>
-void add_multiple(const R& ring, Terms<R>& into, const typename R::Element& factor, std::span<const Term<R>> terms);
+template <Ring R, class Id>
+void add_multiple(const R& ring, Terms<R, Id>& into, const typename R::Element& factor,
+                  std::type_identity_t<std::span<const Term<R, Id>>> terms);
 
 /// For people: `e0 - 2 e3`, `0`; `letter` names the generators.
 template <Ring R>

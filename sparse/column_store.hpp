@@ -15,7 +15,8 @@
 namespace sesame::sparse {
 
 /// Columns of entries in rows, each stored or not; what one that is not stored means is for others to say. (`Matrix` is
-/// a map on top of it. A boundary that only grows and shrinks needs no more than this.)
+/// a map on top of it. A boundary that only grows and shrinks needs no more than this; its rows and columns have ids of
+/// one kind.)
 ///
 /// Storage   The entries of a column lie in one or more segments, sorted by row across segments, never zero, never
 ///           repeated. Segments live in blocks that never move: growing neither copies nor reads what is there. Only
@@ -23,11 +24,11 @@ namespace sesame::sparse {
 ///           bytes besides its entries; where few columns are stored they are found by hashing, and the others cost no
 ///           memory.
 /// Cost      Unless a member says otherwise, O(size of the columns that it names).
-template <Ring R>
+template <Ring R, class Id = Index>
 class ColumnStore {
  public:
   using Element = typename R::Element;
-  using TermType = Term<R>;
+  using TermType = Term<R, Id>;
 
   /// No column is stored.
   ColumnStore(R ring, Index rows, Index columns);
@@ -50,28 +51,28 @@ class ColumnStore {
   [[nodiscard]] std::size_t stored_columns() const { return stored_columns_; }
   [[nodiscard]] std::size_t stored_entries() const { return stored_entries_; }
 
-  [[nodiscard]] bool is_stored(Index column) const { return find(column) != nullptr; }
-  /// Calls visit(const Term<R>&) for each entry of the column, by increasing row. False when it is not stored.
+  [[nodiscard]] bool is_stored(Id column) const { return find(column) != nullptr; }
+  /// Calls visit(const TermType&) for each entry of the column, by increasing row. False when it is not stored.
   template <class Visit>
-  bool for_each_in_column(Index column, Visit&& visit) const;
+  bool for_each_in_column(Id column, Visit&& visit) const;
   /// The column in normal form (a copy); zero when it is not stored.
-  [[nodiscard]] Terms<R> column(Index column) const;
+  [[nodiscard]] Terms<R, Id> column(Id column) const;
   /// Zero where nothing is stored.
-  [[nodiscard]] Element entry(Index row, Index column) const;
+  [[nodiscard]] Element entry(Id row, Id column) const;
   /// The indices of the stored columns, increasing. Cost O(k log k) for k of them.
-  [[nodiscard]] std::vector<Index> stored() const;
-  /// Calls visit(Index) for each stored column, in any order.
+  [[nodiscard]] std::vector<Id> stored() const;
+  /// Calls visit(Id) for each stored column, in any order.
   template <class Visit>
   void for_each_stored(Visit&& visit) const;
 
   /// Replaces a column; from then on it is stored. Requires: normal form, rows in range, terms not inside this store.
-  void set_column(Index column, std::span<const TermType> terms);
-  void forget_column(Index column);
+  void set_column(Id column, std::span<const TermType> terms);
+  void forget_column(Id column);
   /// column += a * terms (normal form); one that is not stored counts as zero.
-  void add_to_column(Index column, const Element& a, std::span<const TermType> terms);
+  void add_to_column(Id column, const Element& a, std::span<const TermType> terms);
   /// Hangs entries below all those of a column, which are neither copied nor read. Requires: terms, in normal form.
   /// Cost O(|terms|).
-  void extend_column(Index column, std::span<const TermType> terms);
+  void extend_column(Id column, std::span<const TermType> terms);
   /// Multiplies all entries. Requires: not by zero.
   void scale(const Element& a);
 
@@ -109,14 +110,14 @@ class ColumnStore {
   };
   static constexpr std::uint32_t no_link = 0xffff'ffffu;
 
-  [[nodiscard]] const Column* find(Index column) const {
+  [[nodiscard]] const Column* find(Id column) const {
     if (column < dense_.size()) {
       const Column& found = dense_[column];
       return found.is_absent() ? nullptr : &found;
     }
     return find_hashed(column);
   }
-  [[nodiscard]] const Column* find_hashed(Index column) const;
+  [[nodiscard]] const Column* find_hashed(Id column) const;
   template <class Visit>
   void for_each_segment(const Column& column, Visit&& visit) const;
 
@@ -124,11 +125,11 @@ class ColumnStore {
   [[nodiscard]] Column store_copy(const ColumnStore& other, const Column& column);
   [[nodiscard]] std::size_t size_of(const Column& column) const;
   void release(const Column& column);
-  Column& at(Index column) { return column < dense_.size() ? dense_[column] : hashed_.at(column); }
-  void put(Index column, Column record);
+  Column& at(Id column) { return column < dense_.size() ? dense_[column] : hashed_.at(column); }
+  void put(Id column, Column record);
   void put_last(Column record);
-  Column take_out(Index column);
-  void hang(Index column, Column segment);
+  Column take_out(Id column);
+  void hang(Id column, Column segment);
   std::uint32_t new_link(Link link);
   void settle_directory();
   void repack_if_wasteful();
@@ -138,7 +139,7 @@ class ColumnStore {
   Index columns_;
   // The directory: columns below dense_.size() are in dense_, those from there on in hashed_ when they are stored.
   std::vector<Column> dense_;
-  std::unordered_map<Index, Column> hashed_;
+  std::unordered_map<Id, Column> hashed_;
   std::vector<Link> links_;
   std::uint32_t free_link_ = no_link;  ///< links out of use form a list
   Pool pool_;
@@ -146,9 +147,9 @@ class ColumnStore {
   std::size_t stored_entries_ = 0;
 };
 
-template <Ring R>
+template <Ring R, class Id>
 template <class Visit>
-void ColumnStore<R>::for_each_segment(const Column& column, Visit&& visit) const {
+void ColumnStore<R, Id>::for_each_segment(const Column& column, Visit&& visit) const {
   if (!column.is_chained()) [[likely]] {
     if (column.size != 0) {
       visit(Segment{column.at, column.size});
@@ -162,9 +163,9 @@ void ColumnStore<R>::for_each_segment(const Column& column, Visit&& visit) const
   } while (link != column.at);
 }
 
-template <Ring R>
+template <Ring R, class Id>
 template <class Visit>
-bool ColumnStore<R>::for_each_in_column(Index column, Visit&& visit) const {
+bool ColumnStore<R, Id>::for_each_in_column(Id column, Visit&& visit) const {
   const Column* found = find(column);
   if (found == nullptr) [[unlikely]] {
     return false;
@@ -178,12 +179,12 @@ bool ColumnStore<R>::for_each_in_column(Index column, Visit&& visit) const {
   return true;
 }
 
-template <Ring R>
+template <Ring R, class Id>
 template <class Visit>
-void ColumnStore<R>::for_each_stored(Visit&& visit) const {
+void ColumnStore<R, Id>::for_each_stored(Visit&& visit) const {
   for (Index j = 0; j < dense_.size(); ++j) {
     if (!dense_[j].is_absent()) {
-      visit(j);
+      visit(Id{j});
     }
   }
   for (const auto& [j, column] : hashed_) {

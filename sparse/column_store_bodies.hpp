@@ -1,5 +1,5 @@
 /// \file
-/// The bodies of column_store.hpp, for column_store.cpp and for whoever brings a ring of their own.
+/// The bodies of column_store.hpp, for column_store.cpp and for whoever brings a ring or ids of their own.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,12 @@ namespace sesame::sparse {
 
 // ---- construction
 
-template <Ring R>
-ColumnStore<R>::ColumnStore(R ring, Index rows, Index columns)
+template <Ring R, class Id>
+ColumnStore<R, Id>::ColumnStore(R ring, Index rows, Index columns)
     : ring_{std::move(ring)}, rows_{rows}, columns_{columns} {}
 
-template <Ring R>
-ColumnStore<R>::ColumnStore(const ColumnStore& other) : ColumnStore(other.ring_, other.rows_, other.columns_) {
+template <Ring R, class Id>
+ColumnStore<R, Id>::ColumnStore(const ColumnStore& other) : ColumnStore(other.ring_, other.rows_, other.columns_) {
   dense_.reserve(other.dense_.size());
   for (const Column& column : other.dense_) {
     dense_.push_back(column.is_absent() ? column : store_copy(other, column));
@@ -28,15 +28,15 @@ ColumnStore<R>::ColumnStore(const ColumnStore& other) : ColumnStore(other.ring_,
   stored_columns_ = other.stored_columns_;
 }
 
-template <Ring R>
-ColumnStore<R>& ColumnStore<R>::operator=(const ColumnStore& other) {
+template <Ring R, class Id>
+ColumnStore<R, Id>& ColumnStore<R, Id>::operator=(const ColumnStore& other) {
   ColumnStore copy{other};
   swap(copy);
   return *this;
 }
 
-template <Ring R>
-void ColumnStore<R>::swap(ColumnStore& other) noexcept {
+template <Ring R, class Id>
+void ColumnStore<R, Id>::swap(ColumnStore& other) noexcept {
   std::swap(ring_, other.ring_);
   std::swap(rows_, other.rows_);
   std::swap(columns_, other.columns_);
@@ -51,8 +51,8 @@ void ColumnStore<R>::swap(ColumnStore& other) noexcept {
 
 // ---- segments and links
 
-template <Ring R>
-auto ColumnStore<R>::store(std::span<const TermType> terms) -> Column {
+template <Ring R, class Id>
+auto ColumnStore<R, Id>::store(std::span<const TermType> terms) -> Column {
   if (terms.empty()) {
     return {0, 0};
   }
@@ -64,8 +64,8 @@ auto ColumnStore<R>::store(std::span<const TermType> terms) -> Column {
   return {position, size};
 }
 
-template <Ring R>
-auto ColumnStore<R>::store_copy(const ColumnStore& other, const Column& column) -> Column {
+template <Ring R, class Id>
+auto ColumnStore<R, Id>::store_copy(const ColumnStore& other, const Column& column) -> Column {
   const std::size_t size = other.size_of(column);
   if (size == 0) {
     return {0, 0};
@@ -79,15 +79,15 @@ auto ColumnStore<R>::store_copy(const ColumnStore& other, const Column& column) 
   return {position, static_cast<std::uint32_t>(size)};
 }
 
-template <Ring R>
-std::size_t ColumnStore<R>::size_of(const Column& column) const {
+template <Ring R, class Id>
+std::size_t ColumnStore<R, Id>::size_of(const Column& column) const {
   std::size_t size = 0;
   for_each_segment(column, [&](Segment segment) { size += segment.size; });
   return size;
 }
 
-template <Ring R>
-void ColumnStore<R>::release(const Column& column) {
+template <Ring R, class Id>
+void ColumnStore<R, Id>::release(const Column& column) {
   for_each_segment(column, [&](Segment segment) {
     pool_.release(segment.position, segment.size);
     stored_entries_ -= segment.size;
@@ -97,8 +97,8 @@ void ColumnStore<R>::release(const Column& column) {
   }
 }
 
-template <Ring R>
-std::uint32_t ColumnStore<R>::new_link(Link link) {
+template <Ring R, class Id>
+std::uint32_t ColumnStore<R, Id>::new_link(Link link) {
   if (free_link_ == no_link) {
     links_.push_back(link);
     return static_cast<std::uint32_t>(links_.size() - 1);
@@ -110,8 +110,8 @@ std::uint32_t ColumnStore<R>::new_link(Link link) {
 }
 
 /// Hangs one more segment, not empty, at the end of a stored column. Cost O(1): the record knows the last link.
-template <Ring R>
-void ColumnStore<R>::hang(Index column, Column segment) {
+template <Ring R, class Id>
+void ColumnStore<R, Id>::hang(Id column, Column segment) {
   Column& record = at(column);
   if (record.size == 0) {
     record = segment;
@@ -128,8 +128,8 @@ void ColumnStore<R>::hang(Index column, Column segment) {
 }
 
 /// Copies everything to a new place once more room is wasted than used, so that waste costs O(1) amortised.
-template <Ring R>
-void ColumnStore<R>::repack_if_wasteful() {
+template <Ring R, class Id>
+void ColumnStore<R, Id>::repack_if_wasteful() {
   constexpr std::size_t not_worth_it = 256;
   if (pool_.wasted() > stored_entries_ + not_worth_it) {
     ColumnStore packed{*this};
@@ -139,8 +139,8 @@ void ColumnStore<R>::repack_if_wasteful() {
 
 // ---- the directory of columns
 
-template <Ring R>
-auto ColumnStore<R>::find_hashed(Index column) const -> const Column* {
+template <Ring R, class Id>
+auto ColumnStore<R, Id>::find_hashed(Id column) const -> const Column* {
   if (hashed_.empty()) {
     return nullptr;
   }
@@ -149,8 +149,8 @@ auto ColumnStore<R>::find_hashed(Index column) const -> const Column* {
 }
 
 /// Stores a column that is not stored yet.
-template <Ring R>
-void ColumnStore<R>::put(Index column, Column record) {
+template <Ring R, class Id>
+void ColumnStore<R, Id>::put(Id column, Column record) {
   ++stored_columns_;
   if (column < dense_.size()) {
     dense_[column] = record;
@@ -160,20 +160,20 @@ void ColumnStore<R>::put(Index column, Column record) {
   }
 }
 
-template <Ring R>
-void ColumnStore<R>::put_last(Column record) {
+template <Ring R, class Id>
+void ColumnStore<R, Id>::put_last(Column record) {
   if (dense_.size() == columns_) [[likely]] {
     dense_.push_back(record);
     ++columns_;
     ++stored_columns_;
   } else {
-    put(columns_++, record);
+    put(Id{columns_++}, record);
   }
 }
 
 /// Removes a column from the directory and hands out its record, an absent one when it was not stored.
-template <Ring R>
-auto ColumnStore<R>::take_out(Index column) -> Column {
+template <Ring R, class Id>
+auto ColumnStore<R, Id>::take_out(Id column) -> Column {
   Column taken;
   if (column < dense_.size()) {
     taken = std::exchange(dense_[column], Column{});
@@ -187,8 +187,8 @@ auto ColumnStore<R>::take_out(Index column) -> Column {
 
 /// Chooses between array and hashing. Between two switches the number of stored columns changes by a fixed part of the
 /// length of the array, which is what a switch costs.
-template <Ring R>
-void ColumnStore<R>::settle_directory() {
+template <Ring R, class Id>
+void ColumnStore<R, Id>::settle_directory() {
   if (hashed_.size() > (columns_ - dense_.size()) / 4) {
     dense_.resize(columns_);
     for (const auto& [j, column] : std::exchange(hashed_, {})) {
@@ -197,7 +197,7 @@ void ColumnStore<R>::settle_directory() {
   } else if (stored_columns_ < dense_.size() / 16) {
     for (Index j = 0; j < dense_.size(); ++j) {
       if (!dense_[j].is_absent()) {
-        hashed_.emplace(j, dense_[j]);
+        hashed_.emplace(Id{j}, dense_[j]);
       }
     }
     std::vector<Column>{}.swap(dense_);
@@ -206,27 +206,27 @@ void ColumnStore<R>::settle_directory() {
   }
 }
 
-template <Ring R>
-std::vector<Index> ColumnStore<R>::stored() const {
-  std::vector<Index> indices;
+template <Ring R, class Id>
+std::vector<Id> ColumnStore<R, Id>::stored() const {
+  std::vector<Id> indices;
   indices.reserve(stored_columns_);
-  for_each_stored([&](Index j) { indices.push_back(j); });
+  for_each_stored([&](Id j) { indices.push_back(j); });
   std::sort(indices.end() - static_cast<std::ptrdiff_t>(hashed_.size()), indices.end());
   return indices;
 }
 
 // ---- reading
 
-template <Ring R>
-Terms<R> ColumnStore<R>::column(Index column) const {
+template <Ring R, class Id>
+Terms<R, Id> ColumnStore<R, Id>::column(Id column) const {
   expects(column < columns_, "ColumnStore::column: no such column");
-  Terms<R> terms;
+  Terms<R, Id> terms;
   for_each_in_column(column, [&](const TermType& entry) { terms.push_back(entry); });
   return terms;
 }
 
-template <Ring R>
-auto ColumnStore<R>::entry(Index row, Index column) const -> Element {
+template <Ring R, class Id>
+auto ColumnStore<R, Id>::entry(Id row, Id column) const -> Element {
   expects(row < rows_ && column < columns_, "ColumnStore::entry: no such place");
   Element found = ring_.zero();
   for_each_in_column(column, [&](const TermType& entry) {
@@ -239,8 +239,8 @@ auto ColumnStore<R>::entry(Index row, Index column) const -> Element {
 
 // ---- changing columns
 
-template <Ring R>
-void ColumnStore<R>::set_column(Index column, std::span<const TermType> terms) {
+template <Ring R, class Id>
+void ColumnStore<R, Id>::set_column(Id column, std::span<const TermType> terms) {
   expects(column < columns_, "ColumnStore::set_column: no such column");
   expects(terms.empty() || terms.back().index < rows_, "ColumnStore::set_column: a row is out of range");
   const Column* found = find(column);
@@ -265,8 +265,8 @@ void ColumnStore<R>::set_column(Index column, std::span<const TermType> terms) {
   repack_if_wasteful();
 }
 
-template <Ring R>
-void ColumnStore<R>::forget_column(Index column) {
+template <Ring R, class Id>
+void ColumnStore<R, Id>::forget_column(Id column) {
   expects(column < columns_, "ColumnStore::forget_column: no such column");
   const Column taken = take_out(column);
   if (!taken.is_absent()) {
@@ -276,15 +276,15 @@ void ColumnStore<R>::forget_column(Index column) {
   }
 }
 
-template <Ring R>
-void ColumnStore<R>::add_to_column(Index column, const Element& a, std::span<const TermType> terms) {
-  Terms<R> sum = this->column(column);
+template <Ring R, class Id>
+void ColumnStore<R, Id>::add_to_column(Id column, const Element& a, std::span<const TermType> terms) {
+  Terms<R, Id> sum = this->column(column);
   add_multiple(ring_, sum, a, terms);
   set_column(column, sum);
 }
 
-template <Ring R>
-void ColumnStore<R>::extend_column(Index column, std::span<const TermType> terms) {
+template <Ring R, class Id>
+void ColumnStore<R, Id>::extend_column(Id column, std::span<const TermType> terms) {
   expects(column < columns_, "ColumnStore::extend_column: no such column");
   expects(!terms.empty() && terms.back().index < rows_, "ColumnStore::extend_column: no terms, or a row out of range");
   if (is_stored(column)) {
@@ -294,9 +294,9 @@ void ColumnStore<R>::extend_column(Index column, std::span<const TermType> terms
   }
 }
 
-template <Ring R>
-void ColumnStore<R>::scale(const Element& a) {
-  for_each_stored([&](Index j) {
+template <Ring R, class Id>
+void ColumnStore<R, Id>::scale(const Element& a) {
+  for_each_stored([&](Id j) {
     for_each_segment(at(j), [&](Segment segment) {
       TermType* entry = pool_.at(segment.position);
       for (const TermType* end = entry + segment.size; entry != end; ++entry) {
@@ -306,28 +306,28 @@ void ColumnStore<R>::scale(const Element& a) {
   });
 }
 
-template <Ring R>
-void ColumnStore<R>::append_column(std::span<const TermType> terms) {
+template <Ring R, class Id>
+void ColumnStore<R, Id>::append_column(std::span<const TermType> terms) {
   expects(terms.empty() || terms.back().index < rows_, "ColumnStore::append_column: a row is out of range");
   put_last(store(terms));
 }
 
-template <Ring R>
-void ColumnStore<R>::truncate(Index rows, Index columns) {
+template <Ring R, class Id>
+void ColumnStore<R, Id>::truncate(Index rows, Index columns) {
   expects(rows <= rows_ && columns <= columns_, "ColumnStore::truncate: cannot grow");
   const auto from = std::max<std::size_t>(columns, dense_.size());
   if (!hashed_.empty() && from < columns_) {
-    std::vector<Index> going;
+    std::vector<Id> going;
     if (columns_ - from < hashed_.size()) {
       for (auto j = static_cast<Index>(from); j < columns_; ++j) {
-        going.push_back(j);
+        going.push_back(Id{j});
       }
     } else {
-      const std::vector<Index> all = stored();
+      const std::vector<Id> all = stored();
       going.assign(std::lower_bound(all.begin(), all.end(), static_cast<Index>(from)), all.end());
     }
     // From right to left, the reverse of the order of appending: then the pool gets back what it gave last.
-    std::for_each(going.rbegin(), going.rend(), [&](Index j) {
+    std::for_each(going.rbegin(), going.rend(), [&](Id j) {
       if (const Column taken = take_out(j); !taken.is_absent()) {
         release(taken);
       }
