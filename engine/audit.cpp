@@ -17,9 +17,9 @@ using sparse::Term;
 
 namespace {
 
-template <Ring R>
-Terms<R> unit(const R& ring, Index index) {
-  return {{index, ring.one()}};
+template <Ring R, class Id>
+Terms<R, Id> unit(const R& ring, Id id) {
+  return {{id, ring.one()}};
 }
 
 }  // namespace
@@ -34,27 +34,27 @@ reductions::Equivalence<R> matrices_of(LiveEquivalence<R>& live) {
 
   expects(window.families() == 0, "the big complex of lazy cells is not written out");
   const ops::CellBasis object = ops::cells_at(structure, ops::now(structure));
-  reductions::Basis<Index> big;
-  for (Index b = 0; b < big_complex.size(); ++b) {
+  reductions::Basis<GeneratorId> big;
+  for (GeneratorId b = 0; b < big_complex.size(); ++b) {
     big.add(big_complex.degree(b), b);
   }
   reductions::Basis<Symbol> small;
   rewriter.for_each_small([&](Symbol x) { small.add(rewriter.degree(x), x); });
   const ChainComplex<R> c = ops::chain_complex(structure, object, ops::now(structure), ring);
   const ChainComplex<R> b =
-      reductions::complex_by_columns(ring, big, [&](Index x) { return big_complex.boundary().column(x); });
+      reductions::complex_by_columns(ring, big, [&](GeneratorId x) { return big_complex.boundary().column(x); });
   const ChainComplex<R> s =
       reductions::complex_by_columns(ring, small, [&](Symbol x) { return live.chains().boundary(unit(ring, x)); });
-  const auto f = [&](Index x) { return big_complex.maps().f(unit(ring, x)); };
-  const auto g = [&](Index cell) {
-    RawTerms<R> out;
-    big_complex.maps().add_g(CellId{cell}, ring.one(), out);
+  const auto f = [&](GeneratorId x) { return big_complex.maps().f(unit(ring, x)); };
+  const auto g = [&](CellId cell) {
+    RawTerms<R, GeneratorId> out;
+    big_complex.maps().add_g(cell, ring.one(), out);
     return out;
   };
-  const auto h = [&](Index x) { return big_complex.maps().h(x); };
-  const auto f_small = [&](Index x) { return rewriter.rewrite(unit(ring, x)); };
+  const auto h = [&](GeneratorId x) { return big_complex.maps().h(x); };
+  const auto f_small = [&](GeneratorId x) { return rewriter.rewrite(unit(ring, x)); };
   const auto g_small = [&](Symbol x) { return rewriter.lift(unit(ring, x)); };
-  const auto h_small = [&](Index x) { return rewriter.lift({}, rewriter.trace(unit(ring, x))); };
+  const auto h_small = [&](GeneratorId x) { return rewriter.lift({}, rewriter.trace(unit(ring, x))); };
   return {{b, c, map_by_columns(ring, 0, big, object, f), map_by_columns(ring, 0, object, big, g),
            map_by_columns(ring, 1, big, big, h)},
           {b, s, map_by_columns(ring, 0, big, small, f_small), map_by_columns(ring, 0, small, big, g_small),
@@ -85,7 +85,7 @@ std::optional<std::string> defect_of_maps(LiveEquivalence<R>& live, const ops::C
     return a;
   };
   const auto is_zero = [&](const CellChain& chain) {
-    RawTerms<R> sum;
+    RawTerms<R, CellId> sum;
     for (const auto& [coefficient, cell] : chain.terms) {
       sum.push_back({cell, from_rational(ring, coefficient)});
     }

@@ -10,8 +10,8 @@ using sparse::expects;
 using sparse::Term;
 
 template <Ring R>
-Terms<R> Chains<R>::g(const CellChain& chain) const {
-  RawTerms<R> out;
+Terms<R, GeneratorId> Chains<R>::g(const CellChain& chain) const {
+  RawTerms<R, GeneratorId> out;
   for (const auto& [coefficient, cell] : chain.terms) {
     expects(structure_.is_current(cell) && !structure_.lazy().is_consumed(cell) &&
                 structure_.dimension(cell) == chain.degree,
@@ -22,8 +22,8 @@ Terms<R> Chains<R>::g(const CellChain& chain) const {
 }
 
 template <Ring R>
-CellChain Chains<R>::bounding(const CellChain& z, const Terms<R>& g_of_z, const Terms<R>& y) {
-  RawTerms<R> cells = left_.f(rewriter_.lift(y, rewriter_.trace(g_of_z)));
+CellChain Chains<R>::bounding(const CellChain& z, const Terms<R, GeneratorId>& g_of_z, const Terms<R, Symbol>& y) {
+  RawTerms<R, CellId> cells = left_.f(rewriter_.lift(y, rewriter_.trace(g_of_z)));
   for (const auto& [coefficient, cell] : z.terms) {
     left_.add_K_of_lazy_part(cell, in_own_orientation(cell, coefficient), cells);
   }
@@ -34,7 +34,7 @@ CellChain Chains<R>::bounding(const CellChain& z, const Terms<R>& g_of_z, const 
 
 template <Ring R>
 CellChain Chains<R>::boundary(const CellChain& chain) const {
-  RawTerms<R> out;
+  RawTerms<R, CellId> out;
   for (const auto& [coefficient, cell] : chain.terms) {
     const auto element = in_own_orientation(cell, coefficient);
     structure_.faces().for_each_now(cell, [&](CellId face, int sign) {
@@ -45,10 +45,10 @@ CellChain Chains<R>::boundary(const CellChain& chain) const {
 }
 
 template <Ring R>
-Terms<R> Chains<R>::boundary(std::span<const Term<R>> symbols) const {
-  Terms<R> out;
-  for (const Term<R>& term : symbols) {
-    if (const Terms<R>* column = rewriter_.core().find(term.index)) {
+Terms<R, Symbol> Chains<R>::boundary(std::span<const Term<R, Symbol>> symbols) const {
+  Terms<R, Symbol> out;
+  for (const Term<R, Symbol>& term : symbols) {
+    if (const Terms<R, Symbol>* column = rewriter_.core().find(term.index)) {
       sparse::add_multiple<R>(ring_, out, term.coefficient, *column);
     }
   }
@@ -64,12 +64,11 @@ typename R::Element Chains<R>::in_own_orientation(CellId cell, const Rational& c
 }
 
 template <Ring R>
-CellChain Chains<R>::to_chain(int degree, const Terms<R>& cells) const {
+CellChain Chains<R>::to_chain(int degree, const Terms<R, CellId>& cells) const {
   CellChain chain{degree, {}};
-  for (const Term<R>& term : cells) {
-    const CellId cell{term.index};
+  for (const auto& [cell, coefficient] : cells) {
     const bool agrees = structure_.directory().sign_of_name(cell) > 0;
-    chain.terms.push_back({to_rational(ring_, agrees ? term.coefficient : ring_.negate(term.coefficient)), cell});
+    chain.terms.push_back({to_rational(ring_, agrees ? coefficient : ring_.negate(coefficient)), cell});
   }
   std::sort(chain.terms.begin(), chain.terms.end(), [this](const CellChain::Term& a, const CellChain::Term& b) {
     return structure_.lazy().is_older(structure_.forest().oldest(a.cell), structure_.forest().oldest(b.cell));
@@ -78,13 +77,13 @@ CellChain Chains<R>::to_chain(int degree, const Terms<R>& cells) const {
 }
 
 template <Ring R>
-SmallChain Chains<R>::to_small(int degree, const Terms<R>& symbols) const {
+SmallChain Chains<R>::to_small(int degree, const Terms<R, Symbol>& symbols) const {
   SmallChain out{degree, {}};
   if (symbols.empty()) {
     return out;
   }
   const std::vector<Symbol> small = rewriter_.small(degree);  // oldest first: increasing
-  for (const Term<R>& term : symbols) {
+  for (const Term<R, Symbol>& term : symbols) {
     const auto at = std::lower_bound(small.begin(), small.end(), term.index);
     out.terms.push_back({to_rational(ring_, term.coefficient), static_cast<std::uint32_t>(at - small.begin())});
   }
@@ -92,9 +91,9 @@ SmallChain Chains<R>::to_small(int degree, const Terms<R>& symbols) const {
 }
 
 template <Ring R>
-Terms<R> Chains<R>::to_symbols(const SmallChain& chain) const {
+Terms<R, Symbol> Chains<R>::to_symbols(const SmallChain& chain) const {
   const std::vector<Symbol> small = rewriter_.small(chain.degree);
-  RawTerms<R> out;
+  RawTerms<R, Symbol> out;
   for (const auto& [coefficient, generator] : chain.terms) {
     expects(generator < small.size(), "a chain of the small complex is made of its generators");
     out.push_back({small[generator], from_rational(ring_, coefficient)});

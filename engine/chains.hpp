@@ -32,20 +32,20 @@ class Chains {
   }
 
   /// G y + K z, of which z - G F z + G d y is the boundary, when z is a cycle: so z, when d y = F z. `g_of_z` is g z.
-  [[nodiscard]] CellChain bounding(const CellChain& z, const Terms<R>& g_of_z, const Terms<R>& y);
+  [[nodiscard]] CellChain bounding(const CellChain& z, const Terms<R, GeneratorId>& g_of_z, const Terms<R, Symbol>& y);
   /// f and g, the left reduction.
-  [[nodiscard]] CellChain f(int degree, const Terms<R>& chain_of_b) const {
+  [[nodiscard]] CellChain f(int degree, const Terms<R, GeneratorId>& chain_of_b) const {
     return to_chain(degree, left_.f(chain_of_b));
   }
-  [[nodiscard]] Terms<R> g(const CellChain& chain) const;
+  [[nodiscard]] Terms<R, GeneratorId> g(const CellChain& chain) const;
   /// dS of a chain of symbols.
-  [[nodiscard]] Terms<R> boundary(std::span<const sparse::Term<R>> symbols) const;
+  [[nodiscard]] Terms<R, Symbol> boundary(std::span<const sparse::Term<R, Symbol>> symbols) const;
 
  private:
   [[nodiscard]] typename R::Element in_own_orientation(CellId cell, const Rational& coefficient) const;
-  [[nodiscard]] CellChain to_chain(int degree, const Terms<R>& cells) const;
-  [[nodiscard]] SmallChain to_small(int degree, const Terms<R>& symbols) const;
-  [[nodiscard]] Terms<R> to_symbols(const SmallChain& chain) const;
+  [[nodiscard]] CellChain to_chain(int degree, const Terms<R, CellId>& cells) const;
+  [[nodiscard]] SmallChain to_small(int degree, const Terms<R, Symbol>& symbols) const;
+  [[nodiscard]] Terms<R, Symbol> to_symbols(const SmallChain& chain) const;
 
   R ring_;
   const Structure& structure_;

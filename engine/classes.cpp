@@ -23,8 +23,8 @@ Homology Classes<R>::homology(std::size_t dimensions) {
 
 template <Ring R>
 void Classes<R>::visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit) {
-  const auto write_out = [&](int p, const Terms<R>& symbols, CellChain& chain, std::uint64_t& terms) {
-    const Terms<R> lift = rewriter_.lift(symbols);
+  const auto write_out = [&](int p, const Terms<R, Symbol>& symbols, CellChain& chain, std::uint64_t& terms) {
+    const Terms<R, GeneratorId> lift = rewriter_.lift(symbols);
     terms = most_terms == uncountable ? 0 : big_.maps().terms_of_f(lift);
     if (terms > most_terms) {
       chain.degree = p;
@@ -52,7 +52,7 @@ ClassAnswer Classes<R>::classify(const CellChain& chain) {
     return answer;
   }
   answer.is_cycle = true;
-  const Terms<R> z = chains_.g(chain);
+  const Terms<R, GeneratorId> z = chains_.g(chain);
   auto [coefficients, rest_bounds] = groups_.of(chain.degree).class_of(ring_, rewriter_.rewrite(z));
   answer.coefficients = std::move(coefficients);
   answer.is_zero = std::all_of(answer.coefficients.begin(), answer.coefficients.end(),

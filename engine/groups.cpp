@@ -25,7 +25,7 @@ Matrix<R> Groups<R>::core_matrix(const std::vector<Symbol>& columns) const {
   Matrix<R> matrix(ring_, 0, 0);
   for (const Symbol x : columns) {
     RawTerms<R> terms;
-    for (const Term<R>& term : *rewriter_.core().find(x)) {
+    for (const Term<R, Symbol>& term : *rewriter_.core().find(x)) {
       const auto [row, is_new] = rows.try_emplace(term.index, static_cast<Index>(rows.size()));
       if (is_new) {
         matrix.append_rows(1);
@@ -90,7 +90,7 @@ Group<R> Groups<R>::of(int degree) const {
   group.kernel = sparse::smith_form(core_matrix(group.lower));
   std::set<Symbol> met;
   for (const Symbol x : group.columns) {
-    for (const Term<R>& term : *core.find(x)) {
+    for (const Term<R, Symbol>& term : *core.find(x)) {
       met.insert(term.index);
     }
   }
@@ -111,8 +111,8 @@ Group<R> Groups<R>::of(int degree) const {
 }
 
 template <Ring R>
-Terms<R> Group<R>::in_symbols(const R& ring, const Terms<R>& coordinates) const {
-  RawTerms<R> out;
+Terms<R, Symbol> Group<R>::in_symbols(const R& ring, const Terms<R>& coordinates) const {
+  RawTerms<R, Symbol> out;
   const auto rank = static_cast<Index>(kernel.factors.size());
   for (const Term<R>& term : coordinates) {
     if (term.index < bound.size()) {
@@ -128,14 +128,14 @@ Terms<R> Group<R>::in_symbols(const R& ring, const Terms<R>& coordinates) const 
 }
 
 template <Ring R>
-Terms<R> Group<R>::coordinates(const R& ring, const Terms<R>& cycle) const {
+Terms<R> Group<R>::coordinates(const R& ring, const Terms<R, Symbol>& cycle) const {
   const auto position = [](const std::vector<Symbol>& symbols, Symbol x) -> std::optional<Index> {
     const auto at = std::lower_bound(symbols.begin(), symbols.end(), x);
     return at != symbols.end() && *at == x ? std::optional{static_cast<Index>(at - symbols.begin())} : std::nullopt;
   };
   RawTerms<R> out;
   Terms<R> on_lower;
-  for (const Term<R>& term : cycle) {
+  for (const Term<R, Symbol>& term : cycle) {
     if (const auto at = position(bound, term.index)) {
       out.push_back({*at, term.coefficient});
     } else {
@@ -154,11 +154,13 @@ Terms<R> Group<R>::coordinates(const R& ring, const Terms<R>& cycle) const {
 
 /// A chain of the core's columns of the degree above, in symbols.
 template <Ring R>
-Terms<R> Group<R>::in_columns(Terms<R> terms) const {
+Terms<R, Symbol> Group<R>::in_columns(Terms<R> terms) const {
+  Terms<R, Symbol> out;
+  out.reserve(terms.size());
   for (Term<R>& term : terms) {
-    term.index = columns[term.index];
+    out.push_back({columns[term.index], std::move(term.coefficient)});
   }
-  return terms;
+  return out;
 }
 
 /// The k-th generator that the Smith form has.
@@ -173,11 +175,11 @@ GroupGenerator<R> Group<R>::on_cycles(const R& ring, Index k) const {
 }
 
 template <Ring R>
-typename Group<R>::Class Group<R>::class_of(const R& ring, const Terms<R>& cycle) const {
+typename Group<R>::Class Group<R>::class_of(const R& ring, const Terms<R, Symbol>& cycle) const {
   // 1. The coordinates: on the basis of the Smith form for what meets the core, on the free generators else.
-  Terms<R> in_core;
+  Terms<R, Symbol> in_core;
   std::vector<Rational> on_free(free.size());
-  for (const Term<R>& term : cycle) {
+  for (const Term<R, Symbol>& term : cycle) {
     const auto at = std::lower_bound(free.begin(), free.end(), term.index);
     if (at != free.end() && *at == term.index) {
       on_free[static_cast<std::size_t>(at - free.begin())] = to_rational(ring, term.coefficient);
@@ -191,6 +193,7 @@ typename Group<R>::Class Group<R>::class_of(const R& ring, const Terms<R>& cycle
   }
   // 2. What is left of them modulo the orders, and what bounds the rest.
   Class result;
+  Terms<R> bounding;
   for (std::size_t k = 0; k < dense.size(); ++k) {
     if (k >= smith.factors.size()) {
       result.coefficients.push_back(to_rational(ring, dense[k]));
@@ -198,13 +201,13 @@ typename Group<R>::Class Group<R>::class_of(const R& ring, const Terms<R>& cycle
     }
     const auto& order = smith.factors[k];
     const auto quotient = ring.quotient(dense[k], order);
-    sparse::add_multiple<R>(ring, result.bounding, quotient, smith.right.column(static_cast<Index>(k)));
+    sparse::add_multiple<R>(ring, bounding, quotient, smith.right.column(static_cast<Index>(k)));
     if (!ring.is_unit(order)) {
       result.coefficients.push_back(ring.to_integer(ring.subtract(dense[k], ring.multiply(quotient, order))));
     }
   }
   result.coefficients.insert(result.coefficients.end(), on_free.begin(), on_free.end());
-  result.bounding = in_columns(std::move(result.bounding));
+  result.bounding = in_columns(std::move(bounding));
   return result;
 }
 

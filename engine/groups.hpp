@@ -19,8 +19,8 @@ using sparse::Rational;
 template <Ring R>
 struct GroupGenerator {
   Integer order;  ///< 0: free
-  Terms<R> cycle;
-  Terms<R> bounding;  ///< its boundary is order * cycle; empty for a free generator
+  Terms<R, Symbol> cycle;
+  Terms<R, Symbol> bounding;  ///< its boundary is order * cycle; empty for a free generator
 };
 
 /// The group of one degree p, as read off the core: its columns of degree p say what is a cycle, those of degree p +
@@ -36,9 +36,9 @@ struct Group {
 
   [[nodiscard]] Index cycles() const { return smith.left.rows(); }
   /// A combination of the basis of cycles, in symbols.
-  [[nodiscard]] Terms<R> in_symbols(const R& ring, const Terms<R>& coordinates) const;
+  [[nodiscard]] Terms<R, Symbol> in_symbols(const R& ring, const Terms<R>& coordinates) const;
   /// The coordinates of a cycle of S that has no part on `free`. Requires: it is a cycle.
-  [[nodiscard]] Terms<R> coordinates(const R& ring, const Terms<R>& cycle) const;
+  [[nodiscard]] Terms<R> coordinates(const R& ring, const Terms<R, Symbol>& cycle) const;
 
   /// Calls visit(GroupGenerator) for each generator, as long as it answers true: those of finite order by increasing
   /// order, then the free ones. Each is worked out when it is its turn.
@@ -58,13 +58,13 @@ struct Group {
   /// The class of a cycle z of S.
   struct Class {
     std::vector<Rational> coefficients;  ///< of the generators, in the order in which they are visited
-    Terms<R> bounding;                   ///< z is the sum of the generators plus its boundary
+    Terms<R, Symbol> bounding;           ///< z is the sum of the generators plus its boundary
   };
-  [[nodiscard]] Class class_of(const R& ring, const Terms<R>& cycle) const;
+  [[nodiscard]] Class class_of(const R& ring, const Terms<R, Symbol>& cycle) const;
 
  private:
   [[nodiscard]] GroupGenerator<R> on_cycles(const R& ring, Index k) const;
-  [[nodiscard]] Terms<R> in_columns(Terms<R> terms) const;
+  [[nodiscard]] Terms<R, Symbol> in_columns(Terms<R> terms) const;
 };
 
 /// The groups of all degrees. Those of the present state: nothing is to be kept over a step.

@@ -37,7 +37,7 @@ LiveEquivalence<R>::LiveEquivalence(R ring, Window window)
       chains_{ring, structure_, big_.maps(), rewriter_},
       classes_{ring, big_, rewriter_, chains_},
       position_{window_.start()} {
-  for (Index generator = 0; generator < big_.size(); ++generator) {
+  for (GeneratorId generator = 0; generator < big_.size(); ++generator) {
     rewriter_.append(big_.degree(generator));
   }
   take_in_step();
@@ -93,7 +93,7 @@ bool LiveEquivalence<R>::extend(std::uint64_t budget) {
 template <Ring R>
 void LiveEquivalence<R>::take_in_step() {
   const RuleId time = rewriter_.rules();
-  Index first_copy = ops::none;
+  GeneratorId first_copy = ops::none;
   std::uint32_t first_move = ops::none, last_move = ops::none;
   const auto take_in = [&](const ops::Journal::Run& run) {
     switch (run.kind) {
@@ -108,7 +108,7 @@ void LiveEquivalence<R>::take_in_step() {
         break;
       case ops::EventKind::copy:
         for (CellId c{run.first}; c < run.first + run.count; ++c) {
-          const Index copy = big_.append_copy(c);
+          const GeneratorId copy = big_.append_copy(c);
           first_copy = std::min(first_copy, copy);
           rewriter_.append(big_.degree(copy));
         }
@@ -136,7 +136,7 @@ void LiveEquivalence<R>::take_in_step() {
   }
   if (first_move != ops::none) {
     expects(first_copy != ops::none, "incidences move to copies made in the same step");
-    const std::vector<Index> changed =
+    const std::vector<GeneratorId> changed =
         big_.split(first_copy, structure_.splits().moves().subspan(first_move, last_move - first_move + 1));
     if (!changed.empty()) {
       rewriter_.perturb(time, first_copy, changed);
@@ -173,13 +173,15 @@ std::uint64_t LiveEquivalence<R>::small_of(ops::BodyId body) const {
 template <Ring R>
 std::vector<Lifetime> LiveEquivalence<R>::lifetimes() const {
   expects(R::is_field, "classes live and die over fields");
-  const auto step_of = [this](Index generator) {
+  const auto step_of = [this](GeneratorId generator) {
     const auto next = std::upper_bound(marks_.begin(), marks_.end(), generator,
-                                       [](Index g, const Mark& mark) { return g < mark.big.size(); });
+                                       [](GeneratorId g, const Mark& mark) { return g < mark.big.size(); });
     return static_cast<std::size_t>(next - marks_.begin()) - 1;
   };
   std::vector<Lifetime> lifetimes;
-  rewriter_.for_each_pair([&](Index a, Index b) { lifetimes.push_back({big_.degree(a), step_of(a), step_of(b)}); });
+  rewriter_.for_each_pair([&](GeneratorId a, GeneratorId b) {
+    lifetimes.push_back({big_.degree(a), step_of(a), step_of(b)});
+  });
   rewriter_.for_each_small([&](Symbol x) {
     lifetimes.push_back({rewriter_.degree(x), step_of(rewriter_.generator_in(x)), Lifetime::never});
   });

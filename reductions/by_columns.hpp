@@ -49,10 +49,11 @@ class Basis {
 
 /// A chain in the ids of a basis as one in its generators.
 template <Ring R, class Id>
-[[nodiscard]] Terms<R> in_basis(const R& ring, const Basis<Id>& basis, const RawTerms<R>& chain) {
+[[nodiscard]] Terms<R> in_basis(const R& ring, const Basis<Id>& basis,
+                                const std::type_identity_t<RawTerms<R, Id>>& chain) {
   RawTerms<R> sum;
-  for (const Term<R>& term : chain) {
-    sum.push_back({basis.index(Id{term.index}), term.coefficient});
+  for (const Term<R, Id>& term : chain) {
+    sum.push_back({basis.index(term.index), term.coefficient});
   }
   return std::move(sum).normal(ring);
 }

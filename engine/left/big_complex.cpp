@@ -1,6 +1,7 @@
 #include "engine/left/big_complex.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "sparse/contract.hpp"
 
@@ -19,7 +20,7 @@ BigComplex<R>::BigComplex(R ring, const Window& window)
   for (const CellId cell : window_.cells()) {
     begin_column();
     window_.for_each_first_face(cell, [this](CellId face, int sign) {
-      gathered_.push_back({window_.place(face), ring_.from(sign)});
+      gathered_.push_back({generators_.of(face), ring_.from(sign)});
     });
     append_column(generators_.append_first(cell));
   }
@@ -28,7 +29,7 @@ BigComplex<R>::BigComplex(R ring, const Window& window)
 // ------------------------------------------------------------------------------------------------------------- growth
 
 template <Ring R>
-std::optional<Index> BigComplex<R>::append_cell(CellId cell) {
+std::optional<GeneratorId> BigComplex<R>::append_cell(CellId cell) {
   sparse::expects(cell == generators_.cells(), "cells are appended in the order of their creation");
   if (window_.is_lazy(cell) ||
       (structure_.forest().parent(cell) == ops::none && structure_.forest().link_of(cell) == ops::none)) {
@@ -41,13 +42,13 @@ std::optional<Index> BigComplex<R>::append_cell(CellId cell) {
       add_to_column(face, sign);
     }
   });
-  const Index generator = generators_.append_cell(cell);
+  const GeneratorId generator = generators_.append_cell(cell);
   append_column(generator);
   return generator;
 }
 
 template <Ring R>
-Index BigComplex<R>::append_removal(LinkId link) {
+GeneratorId BigComplex<R>::append_removal(LinkId link) {
   sparse::expects(link == generators_.links(), "removals are appended in the order in which they happened");
   begin_column();
   const CellId removed = structure_.forest().removed(link);
@@ -55,24 +56,25 @@ Index BigComplex<R>::append_removal(LinkId link) {
     add_to_column(survivor, structure_.forest().sign_of(link));
   }
   add_to_column(removed, -1);
-  const Index generator = generators_.append_removal(link);
+  const GeneratorId generator = generators_.append_removal(link);
   append_column(generator);
   return generator;
 }
 
 template <Ring R>
-Index BigComplex<R>::append_of_family(ops::FamilyId family, int degree, std::span<const sparse::Term<R>> boundary) {
+GeneratorId BigComplex<R>::append_of_family(ops::FamilyId family, int degree,
+                                            std::span<const sparse::Term<R, GeneratorId>> boundary) {
   begin_column();
-  for (const sparse::Term<R>& term : boundary) {
+  for (const sparse::Term<R, GeneratorId>& term : boundary) {
     gathered_.push_back(term);
   }
-  const Index generator = generators_.append_of_family(family, degree);
+  const GeneratorId generator = generators_.append_of_family(family, degree);
   append_column(generator);
   return generator;
 }
 
 template <Ring R>
-Index BigComplex<R>::append_copy(CellId copy) {
+GeneratorId BigComplex<R>::append_copy(CellId copy) {
   sparse::expects(copy == generators_.cells(), "cells are appended in the order of their creation");
   const CellId first = structure_.splits().copy(copy)->moment.created;  // of the copies of this step
   begin_column();
@@ -91,7 +93,7 @@ Index BigComplex<R>::append_copy(CellId copy) {
       follow(of->source);
     }
   }
-  const Index generator = generators_.append_cell(copy);
+  const GeneratorId generator = generators_.append_cell(copy);
   follow(copy);
   append_column(generator);
   return generator;
@@ -112,10 +114,10 @@ void BigComplex<R>::add_to_column(CellId cell, int sign) {
 
 /// Appends the column that has been gathered as the boundary of the last generator.
 template <Ring R>
-void BigComplex<R>::append_column(Index generator) {
+void BigComplex<R>::append_column(GeneratorId generator) {
   gathered_.finish(ring_, column_);
   if (!columns_followed_.empty()) {
-    for (const sparse::Term<R>& term : column_) {
+    for (const sparse::Term<R, GeneratorId>& term : column_) {
       if (const auto followed = columns_followed_.find(term.index); followed != columns_followed_.end()) {
         followed->second.push_back(generator);
       }
@@ -125,21 +127,20 @@ void BigComplex<R>::append_column(Index generator) {
   boundary_.append_column(column_);
   entries_appended_ += column_.size();
   if (!gathered_lazy_.empty()) {
-    gathered_lazy_.finish(ring_, column_);
-    families_.attach(generator, column_);
+    families_.attach(generator, std::move(gathered_lazy_).normal(ring_));
   }
 }
 
 // --------------------------------------------------------------------------------------------------- de-identification
 
 template <Ring R>
-std::vector<Index> BigComplex<R>::split(Index first, std::span<const ops::SplitHistory::MadeMove> moves) {
+std::vector<GeneratorId> BigComplex<R>::split(GeneratorId first, std::span<const ops::SplitHistory::MadeMove> moves) {
   Changes changes = gains_of_moves(first, moves);
   shift_basis(first, moves, changes);
-  std::vector<Index> changed;
+  std::vector<GeneratorId> changed;
   for (const auto& [generator, change] : changes) {
     if (!change.empty()) {
-      for (const sparse::Term<R>& term : change) {
+      for (const sparse::Term<R, GeneratorId>& term : change) {
         columns_followed_[term.index].push_back(generator);
       }
       boundary_.add_to_column(generator, ring_.one(), change);
@@ -153,9 +154,9 @@ std::vector<Index> BigComplex<R>::split(Index first, std::span<const ops::SplitH
 
 /// What boundaries gain by moves in the basis as it was.
 template <Ring R>
-typename BigComplex<R>::Changes BigComplex<R>::gains_of_moves(Index first,
+typename BigComplex<R>::Changes BigComplex<R>::gains_of_moves(GeneratorId first,
                                                               std::span<const ops::SplitHistory::MadeMove> moves) {
-  std::map<CellId, RawTerms<R>> gathered;  // per cell: what its boundary gains
+  std::map<CellId, RawTerms<R, GeneratorId>> gathered;  // per cell: what its boundary gains
   for (const ops::SplitHistory::MadeMove& move : moves) {
     const int sign = structure_.faces().sign(move.cell, move.slot);
     gathered[move.cell].push_back({generators_.of(move.after), ring_.from(sign)});
@@ -163,7 +164,7 @@ typename BigComplex<R>::Changes BigComplex<R>::gains_of_moves(Index first,
   Changes changes;
   typename Families<R>::Gains of_lazy;
   for (auto& [cell, sum] : gathered) {
-    const Terms<R> gain = std::move(sum).normal(ring_);
+    const Terms<R, GeneratorId> gain = std::move(sum).normal(ring_);
     if (!gain.empty()) {
       add_gains(cell, gain, first, changes, of_lazy);
     }
@@ -174,12 +175,12 @@ typename BigComplex<R>::Changes BigComplex<R>::gains_of_moves(Index first,
 
 /// The boundary of a current cell has gained a chain of copies: so have those of all nodes that it stands for.
 template <Ring R>
-void BigComplex<R>::add_gains(CellId cell, const Terms<R>& gain, Index first, Changes& changes,
+void BigComplex<R>::add_gains(CellId cell, const Terms<R, GeneratorId>& gain, GeneratorId first, Changes& changes,
                               typename Families<R>::Gains& of_lazy) const {
-  const auto add = [&](Index generator, int sign) {
+  const auto add = [&](GeneratorId generator, int sign) {
     if (generator < first) {
       sparse::add_multiple<R>(ring_, changes[generator], ring_.from(sign), gain);
-      for (const Index other : shifts_.with(generator)) {
+      for (const GeneratorId other : shifts_.with(generator)) {
         sparse::add_multiple<R>(ring_, changes[other], ring_.from(sign), gain);
       }
     }
@@ -197,7 +198,8 @@ void BigComplex<R>::add_gains(CellId cell, const Terms<R>& gain, Index first, Ch
 
 /// Changes the basis where that saves changing boundaries.
 template <Ring R>
-void BigComplex<R>::shift_basis(Index first, std::span<const ops::SplitHistory::MadeMove> moves, Changes& changes) {
+void BigComplex<R>::shift_basis(GeneratorId first, std::span<const ops::SplitHistory::MadeMove> moves,
+                                Changes& changes) {
   MoveSet made;
   std::set<std::pair<CellId, CellId>> candidates;
   for (const ops::SplitHistory::MadeMove& move : moves) {
@@ -243,12 +245,12 @@ bool BigComplex<R>::moves_wholly(CellId node, CellId copy, const MoveSet& moves)
 
 /// How boundaries change when G + e takes the place of each generator G of a node, e that of a copy.
 template <Ring R>
-void BigComplex<R>::add_changes_of_shift(CellId node, CellId copy, Index first, Changes& changes) const {
-  const Index e = generators_.of(copy);
-  const Terms<R> unit{{e, ring_.one()}};
-  const Terms<R> boundary_of_e = boundary_.column(e);
-  for (const Index generator : shifts_.generators_of(node)) {
-    for (const Index column : columns_with(generator)) {
+void BigComplex<R>::add_changes_of_shift(CellId node, CellId copy, GeneratorId first, Changes& changes) const {
+  const GeneratorId e = generators_.of(copy);
+  const Terms<R, GeneratorId> unit{{e, ring_.one()}};
+  const Terms<R, GeneratorId> boundary_of_e = boundary_.column(e);
+  for (const GeneratorId generator : shifts_.generators_of(node)) {
+    for (const GeneratorId column : columns_with(generator)) {
       if (column < first) {
         const auto coefficient = boundary_.entry(generator, column);
         sparse::add_multiple<R>(ring_, changes[column], ring_.negate(coefficient), unit);
@@ -261,9 +263,9 @@ void BigComplex<R>::add_changes_of_shift(CellId node, CellId copy, Index first, 
 /// The columns that may have an entry at the generator of a cell or copy, and perhaps others, increasing: those of the
 /// cells that it was a face of at their creation, of the removals next to it, and those remembered.
 template <Ring R>
-std::vector<Index> BigComplex<R>::columns_with(Index generator) const {
+std::vector<GeneratorId> BigComplex<R>::columns_with(GeneratorId generator) const {
   const CellId node = generators_.cell(generator);
-  std::vector<Index> columns;
+  std::vector<GeneratorId> columns;
   for (const auto& [owner, slot] : window_.places_of(node)) {
     columns.push_back(generators_.of(owner));
   }
@@ -286,16 +288,16 @@ std::vector<Index> BigComplex<R>::columns_with(Index generator) const {
 
 template <Ring R>
 void BigComplex<R>::truncate(const Mark& mark) {
-  const Index size = mark.size();
+  const GeneratorId size = mark.size();
   for (; changed_.size() > mark.changed; changed_.pop_back()) {
-    if (const Index generator = changed_.back(); generator < size) {
-      Terms<R> column = boundary_.column(generator);
-      std::erase_if(column, [size](const sparse::Term<R>& term) { return term.index >= size; });
+    if (const GeneratorId generator = changed_.back(); generator < size) {
+      Terms<R, GeneratorId> column = boundary_.column(generator);
+      std::erase_if(column, [size](const sparse::Term<R, GeneratorId>& term) { return term.index >= size; });
       boundary_.set_column(generator, column);
     }
   }
   if (!columns_followed_.empty()) {
-    for (Index generator = size; generator < this->size(); ++generator) {
+    for (GeneratorId generator = size; generator < this->size(); ++generator) {
       columns_followed_.erase(generator);
     }
   }

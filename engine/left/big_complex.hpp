@@ -52,14 +52,14 @@ class BigComplex {
   ~BigComplex() = default;
 
   [[nodiscard]] const R& ring() const { return ring_; }
-  [[nodiscard]] Index size() const { return generators_.size(); }
-  [[nodiscard]] int degree(Index generator) const { return generators_.degree(generator); }
+  [[nodiscard]] GeneratorId size() const { return generators_.size(); }
+  [[nodiscard]] int degree(GeneratorId generator) const { return generators_.degree(generator); }
   /// The boundary of B as one square matrix over all degrees.
-  [[nodiscard]] const sparse::ColumnStore<R>& boundary() const { return boundary_; }
+  [[nodiscard]] const sparse::ColumnStore<R, GeneratorId>& boundary() const { return boundary_; }
   /// The number of generators of each degree, up to the largest that has one.
   [[nodiscard]] const std::vector<std::uint32_t>& counts() const { return generators_.counts(); }
   /// The body whose cells a generator belongs to.
-  [[nodiscard]] ops::BodyId body_of(Index generator) const { return generators_.body_of(generator); }
+  [[nodiscard]] ops::BodyId body_of(GeneratorId generator) const { return generators_.body_of(generator); }
   /// f, g and h.
   [[nodiscard]] const LeftMaps<R>& maps() const { return maps_; }
 
@@ -68,16 +68,17 @@ class BigComplex {
 
   /// Appends the generator of the next cell (a lazy one, or one degenerate from the start, has none: then nothing), of
   /// the next removal. Cost O(faces of faces * log cells).
-  std::optional<Index> append_cell(CellId cell);
-  Index append_removal(LinkId link);
+  std::optional<GeneratorId> append_cell(CellId cell);
+  GeneratorId append_removal(LinkId link);
   /// Appends a generator of the next lazy family, with its boundary (in normal form); then the maps of that family.
-  Index append_of_family(ops::FamilyId family, int degree, std::span<const sparse::Term<R>> boundary);
+  GeneratorId append_of_family(ops::FamilyId family, int degree,
+                               std::span<const sparse::Term<R, GeneratorId>> boundary);
   void append_family(std::unique_ptr<FamilyMaps<R>> maps) { families_.add(std::move(maps)); }
   /// Appends the generator of the next cell, a copy.
-  Index append_copy(CellId copy);
+  GeneratorId append_copy(CellId copy);
   /// The boundaries of old generators gain what the moves of a de-identification give them, in the generators from
   /// `first` on, those of the copies. Returns the generators whose boundaries have changed.
-  std::vector<Index> split(Index first, std::span<const ops::SplitHistory::MadeMove> moves);
+  std::vector<GeneratorId> split(GeneratorId first, std::span<const ops::SplitHistory::MadeMove> moves);
 
   /// Begins to remember the columns that get an entry at the generator of a cell: it may come up where none of those
   /// who have the cell as a face or were removed next to it are appended.
@@ -88,26 +89,26 @@ class BigComplex {
     std::size_t changed = 0;
     std::size_t shifts = 0;
     typename Families<R>::Mark families;
-    [[nodiscard]] Index size() const { return generators.generators; }
+    [[nodiscard]] GeneratorId size() const { return generators.generators; }
   };
   [[nodiscard]] Mark mark() const { return {generators_.mark(), changed_.size(), shifts_.mark(), families_.mark()}; }
   /// Goes back to a mark. Cost: the generators that go, and the boundaries that splits have changed since.
   void truncate(const Mark& mark);
 
  private:
-  using Changes = std::map<Index, Terms<R>>;                            ///< of boundaries, per generator
+  using Changes = std::map<GeneratorId, Terms<R, GeneratorId>>;         ///< of boundaries, per generator
   using MoveSet = std::set<std::tuple<CellId, std::uint32_t, CellId>>;  ///< (cell, face number, copy)
 
   void begin_column();
   void add_to_column(CellId cell, int sign);
-  void append_column(Index generator);
-  [[nodiscard]] Changes gains_of_moves(Index first, std::span<const ops::SplitHistory::MadeMove> moves);
-  void add_gains(CellId cell, const Terms<R>& gain, Index first, Changes& changes,
+  void append_column(GeneratorId generator);
+  [[nodiscard]] Changes gains_of_moves(GeneratorId first, std::span<const ops::SplitHistory::MadeMove> moves);
+  void add_gains(CellId cell, const Terms<R, GeneratorId>& gain, GeneratorId first, Changes& changes,
                  typename Families<R>::Gains& of_lazy) const;
-  void shift_basis(Index first, std::span<const ops::SplitHistory::MadeMove> moves, Changes& changes);
+  void shift_basis(GeneratorId first, std::span<const ops::SplitHistory::MadeMove> moves, Changes& changes);
   [[nodiscard]] bool moves_wholly(CellId node, CellId copy, const MoveSet& moves) const;
-  void add_changes_of_shift(CellId node, CellId copy, Index first, Changes& changes) const;
-  [[nodiscard]] std::vector<Index> columns_with(Index generator) const;
+  void add_changes_of_shift(CellId node, CellId copy, GeneratorId first, Changes& changes) const;
+  [[nodiscard]] std::vector<GeneratorId> columns_with(GeneratorId generator) const;
 
   R ring_;
   const Window& window_;
@@ -116,12 +117,14 @@ class BigComplex {
   BasisShifts<R> shifts_;
   Families<R> families_;
   LeftMaps<R> maps_;
-  sparse::ColumnStore<R> boundary_;
-  std::vector<Index> changed_;                                      ///< generators whose boundaries gained, for undo
-  std::unordered_map<Index, std::vector<Index>> columns_followed_;  ///< columns with a generator, for those followed
+  sparse::ColumnStore<R, GeneratorId> boundary_;
+  std::vector<GeneratorId> changed_;  ///< generators whose boundaries gained, for undo
+  /// Columns with a generator, for those followed.
+  std::unordered_map<GeneratorId, std::vector<GeneratorId>> columns_followed_;
   std::uint64_t entries_appended_ = 0;
-  RawTerms<R> gathered_, gathered_lazy_;  ///< the next column, and the lazy cells in it
-  Terms<R> column_;                       ///< scratch
+  RawTerms<R, GeneratorId> gathered_;  ///< the next column
+  RawTerms<R, CellId> gathered_lazy_;  ///< the lazy cells in it
+  Terms<R, GeneratorId> column_;       ///< scratch
 };
 
 }  // namespace sesame::engine

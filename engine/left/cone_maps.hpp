@@ -21,12 +21,12 @@ class ConeMaps final : public FamilyMaps<R> {
   ConeMaps(R ring, const Structure& structure, ops::FamilyId id, const LeftMaps<R>& left)
       : ring_{ring}, structure_{structure}, id_{id}, left_{left} {}
 
-  void add_F(CellId cell, const Element& factor, RawTerms<R>& out) const override;
-  void add_G(Index generator, const Element& factor, RawTerms<R>& out) const override;
-  void add_K(CellId cell, const Element& factor, RawTerms<R>& out) const override;
-  [[nodiscard]] std::uint64_t terms_of_G(Index generator) const override;
+  void add_F(CellId cell, const Element& factor, RawTerms<R, GeneratorId>& out) const override;
+  void add_G(GeneratorId generator, const Element& factor, RawTerms<R, CellId>& out) const override;
+  void add_K(CellId cell, const Element& factor, RawTerms<R, CellId>& out) const override;
+  [[nodiscard]] std::uint64_t terms_of_G(GeneratorId generator) const override;
   [[nodiscard]] std::uint64_t terms_of_K(CellId cell) const override { return is_of_base(cell) ? 1 : 0; }
-  [[nodiscard]] Terms<R> transposed_G(CellId /*cell*/) const override { return {}; }
+  [[nodiscard]] Terms<R, GeneratorId> transposed_G(CellId /*cell*/) const override { return {}; }
 
  private:
   [[nodiscard]] bool is_of_base(CellId cell) const {

@@ -7,7 +7,7 @@
 namespace sesame::engine {
 
 template <Ring R>
-void Families<R>::add_F(CellId cell, const Element& factor, RawTerms<R>& out) const {
+void Families<R>::add_F(CellId cell, const Element& factor, RawTerms<R, GeneratorId>& out) const {
   maps_of(cell).add_F(cell, factor, out);
   if (!gains_.empty()) {
     subtract_gains_of_K(gains_, cell, factor, out);
@@ -17,7 +17,7 @@ void Families<R>::add_F(CellId cell, const Element& factor, RawTerms<R>& out) co
 /// -chi(K c) times a factor, for a lazy cell c.
 template <Ring R>
 void Families<R>::subtract_gains_of_K(const GainsByPlace& gains, CellId cell, const Element& factor,
-                                      RawTerms<R>& out) const {
+                                      RawTerms<R, GeneratorId>& out) const {
   const auto [family, dimension] = place_of(cell);
   const auto concerned = gains.find({family, dimension + 1});
   if (concerned == gains.end()) {
@@ -27,41 +27,40 @@ void Families<R>::subtract_gains_of_K(const GainsByPlace& gains, CellId cell, co
   for (const auto& gain : concerned->second) {
     cells.push_back(gain.first);
   }
-  RawTerms<R> bounded;
+  RawTerms<R, CellId> bounded;
   maps(family).add_K_at(cell, cells, ring_.negate(factor), bounded);
   for (const auto& [gained, coefficient] : bounded) {
-    for (const auto& [generator, part] : concerned->second.at(CellId{gained})) {
+    for (const auto& [generator, part] : concerned->second.at(gained)) {
       shifts_.add_as_created(generator, ring_.multiply(coefficient, part), out);
     }
   }
 }
 
 template <Ring R>
-std::span<const sparse::Term<R>> Families<R>::attached_to(Index generator) const {
+std::span<const sparse::Term<R, CellId>> Families<R>::attached_to(GeneratorId generator) const {
   const auto at = std::lower_bound(attached_.begin(), attached_.end(), generator,
-                                   [](const auto& attached, Index g) { return attached.first < g; });
-  return at != attached_.end() && at->first == generator ? at->second : std::span<const sparse::Term<R>>{};
+                                   [](const auto& attached, GeneratorId g) { return attached.first < g; });
+  return at != attached_.end() && at->first == generator ? at->second : std::span<const sparse::Term<R, CellId>>{};
 }
 
 template <Ring R>
-void Families<R>::add_K_of_attached(Index generator, const Element& factor, RawTerms<R>& out) const {
+void Families<R>::add_K_of_attached(GeneratorId generator, const Element& factor, RawTerms<R, CellId>& out) const {
   for (const auto& [cell, coefficient] : attached_to(generator)) {
-    add_K(CellId{cell}, ring_.multiply(factor, coefficient), out);
+    add_K(cell, ring_.multiply(factor, coefficient), out);
   }
 }
 
 template <Ring R>
-std::uint64_t Families<R>::terms_of_K_of_attached(Index generator) const {
+std::uint64_t Families<R>::terms_of_K_of_attached(GeneratorId generator) const {
   std::uint64_t terms = 0;
   for (const auto& term : attached_to(generator)) {
-    const CellId cell{term.index};
-    terms = saturating_sum(terms, maps_of(cell).terms_of_K(cell));
+    terms = saturating_sum(terms, maps_of(term.index).terms_of_K(term.index));
   }
   return terms;
 }
 
 template <Ring R>
-void Families<R>::add_gains(const Gains& gains, std::map<Index, Terms<R>>& changes) {
+void Families<R>::add_gains(const Gains& gains, std::map<GeneratorId, Terms<R, GeneratorId>>& changes) {
   if (gains.empty()) {
     return;
   }
@@ -73,11 +72,11 @@ void Families<R>::add_gains(const Gains& gains, std::map<Index, Terms<R>>& chang
     by_place[place_of(cell)].emplace(cell, gain);
   }
   for (const auto& [generator, lazy_cells] : attached_) {
-    RawTerms<R> sum;
+    RawTerms<R, GeneratorId> sum;
     for (const auto& [cell, coefficient] : lazy_cells) {
-      subtract_gains_of_K(by_place, CellId{cell}, coefficient, sum);
+      subtract_gains_of_K(by_place, cell, coefficient, sum);
     }
-    const Terms<R> change = std::move(sum).normal(ring_);
+    const Terms<R, GeneratorId> change = std::move(sum).normal(ring_);
     if (!change.empty()) {
       sparse::add_multiple<R>(ring_, changes[generator], ring_.one(), change);
     }
@@ -91,15 +90,15 @@ void Families<R>::add_gains(const Gains& gains, std::map<Index, Terms<R>>& chang
 }
 
 template <Ring R>
-void Families<R>::truncate(const Mark& mark, Index first) {
+void Families<R>::truncate(const Mark& mark, GeneratorId first) {
   while (!attached_.empty() && attached_.back().first >= first) {
     attached_.pop_back();
   }
   for (; gained_.size() > mark.gained; gained_.pop_back()) {
     const auto& [place, cell] = gained_.back();
     Gains& of_place = gains_[place];  // a gain that is gone may have come in several steps
-    Terms<R>& gain = of_place[cell];
-    std::erase_if(gain, [first](const sparse::Term<R>& term) { return term.index >= first; });
+    Terms<R, GeneratorId>& gain = of_place[cell];
+    std::erase_if(gain, [first](const sparse::Term<R, GeneratorId>& term) { return term.index >= first; });
     if (gain.empty()) {
       of_place.erase(cell);
     }

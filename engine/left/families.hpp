@@ -39,21 +39,25 @@ class Families {
   }
 
   /// F of a lazy cell times a factor, gains included, in the present basis of B; K of one, in cells as created.
-  void add_F(CellId cell, const Element& factor, RawTerms<R>& out) const;
-  void add_K(CellId cell, const Element& factor, RawTerms<R>& out) const { maps_of(cell).add_K(cell, factor, out); }
+  void add_F(CellId cell, const Element& factor, RawTerms<R, GeneratorId>& out) const;
+  void add_K(CellId cell, const Element& factor, RawTerms<R, CellId>& out) const {
+    maps_of(cell).add_K(cell, factor, out);
+  }
 
   /// Attaches a generator to a chain of lazy cells as created. Requires: it is younger than those attached before.
-  void attach(Index generator, Terms<R> lazy_cells) { attached_.emplace_back(generator, std::move(lazy_cells)); }
+  void attach(GeneratorId generator, Terms<R, CellId> lazy_cells) {
+    attached_.emplace_back(generator, std::move(lazy_cells));
+  }
   [[nodiscard]] bool has_attached() const { return !attached_.empty(); }
   /// K of the lazy cells that a generator is attached to, times a factor, in cells as created; how many terms that
   /// adds.
-  void add_K_of_attached(Index generator, const Element& factor, RawTerms<R>& out) const;
-  [[nodiscard]] std::uint64_t terms_of_K_of_attached(Index generator) const;
+  void add_K_of_attached(GeneratorId generator, const Element& factor, RawTerms<R, CellId>& out) const;
+  [[nodiscard]] std::uint64_t terms_of_K_of_attached(GeneratorId generator) const;
 
-  using Gains = std::map<CellId, Terms<R>>;
+  using Gains = std::map<CellId, Terms<R, GeneratorId>>;
   /// The boundaries of lazy cells have gained chains of new generators: adds what those of generators gain by that.
   /// Cost: the generators attached to lazy cells and those of the families concerned, each times the cells that gain.
-  void add_gains(const Gains& gains, std::map<Index, Terms<R>>& changes);
+  void add_gains(const Gains& gains, std::map<GeneratorId, Terms<R, GeneratorId>>& changes);
 
   struct Mark {
     std::size_t families = 0;
@@ -61,7 +65,7 @@ class Families {
   };
   [[nodiscard]] Mark mark() const { return {maps_.size(), gained_.size()}; }
   /// Goes back to a mark; the generators from `first` on are to go. Cost: what goes.
-  void truncate(const Mark& mark, Index first);
+  void truncate(const Mark& mark, GeneratorId first);
 
  private:
   using Place = std::pair<ops::FamilyId, int>;  ///< cells of one family and dimension
@@ -71,15 +75,16 @@ class Families {
   [[nodiscard]] Place place_of(CellId cell) const {
     return {structure_.lazy().of(cell)->key.family, structure_.dimension(cell)};
   }
-  [[nodiscard]] std::span<const sparse::Term<R>> attached_to(Index generator) const;
-  void subtract_gains_of_K(const GainsByPlace& gains, CellId cell, const Element& factor, RawTerms<R>& out) const;
+  [[nodiscard]] std::span<const sparse::Term<R, CellId>> attached_to(GeneratorId generator) const;
+  void subtract_gains_of_K(const GainsByPlace& gains, CellId cell, const Element& factor,
+                           RawTerms<R, GeneratorId>& out) const;
 
   R ring_;
   const Window& window_;
   const Structure& structure_;
   const BasisShifts<R>& shifts_;
   std::vector<std::unique_ptr<FamilyMaps<R>>> maps_;
-  std::vector<std::pair<Index, Terms<R>>> attached_;  ///< by generator, increasing
+  std::vector<std::pair<GeneratorId, Terms<R, CellId>>> attached_;  ///< by generator, increasing
   GainsByPlace gains_;
   std::vector<std::pair<Place, CellId>> gained_;  ///< its keys as they gained, for undo
 };

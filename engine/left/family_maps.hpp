@@ -7,16 +7,10 @@
 #include <iterator>
 #include <span>
 
+#include "engine/right/symbol.hpp"
 #include "ops/cells/structure.hpp"
-#include "sparse/chain.hpp"
 
 namespace sesame::engine {
-
-using ops::CellId;
-using sparse::Index;
-using sparse::RawTerms;
-using sparse::Ring;
-using sparse::Terms;
 
 /// A homological equivalence (F, G, K) between the cells of one lazy family, as created, and a small complex whose
 /// generators are generators of B:
@@ -38,27 +32,28 @@ class FamilyMaps {
   virtual ~FamilyMaps() = default;
 
   /// A map of a cell of the family or of one of its generators, times a factor, added to `out`.
-  virtual void add_F(CellId cell, const Element& factor, RawTerms<R>& out) const = 0;
-  virtual void add_G(Index generator, const Element& factor, RawTerms<R>& out) const = 0;
-  virtual void add_K(CellId cell, const Element& factor, RawTerms<R>& out) const = 0;
+  virtual void add_F(CellId cell, const Element& factor, RawTerms<R, GeneratorId>& out) const = 0;
+  virtual void add_G(GeneratorId generator, const Element& factor, RawTerms<R, CellId>& out) const = 0;
+  virtual void add_K(CellId cell, const Element& factor, RawTerms<R, CellId>& out) const = 0;
 
   /// How many terms add_G and add_K add, or `uncountable`, without adding them.
-  [[nodiscard]] virtual std::uint64_t terms_of_G(Index generator) const = 0;
+  [[nodiscard]] virtual std::uint64_t terms_of_G(GeneratorId generator) const = 0;
   [[nodiscard]] virtual std::uint64_t terms_of_K(CellId cell) const = 0;
 
   /// As add_K, but only the terms at some cells, `at`, which are sorted. Here K is written out for that; a family that
   /// can do without does.
-  virtual void add_K_at(CellId cell, std::span<const CellId> at, const Element& factor, RawTerms<R>& out) const {
-    RawTerms<R> all;
+  virtual void add_K_at(CellId cell, std::span<const CellId> at, const Element& factor,
+                        RawTerms<R, CellId>& out) const {
+    RawTerms<R, CellId> all;
     add_K(cell, factor, all);
-    for (const sparse::Term<R>& term : all) {
-      if (std::binary_search(at.begin(), at.end(), CellId{term.index})) {
+    for (const sparse::Term<R, CellId>& term : all) {
+      if (std::binary_search(at.begin(), at.end(), term.index)) {
         out.push_back(term);
       }
     }
   }
   /// The generators whose G has a cell, each with the cell's coefficient there.
-  [[nodiscard]] virtual Terms<R> transposed_G(CellId cell) const = 0;
+  [[nodiscard]] virtual Terms<R, GeneratorId> transposed_G(CellId cell) const = 0;
 };
 
 }  // namespace sesame::engine

@@ -25,12 +25,12 @@ class FrozenMaps {
       : ring_{ring}, left_{big.maps()}, rewriter_{rewriter} {}
 
   /// F of a cell, in symbols.
-  const Terms<R>& F(CellId cell);
+  const Terms<R, Symbol>& F(CellId cell);
   /// G of a small generator, in cells.
-  const Terms<R>& G(Symbol symbol);
+  const Terms<R, CellId>& G(Symbol symbol);
   /// What the homotopy of a tensor product is made of.
   struct Homotopy {
-    Terms<R> K, GF;
+    Terms<R, CellId> K, GF;
   };
   const Homotopy& homotopy(CellId cell);
   /// How many terms G adds up, without remembering it.
@@ -50,9 +50,9 @@ class FrozenMaps {
   R ring_;
   const LeftMaps<R>& left_;
   Rewriter<R>& rewriter_;
-  std::unordered_map<CellId, Terms<R>> images_;
+  std::unordered_map<CellId, Terms<R, Symbol>> images_;
   std::unordered_map<CellId, Homotopy> homotopies_;
-  std::unordered_map<Symbol, Terms<R>> lifts_;
+  std::unordered_map<Symbol, Terms<R, CellId>> lifts_;
   // In the order in which they became known: what undo takes back may name nodes that go.
   std::vector<CellId> images_known_, homotopies_known_;
   std::vector<Symbol> lifts_known_;

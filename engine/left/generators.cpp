@@ -2,7 +2,7 @@
 
 namespace sesame::engine {
 
-ops::BodyId Generators::body_of(Index generator) const {
+ops::BodyId Generators::body_of(GeneratorId generator) const {
   if (is_removal(generator)) {
     return structure_.body_of(structure_.forest().removed(LinkId{origin_[generator] & ~removal_bit}));
   }
@@ -12,7 +12,7 @@ ops::BodyId Generators::body_of(Index generator) const {
   return structure_.body_of(cell(generator));
 }
 
-Index Generators::append(std::uint32_t origin, int degree) {
+GeneratorId Generators::append(std::uint32_t origin, int degree) {
   origin_.push_back(origin);
   degree_.push_back(static_cast<std::uint8_t>(degree));
   if (static_cast<std::size_t>(degree) >= counts_.size()) {

@@ -6,11 +6,9 @@
 #include <vector>
 
 #include "engine/left/window.hpp"
-#include "sparse/chain.hpp"
+#include "engine/right/symbol.hpp"
 
 namespace sesame::engine {
-
-using sparse::Index;
 
 /// One generator per cell that a window has seen made (copies are cells), one per removal of a cell, and those of lazy
 /// families. They are numbered in the order in which they were appended, the cells of the window's beginning first.
@@ -22,44 +20,46 @@ class Generators {
   /// None yet. `window` must outlive it.
   explicit Generators(const Window& window) : window_{window}, structure_{window.structure()} {}
 
-  [[nodiscard]] Index size() const { return static_cast<Index>(origin_.size()); }
-  [[nodiscard]] int degree(Index generator) const { return degree_[generator]; }
+  [[nodiscard]] GeneratorId size() const { return GeneratorId{origin_.size()}; }
+  [[nodiscard]] int degree(GeneratorId generator) const { return degree_[generator]; }
   /// The number of generators of each degree, up to the largest that has one.
   [[nodiscard]] const std::vector<std::uint32_t>& counts() const { return counts_; }
   /// The body whose cells a generator belongs to.
-  [[nodiscard]] ops::BodyId body_of(Index generator) const;
+  [[nodiscard]] ops::BodyId body_of(GeneratorId generator) const;
 
-  [[nodiscard]] bool is_removal(Index generator) const { return (origin_[generator] & removal_bit) != 0; }
-  [[nodiscard]] bool is_of_family(Index generator) const { return (origin_[generator] & family_bit) != 0; }
+  [[nodiscard]] bool is_removal(GeneratorId generator) const { return (origin_[generator] & removal_bit) != 0; }
+  [[nodiscard]] bool is_of_family(GeneratorId generator) const { return (origin_[generator] & family_bit) != 0; }
   /// The cell that a generator was made for. Requires: it is neither of a removal nor of a family.
-  [[nodiscard]] CellId cell(Index generator) const { return CellId{origin_[generator]}; }
-  [[nodiscard]] ops::FamilyId family(Index generator) const { return ops::FamilyId{origin_[generator] & ~family_bit}; }
+  [[nodiscard]] CellId cell(GeneratorId generator) const { return CellId{origin_[generator]}; }
+  [[nodiscard]] ops::FamilyId family(GeneratorId generator) const {
+    return ops::FamilyId{origin_[generator] & ~family_bit};
+  }
 
   /// The generator made for a node that the window knows, or none.
-  [[nodiscard]] Index of(CellId node) const {
-    return window_.is_first(node) ? window_.place(node) : of_cell_[node - window_.begin().created];
+  [[nodiscard]] GeneratorId of(CellId node) const {
+    return window_.is_first(node) ? GeneratorId{window_.place(node)} : of_cell_[node - window_.begin().created];
   }
-  [[nodiscard]] Index of_link(LinkId link) const { return of_link_[link - window_.begin().links]; }
+  [[nodiscard]] GeneratorId of_link(LinkId link) const { return of_link_[link - window_.begin().links]; }
   /// The number of nodes, of removals that have been taken in, those before the window included.
   [[nodiscard]] CellId cells() const { return window_.begin().created + of_cell_.size(); }
   [[nodiscard]] LinkId links() const { return window_.begin().links + of_link_.size(); }
 
   /// The next cell of the window's beginning; the next node, with a generator or without; the next removal; a generator
   /// of a family. All return the generator.
-  Index append_first(CellId cell) { return append(cell, structure_.dimension(cell)); }
-  Index append_cell(CellId cell) {
+  GeneratorId append_first(CellId cell) { return append(cell, structure_.dimension(cell)); }
+  GeneratorId append_cell(CellId cell) {
     of_cell_.push_back(size());
     return append(cell, structure_.dimension(cell));
   }
   void skip_cell() { of_cell_.push_back(ops::none); }
-  Index append_removal(LinkId link) {
+  GeneratorId append_removal(LinkId link) {
     of_link_.push_back(size());
     return append(removal_bit | link, structure_.dimension(structure_.forest().removed(link)) + 1);
   }
-  Index append_of_family(ops::FamilyId family, int degree) { return append(family_bit | family, degree); }
+  GeneratorId append_of_family(ops::FamilyId family, int degree) { return append(family_bit | family, degree); }
 
   struct Mark {
-    Index generators = 0;
+    GeneratorId generators = 0;
     CellId cells = 0;
     LinkId links = 0;
   };
@@ -71,13 +71,13 @@ class Generators {
   static constexpr std::uint32_t removal_bit = 0x8000'0000U;
   static constexpr std::uint32_t family_bit = 0x4000'0000U;
 
-  Index append(std::uint32_t origin, int degree);
+  GeneratorId append(std::uint32_t origin, int degree);
 
   const Window& window_;
   const Structure& structure_;
   std::vector<std::uint32_t> origin_;  ///< per generator: a cell, or removal_bit | link, or family_bit | family
   std::vector<std::uint8_t> degree_;
-  std::vector<Index> of_cell_, of_link_;  ///< of those made in the window
+  std::vector<GeneratorId> of_cell_, of_link_;  ///< of those made in the window
   std::vector<std::uint32_t> counts_;
 };
 

@@ -7,14 +7,14 @@ namespace sesame::engine {
 // ------------------------------------------------------------------------------------------------------------------- g
 
 template <Ring R>
-Terms<R> LeftMaps<R>::g(CellId cell) const {
-  RawTerms<R> out;
+Terms<R, GeneratorId> LeftMaps<R>::g(CellId cell) const {
+  RawTerms<R, GeneratorId> out;
   add_g(cell, ring_.one(), out);
   return std::move(out).normal(ring_);
 }
 
 template <Ring R>
-void LeftMaps<R>::add_g(CellId cell, const Element& factor, RawTerms<R>& out) const {
+void LeftMaps<R>::add_g(CellId cell, const Element& factor, RawTerms<R, GeneratorId>& out) const {
   if (window_.has_splits() || window_.is_lazy(cell)) {
     add_g_at(cell, structure_.now(), factor, out);
     return;
@@ -29,7 +29,8 @@ void LeftMaps<R>::add_g(CellId cell, const Element& factor, RawTerms<R>& out) co
 
 /// g as the history was at a moment, for a cell that was current then.
 template <Ring R>
-void LeftMaps<R>::add_g_at(CellId cell, const ops::Moment& moment, const Element& factor, RawTerms<R>& out) const {
+void LeftMaps<R>::add_g_at(CellId cell, const ops::Moment& moment, const Element& factor,
+                           RawTerms<R, GeneratorId>& out) const {
   if (window_.is_lazy(cell)) {
     families_.add_F(cell, factor, out);
   } else {
@@ -44,7 +45,7 @@ void LeftMaps<R>::add_g_at(CellId cell, const ops::Moment& moment, const Element
 }
 
 template <Ring R>
-void LeftMaps<R>::add_path(CellId x, LinkId links, const Element& factor, RawTerms<R>& out) const {
+void LeftMaps<R>::add_path(CellId x, LinkId links, const Element& factor, RawTerms<R, GeneratorId>& out) const {
   int sign = 1;
   while (x != ops::none) {
     const LinkId link = structure_.forest().link_of(x);
@@ -59,7 +60,7 @@ void LeftMaps<R>::add_path(CellId x, LinkId links, const Element& factor, RawTer
 }
 
 template <Ring R>
-void LeftMaps<R>::add_lazy_part(CellId cell, const Element& factor, RawTerms<R>& out) const {
+void LeftMaps<R>::add_lazy_part(CellId cell, const Element& factor, RawTerms<R, CellId>& out) const {
   if (window_.families() == 0) {
     return;
   }
@@ -72,12 +73,12 @@ void LeftMaps<R>::add_lazy_part(CellId cell, const Element& factor, RawTerms<R>&
 }
 
 template <Ring R>
-void LeftMaps<R>::add_K_of_lazy_part(CellId cell, const Element& factor, RawTerms<R>& out) const {
-  RawTerms<R> part;
+void LeftMaps<R>::add_K_of_lazy_part(CellId cell, const Element& factor, RawTerms<R, CellId>& out) const {
+  RawTerms<R, CellId> part;
   add_lazy_part(cell, factor, part);
-  RawTerms<R> nodes;
+  RawTerms<R, CellId> nodes;
   for (const auto& [lazy, coefficient] : part) {
-    families_.add_K(CellId{lazy}, coefficient, nodes);
+    families_.add_K(lazy, coefficient, nodes);
   }
   add_as_now(nodes, out);
 }
@@ -85,8 +86,8 @@ void LeftMaps<R>::add_K_of_lazy_part(CellId cell, const Element& factor, RawTerm
 // ------------------------------------------------------------------------------------------------------------------- f
 
 template <Ring R>
-Terms<R> LeftMaps<R>::f(std::span<const sparse::Term<R>> chain) const {
-  RawTerms<R> cells;
+Terms<R, CellId> LeftMaps<R>::f(std::span<const sparse::Term<R, GeneratorId>> chain) const {
+  RawTerms<R, CellId> cells;
   for (const auto& [generator, coefficient] : chain) {
     add_f(generator, coefficient, cells);
   }
@@ -95,9 +96,9 @@ Terms<R> LeftMaps<R>::f(std::span<const sparse::Term<R>> chain) const {
 
 /// f of a generator times a factor, added to `out`: current cells.
 template <Ring R>
-void LeftMaps<R>::add_f(Index generator, const Element& factor, RawTerms<R>& out) const {
+void LeftMaps<R>::add_f(GeneratorId generator, const Element& factor, RawTerms<R, CellId>& out) const {
   if (families_.has_attached()) {
-    RawTerms<R> bounded;
+    RawTerms<R, CellId> bounded;
     families_.add_K_of_attached(generator, ring_.negate(factor), bounded);
     add_as_now(bounded, out);
   }
@@ -105,7 +106,7 @@ void LeftMaps<R>::add_f(Index generator, const Element& factor, RawTerms<R>& out
     return;
   }
   if (generators_.is_of_family(generator)) {
-    RawTerms<R> cells;
+    RawTerms<R, CellId> cells;
     families_.maps(generators_.family(generator)).add_G(generator, factor, cells);
     add_as_now(cells, out);
     return;
@@ -116,7 +117,7 @@ void LeftMaps<R>::add_f(Index generator, const Element& factor, RawTerms<R>& out
 
 template <Ring R>
 template <class Visit>
-void LeftMaps<R>::for_each_node_of(Index generator, Visit visit) const {
+void LeftMaps<R>::for_each_node_of(GeneratorId generator, Visit visit) const {
   const auto visit_difference = [&](CellId node) {
     visit(node, 1);
     if (const ops::SplitHistory::Copy* copy = window_.copy(node)) {
@@ -124,28 +125,28 @@ void LeftMaps<R>::for_each_node_of(Index generator, Visit visit) const {
     }
   };
   visit_difference(generators_.cell(generator));
-  for (const Index e : shifts_.added_to(generator)) {
+  for (const GeneratorId e : shifts_.added_to(generator)) {
     visit_difference(generators_.cell(e));
   }
 }
 
 /// A chain of cells as created, as the current cells that they are now, added to `out`.
 template <Ring R>
-void LeftMaps<R>::add_as_now(const RawTerms<R>& nodes, RawTerms<R>& out) const {
+void LeftMaps<R>::add_as_now(const RawTerms<R, CellId>& nodes, RawTerms<R, CellId>& out) const {
   for (const auto& [node, coefficient] : nodes) {
-    add_cell(CellId{node}, coefficient, out);
+    add_cell(node, coefficient, out);
   }
 }
 
 template <Ring R>
-void LeftMaps<R>::add_cell(CellId node, const Element& factor, RawTerms<R>& out) const {
+void LeftMaps<R>::add_cell(CellId node, const Element& factor, RawTerms<R, CellId>& out) const {
   if (const auto [cell, sign] = structure_.forest().find_oriented(node); cell != ops::none) {
     out.push_back({cell, sign > 0 ? factor : ring_.negate(factor)});
   }
 }
 
 template <Ring R>
-std::uint64_t LeftMaps<R>::terms_of_f(std::span<const sparse::Term<R>> chain) const {
+std::uint64_t LeftMaps<R>::terms_of_f(std::span<const sparse::Term<R, GeneratorId>> chain) const {
   std::uint64_t terms = 0;
   for (const auto& term : chain) {
     terms = saturating_sum(terms, terms_of_f(term.index));
@@ -154,7 +155,7 @@ std::uint64_t LeftMaps<R>::terms_of_f(std::span<const sparse::Term<R>> chain) co
 }
 
 template <Ring R>
-std::uint64_t LeftMaps<R>::terms_of_f(Index generator) const {
+std::uint64_t LeftMaps<R>::terms_of_f(GeneratorId generator) const {
   const std::uint64_t terms = families_.terms_of_K_of_attached(generator);
   if (generators_.is_removal(generator)) {
     return terms;
@@ -169,8 +170,8 @@ std::uint64_t LeftMaps<R>::terms_of_f(Index generator) const {
 // ------------------------------------------------------------------------------------------------------------------- h
 
 template <Ring R>
-Terms<R> LeftMaps<R>::h(Index generator) const {
-  RawTerms<R> path;
+Terms<R, GeneratorId> LeftMaps<R>::h(GeneratorId generator) const {
+  RawTerms<R, GeneratorId> path;
   if (generators_.is_removal(generator)) {
     return {};
   }

@@ -44,21 +44,21 @@ class LeftMaps {
         families_{families} {}
 
   /// g of a current cell, in normal form; times a factor, added to `out`.
-  [[nodiscard]] Terms<R> g(CellId cell) const;
-  void add_g(CellId cell, const Element& factor, RawTerms<R>& out) const;
-  /// f of a chain of B, as a chain of current cells (indices are cell ids), in normal form.
-  [[nodiscard]] Terms<R> f(std::span<const sparse::Term<R>> chain) const;
+  [[nodiscard]] Terms<R, GeneratorId> g(CellId cell) const;
+  void add_g(CellId cell, const Element& factor, RawTerms<R, GeneratorId>& out) const;
+  /// f of a chain of B, as a chain of current cells, in normal form.
+  [[nodiscard]] Terms<R, CellId> f(std::span<const sparse::Term<R, GeneratorId>> chain) const;
   /// How many terms `f` adds up, without writing out more than the factors of lazy families.
-  [[nodiscard]] std::uint64_t terms_of_f(std::span<const sparse::Term<R>> chain) const;
+  [[nodiscard]] std::uint64_t terms_of_f(std::span<const sparse::Term<R, GeneratorId>> chain) const;
   /// h of a generator, in normal form. Requires: there are no lazy families.
-  [[nodiscard]] Terms<R> h(Index generator) const;
+  [[nodiscard]] Terms<R, GeneratorId> h(GeneratorId generator) const;
   /// P(x) times a factor, added to `out`; of the path up to a number of removals.
-  void add_path(CellId x, LinkId links, const Element& factor, RawTerms<R>& out) const;
+  void add_path(CellId x, LinkId links, const Element& factor, RawTerms<R, GeneratorId>& out) const;
 
   /// The lazy cells in g of a cell, as chains of the lazy families: for a lazy cell itself, with the factor.
-  void add_lazy_part(CellId cell, const Element& factor, RawTerms<R>& out) const;
+  void add_lazy_part(CellId cell, const Element& factor, RawTerms<R, CellId>& out) const;
   /// K of them, in current cells: the part of K of a current cell that no lift has.
-  void add_K_of_lazy_part(CellId cell, const Element& factor, RawTerms<R>& out) const;
+  void add_K_of_lazy_part(CellId cell, const Element& factor, RawTerms<R, CellId>& out) const;
 
   /// The links ever followed on the paths P(x).
   [[nodiscard]] std::uint64_t links_followed() const { return links_followed_; }
@@ -67,12 +67,12 @@ class LeftMaps {
   /// What a generator of a cell stands for now: calls visit(node, sign) for y and, with -1, for x when it was made for
   /// a copy y of x, and likewise for each e that was added to it.
   template <class Visit>
-  void for_each_node_of(Index generator, Visit visit) const;
-  [[nodiscard]] std::uint64_t terms_of_f(Index generator) const;
-  void add_f(Index generator, const Element& factor, RawTerms<R>& out) const;
-  void add_as_now(const RawTerms<R>& nodes, RawTerms<R>& out) const;
-  void add_cell(CellId node, const Element& factor, RawTerms<R>& out) const;
-  void add_g_at(CellId cell, const ops::Moment& moment, const Element& factor, RawTerms<R>& out) const;
+  void for_each_node_of(GeneratorId generator, Visit visit) const;
+  [[nodiscard]] std::uint64_t terms_of_f(GeneratorId generator) const;
+  void add_f(GeneratorId generator, const Element& factor, RawTerms<R, CellId>& out) const;
+  void add_as_now(const RawTerms<R, CellId>& nodes, RawTerms<R, CellId>& out) const;
+  void add_cell(CellId node, const Element& factor, RawTerms<R, CellId>& out) const;
+  void add_g_at(CellId cell, const ops::Moment& moment, const Element& factor, RawTerms<R, GeneratorId>& out) const;
 
   R ring_;
   const Window& window_;

@@ -26,21 +26,21 @@ std::vector<Symbol> symbols_of(ops::BodyId body, const BigComplex<R>& big, const
 
 /// dS of some small generators.
 template <Ring R>
-using Columns = std::unordered_map<Symbol, Terms<R>>;
+using Columns = std::unordered_map<Symbol, Terms<R, Symbol>>;
 
 template <Ring R>
 void add_columns(const std::vector<Symbol>& symbols, const Rewriter<R>& rewriter, Columns<R>& columns) {
   for (const Symbol x : symbols) {
-    const Terms<R>* column = rewriter.core().find(x);
-    columns.try_emplace(x, column == nullptr ? Terms<R>{} : *column);
+    const Terms<R, Symbol>* column = rewriter.core().find(x);
+    columns.try_emplace(x, column == nullptr ? Terms<R, Symbol>{} : *column);
   }
 }
 
 /// d(a (x) b) = da (x) b + (-1)^|a| a (x) db
 template <Ring R>
-Terms<R> boundary_of_pair(const R& ring, const PairTable& pairs, Symbol a, Symbol b, int degree_of_a,
-                          const Columns<R>& columns) {
-  RawTerms<R> boundary;
+Terms<R, GeneratorId> boundary_of_pair(const R& ring, const PairTable& pairs, Symbol a, Symbol b, int degree_of_a,
+                                       const Columns<R>& columns) {
+  RawTerms<R, GeneratorId> boundary;
   pairs.add_tensor(ring, columns.at(a), {{b, ring.one()}}, ring.one(), boundary);
   pairs.add_tensor(ring, {{a, ring.one()}}, columns.at(b), ring.from(degree_of_a % 2 == 0 ? 1 : -1), boundary);
   return std::move(boundary).normal(ring);
@@ -59,7 +59,7 @@ PairTable append_pairs(ops::FamilyId id, const std::vector<ops::BodyId>& factors
     rewriter.consume(right);
   }
   const PairTable pairs(left, right, big.size(), [&](Symbol x) { return rewriter.degree(x); });
-  for (Index generator = pairs.first(); generator < pairs.end(); ++generator) {
+  for (GeneratorId generator = pairs.first(); generator < pairs.end(); ++generator) {
     const auto [a, b] = pairs.pair(generator);
     const int degree = rewriter.degree(a) + rewriter.degree(b);
     big.append_of_family(id, degree, boundary_of_pair(big.ring(), pairs, a, b, rewriter.degree(a), columns));

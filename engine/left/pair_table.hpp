@@ -19,20 +19,20 @@ class PairTable {
  public:
   /// The table of all pairs of two sorted lists, from generator `first` on. degree_of(x): of a small generator.
   template <class DegreeOf>
-  PairTable(std::vector<Symbol> left, std::vector<Symbol> right, Index first, DegreeOf degree_of);
+  PairTable(std::vector<Symbol> left, std::vector<Symbol> right, GeneratorId first, DegreeOf degree_of);
 
   /// The generators of the product are [first, end).
-  [[nodiscard]] Index first() const { return first_; }
-  [[nodiscard]] Index end() const { return first_ + static_cast<Index>(places_.size()); }
-  [[nodiscard]] std::pair<Symbol, Symbol> pair(Index generator) const {
+  [[nodiscard]] GeneratorId first() const { return first_; }
+  [[nodiscard]] GeneratorId end() const { return first_ + places_.size(); }
+  [[nodiscard]] std::pair<Symbol, Symbol> pair(GeneratorId generator) const {
     const std::uint32_t place = places_[generator - first_];
     return {left_[place / right_.size()], right_[place % right_.size()]};
   }
 
   /// left (x) right times a factor, two chains in symbols of the factors, in generators, added to `out`.
   template <Ring R>
-  void add_tensor(const R& ring, const Terms<R>& left, const Terms<R>& right, const typename R::Element& factor,
-                  RawTerms<R>& out) const;
+  void add_tensor(const R& ring, const Terms<R, Symbol>& left, const Terms<R, Symbol>& right,
+                  const typename R::Element& factor, RawTerms<R, GeneratorId>& out) const;
 
  private:
   [[nodiscard]] static std::size_t index(const std::vector<Symbol>& symbols, Symbol x) {
@@ -40,13 +40,13 @@ class PairTable {
   }
 
   std::vector<Symbol> left_, right_;
-  Index first_;
-  std::vector<std::uint32_t> places_;  ///< per generator: i * |right| + j for the pair (i, j)
-  std::vector<Index> generators_;      ///< per place
+  GeneratorId first_;
+  std::vector<std::uint32_t> places_;    ///< per generator: i * |right| + j for the pair (i, j)
+  std::vector<GeneratorId> generators_;  ///< per place
 };
 
 template <class DegreeOf>
-PairTable::PairTable(std::vector<Symbol> left, std::vector<Symbol> right, Index first, DegreeOf degree_of)
+PairTable::PairTable(std::vector<Symbol> left, std::vector<Symbol> right, GeneratorId first, DegreeOf degree_of)
     : left_{std::move(left)}, right_{std::move(right)}, first_{first}, places_(left_.size() * right_.size()) {
   const auto degree_at = [&](std::uint32_t place) {
     return degree_of(left_[place / right_.size()]) + degree_of(right_[place % right_.size()]);
@@ -56,13 +56,13 @@ PairTable::PairTable(std::vector<Symbol> left, std::vector<Symbol> right, Index 
                    [&](std::uint32_t a, std::uint32_t b) { return degree_at(a) < degree_at(b); });
   generators_.resize(places_.size());
   for (std::size_t k = 0; k < places_.size(); ++k) {
-    generators_[places_[k]] = first_ + static_cast<Index>(k);
+    generators_[places_[k]] = first_ + k;
   }
 }
 
 template <Ring R>
-void PairTable::add_tensor(const R& ring, const Terms<R>& left, const Terms<R>& right,
-                           const typename R::Element& factor, RawTerms<R>& out) const {
+void PairTable::add_tensor(const R& ring, const Terms<R, Symbol>& left, const Terms<R, Symbol>& right,
+                           const typename R::Element& factor, RawTerms<R, GeneratorId>& out) const {
   for (const auto& [a, coefficient_a] : left) {
     const std::size_t row = index(left_, a) * right_.size();
     const auto scaled = ring.multiply(factor, coefficient_a);

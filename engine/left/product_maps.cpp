@@ -3,13 +3,13 @@
 namespace sesame::engine {
 
 template <Ring R>
-void ProductMaps<R>::add_F(CellId cell, const Element& factor, RawTerms<R>& out) const {
+void ProductMaps<R>::add_F(CellId cell, const Element& factor, RawTerms<R, GeneratorId>& out) const {
   const ops::LazyKey key = this->key(cell);
   this->add_F_of_pair(key.left.cell, key.right.cell, factor, out);
 }
 
 template <Ring R>
-void ProductMaps<R>::add_K(CellId cell, const Element& factor, RawTerms<R>& out) const {
+void ProductMaps<R>::add_K(CellId cell, const Element& factor, RawTerms<R, CellId>& out) const {
   const ops::LazyKey key = this->key(cell);
   this->add_K_of_pair(key.left.cell, key.right.cell, factor, out);
 }
@@ -22,10 +22,11 @@ std::uint64_t ProductMaps<R>::terms_of_K(CellId cell) const {
 
 /// Only the coefficients that count: K of a cell is as long as those of its factors multiplied.
 template <Ring R>
-void ProductMaps<R>::add_K_at(CellId cell, std::span<const CellId> at, const Element& factor, RawTerms<R>& out) const {
+void ProductMaps<R>::add_K_at(CellId cell, std::span<const CellId> at, const Element& factor,
+                              RawTerms<R, CellId>& out) const {
   const ops::LazyKey key = this->key(cell);
   const auto& left = factors_.homotopy(key.left.cell);
-  const Terms<R>& right = factors_.homotopy(key.right.cell).K;
+  const Terms<R, CellId>& right = factors_.homotopy(key.right.cell).K;
   const Element sign = ring_.from(structure_.dimension(key.left.cell) % 2 == 0 ? 1 : -1);
   for (const CellId other : at) {
     const ops::LazyKey& over = this->key(other);
@@ -40,14 +41,13 @@ void ProductMaps<R>::add_K_at(CellId cell, std::span<const CellId> at, const Ele
 }
 
 template <Ring R>
-void ProductMaps<R>::add_pairs(const Terms<R>& left, const Terms<R>& right, const Element& factor,
-                               RawTerms<R>& out) const {
+void ProductMaps<R>::add_pairs(const Terms<R, CellId>& left, const Terms<R, CellId>& right, const Element& factor,
+                               RawTerms<R, CellId>& out) const {
   const ops::Values& values = structure_.values();
   for (const auto& [a, coefficient_a] : left) {
     const Element scaled = ring_.multiply(factor, coefficient_a);
     for (const auto& [b, coefficient_b] : right) {
-      const CellId cell =
-          structure_.lazy().cell(this->id_, ops::LazyPart::pair, values.plain(CellId{a}), values.plain(CellId{b}));
+      const CellId cell = structure_.lazy().cell(this->id_, ops::LazyPart::pair, values.plain(a), values.plain(b));
       out.push_back({cell, ring_.multiply(scaled, coefficient_b)});
     }
   }

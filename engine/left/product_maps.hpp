@@ -15,13 +15,15 @@ class ProductMaps final : public TensorMaps<R> {
   using typename FamilyMaps<R>::Element;
   using TensorMaps<R>::TensorMaps;
 
-  void add_F(CellId cell, const Element& factor, RawTerms<R>& out) const override;
-  void add_K(CellId cell, const Element& factor, RawTerms<R>& out) const override;
+  void add_F(CellId cell, const Element& factor, RawTerms<R, GeneratorId>& out) const override;
+  void add_K(CellId cell, const Element& factor, RawTerms<R, CellId>& out) const override;
   [[nodiscard]] std::uint64_t terms_of_K(CellId cell) const override;
-  void add_K_at(CellId cell, std::span<const CellId> at, const Element& factor, RawTerms<R>& out) const override;
+  void add_K_at(CellId cell, std::span<const CellId> at, const Element& factor,
+                RawTerms<R, CellId>& out) const override;
 
  protected:
-  void add_pairs(const Terms<R>& left, const Terms<R>& right, const Element& factor, RawTerms<R>& out) const override;
+  void add_pairs(const Terms<R, CellId>& left, const Terms<R, CellId>& right, const Element& factor,
+                 RawTerms<R, CellId>& out) const override;
   [[nodiscard]] std::uint64_t cells_of_pair(int /*p*/, int /*q*/) const override { return 1; }
   [[nodiscard]] int sign_in_pair(const ops::LazyKey& /*key*/) const override { return 1; }
 

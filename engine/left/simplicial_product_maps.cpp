@@ -54,7 +54,7 @@ Value SimplicialProductMaps<R>::restrict(Value v, const reductions::Vertices& ma
 /// The simplex of the product that two maps make of a pair; nothing if it is degenerate.
 template <Ring R>
 void SimplicialProductMaps<R>::add_simplex(const reductions::SignedPair& maps, const Value& left, const Value& right,
-                                           const Element& factor, RawTerms<R>& out) const {
+                                           const Element& factor, RawTerms<R, CellId>& out) const {
   const Value a = restrict(left, maps.first);
   const Value b = restrict(right, maps.second);
   if ((a.collapsed & b.collapsed) == 0) {
@@ -64,12 +64,12 @@ void SimplicialProductMaps<R>::add_simplex(const reductions::SignedPair& maps, c
 }
 
 template <Ring R>
-void SimplicialProductMaps<R>::add_F(CellId cell, const Element& factor, RawTerms<R>& out) const {
+void SimplicialProductMaps<R>::add_F(CellId cell, const Element& factor, RawTerms<R, GeneratorId>& out) const {
   for_each_in_f(cell, [&](CellId a, CellId b) { this->add_F_of_pair(a, b, factor, out); });
 }
 
 template <Ring R>
-void SimplicialProductMaps<R>::add_K(CellId cell, const Element& factor, RawTerms<R>& out) const {
+void SimplicialProductMaps<R>::add_K(CellId cell, const Element& factor, RawTerms<R, CellId>& out) const {
   const ops::LazyKey key = this->key(cell);
   for (const auto& term : factors_.formulas().shih(structure_.dimension(cell))) {
     add_simplex(term, key.left, key.right, factor, out);
@@ -85,14 +85,12 @@ std::uint64_t SimplicialProductMaps<R>::terms_of_K(CellId cell) const {
 }
 
 template <Ring R>
-void SimplicialProductMaps<R>::add_pairs(const Terms<R>& left, const Terms<R>& right, const Element& factor,
-                                         RawTerms<R>& out) const {
+void SimplicialProductMaps<R>::add_pairs(const Terms<R, CellId>& left, const Terms<R, CellId>& right,
+                                         const Element& factor, RawTerms<R, CellId>& out) const {
   const ops::Values& values = structure_.values();
-  for (const auto& [of_left, coefficient_a] : left) {
-    const CellId a{of_left};
+  for (const auto& [a, coefficient_a] : left) {
     const Element scaled = ring_.multiply(factor, coefficient_a);
-    for (const auto& [of_right, coefficient_b] : right) {
-      const CellId b{of_right};
+    for (const auto& [b, coefficient_b] : right) {
       const Element coefficient = ring_.multiply(scaled, coefficient_b);
       for (const auto& shuffle : factors_.formulas().shuffles(structure_.dimension(a), structure_.dimension(b))) {
         add_simplex(shuffle, values.plain(a), values.plain(b), coefficient, out);

@@ -20,12 +20,13 @@ class SimplicialProductMaps final : public TensorMaps<R> {
   using typename FamilyMaps<R>::Element;
   using TensorMaps<R>::TensorMaps;
 
-  void add_F(CellId cell, const Element& factor, RawTerms<R>& out) const override;
-  void add_K(CellId cell, const Element& factor, RawTerms<R>& out) const override;
+  void add_F(CellId cell, const Element& factor, RawTerms<R, GeneratorId>& out) const override;
+  void add_K(CellId cell, const Element& factor, RawTerms<R, CellId>& out) const override;
   [[nodiscard]] std::uint64_t terms_of_K(CellId cell) const override;
 
  protected:
-  void add_pairs(const Terms<R>& left, const Terms<R>& right, const Element& factor, RawTerms<R>& out) const override;
+  void add_pairs(const Terms<R, CellId>& left, const Terms<R, CellId>& right, const Element& factor,
+                 RawTerms<R, CellId>& out) const override;
   [[nodiscard]] std::uint64_t cells_of_pair(int p, int q) const override;
   [[nodiscard]] int sign_in_pair(const ops::LazyKey& key) const override;
 
@@ -36,7 +37,7 @@ class SimplicialProductMaps final : public TensorMaps<R> {
   void for_each_in_f(CellId cell, Visit visit) const;
   [[nodiscard]] ops::Value restrict(ops::Value v, const reductions::Vertices& map) const;
   void add_simplex(const reductions::SignedPair& maps, const ops::Value& left, const ops::Value& right,
-                   const Element& factor, RawTerms<R>& out) const;
+                   const Element& factor, RawTerms<R, CellId>& out) const;
 };
 
 }  // namespace sesame::engine

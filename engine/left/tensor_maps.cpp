@@ -5,29 +5,29 @@
 namespace sesame::engine {
 
 template <Ring R>
-void TensorMaps<R>::add_G(Index generator, const Element& factor, RawTerms<R>& out) const {
+void TensorMaps<R>::add_G(GeneratorId generator, const Element& factor, RawTerms<R, CellId>& out) const {
   const auto [a, b] = pairs_.pair(generator);
   add_pairs(factors_.G(a), factors_.G(b), factor, out);
 }
 
 template <Ring R>
-std::uint64_t TensorMaps<R>::terms_of_G(Index generator) const {
+std::uint64_t TensorMaps<R>::terms_of_G(GeneratorId generator) const {
   const auto [a, b] = pairs_.pair(generator);
   return saturating_product(cells_of_pair(factors_.degree(a), factors_.degree(b)),
                             saturating_product(factors_.terms_of_G(a), factors_.terms_of_G(b)));
 }
 
 template <Ring R>
-Terms<R> TensorMaps<R>::transposed_G(CellId cell) const {
+Terms<R, GeneratorId> TensorMaps<R>::transposed_G(CellId cell) const {
   const auto [left, right] = std::pair{key(cell).left.cell, key(cell).right.cell};
-  RawTerms<R> generators;
+  RawTerms<R, GeneratorId> generators;
   const int sign = sign_in_pair(key(cell));
   if (sign == 0) {
     return {};
   }
   const int p = structure_.dimension(left);
   const int q = structure_.dimension(right);
-  for (Index generator = pairs_.first(); generator < pairs_.end(); ++generator) {
+  for (GeneratorId generator = pairs_.first(); generator < pairs_.end(); ++generator) {
     const auto [a, b] = pairs_.pair(generator);
     if (factors_.degree(a) == p && factors_.degree(b) == q) {
       const Element of_left = coefficient_at(factors_.G(a), left);
@@ -39,9 +39,9 @@ Terms<R> TensorMaps<R>::transposed_G(CellId cell) const {
 }
 
 template <Ring R>
-void TensorMaps<R>::add_K_of_pair(CellId a, CellId b, const Element& factor, RawTerms<R>& out) const {
+void TensorMaps<R>::add_K_of_pair(CellId a, CellId b, const Element& factor, RawTerms<R, CellId>& out) const {
   const auto& of_a = factors_.homotopy(a);
-  const Terms<R>& of_b = factors_.homotopy(b).K;
+  const Terms<R, CellId>& of_b = factors_.homotopy(b).K;
   add_pairs(of_a.K, {{b, ring_.one()}}, factor, out);
   add_pairs(of_a.GF, of_b, structure_.dimension(a) % 2 == 0 ? factor : ring_.negate(factor), out);
 }
@@ -58,8 +58,8 @@ std::uint64_t TensorMaps<R>::terms_of_K_of_pair(CellId a, CellId b) const {
 }
 
 template <Ring R>
-typename R::Element TensorMaps<R>::coefficient_at(const Terms<R>& chain, CellId cell) const {
-  const sparse::Term<R>* term = sparse::find_term<R>(chain, cell);
+typename R::Element TensorMaps<R>::coefficient_at(const Terms<R, CellId>& chain, CellId cell) const {
+  const sparse::Term<R, CellId>* term = sparse::find_term<R>(chain, cell);
   return term != nullptr ? term->coefficient : ring_.zero();
 }
 

@@ -23,28 +23,28 @@ class TensorMaps : public FamilyMaps<R> {
   TensorMaps(R ring, const Structure& structure, ops::FamilyId id, PairTable pairs, FrozenMaps<R>& factors)
       : ring_{ring}, structure_{structure}, id_{id}, pairs_{std::move(pairs)}, factors_{factors} {}
 
-  void add_G(Index generator, const Element& factor, RawTerms<R>& out) const final;
-  [[nodiscard]] std::uint64_t terms_of_G(Index generator) const final;
-  [[nodiscard]] Terms<R> transposed_G(CellId cell) const final;
+  void add_G(GeneratorId generator, const Element& factor, RawTerms<R, CellId>& out) const final;
+  [[nodiscard]] std::uint64_t terms_of_G(GeneratorId generator) const final;
+  [[nodiscard]] Terms<R, GeneratorId> transposed_G(CellId cell) const final;
 
  protected:
   /// left | right, both chains of the factors, times a factor, as a chain of the product.
-  virtual void add_pairs(const Terms<R>& left, const Terms<R>& right, const Element& factor,
-                         RawTerms<R>& out) const = 0;
+  virtual void add_pairs(const Terms<R, CellId>& left, const Terms<R, CellId>& right, const Element& factor,
+                         RawTerms<R, CellId>& out) const = 0;
   /// Of how many cells a|b is the sum, for a p-cell and a q-cell.
   [[nodiscard]] virtual std::uint64_t cells_of_pair(int p, int q) const = 0;
   /// The coefficient of a cell in a|b, for the a and b that it lies over: 1, 0 or -1.
   [[nodiscard]] virtual int sign_in_pair(const ops::LazyKey& key) const = 0;
 
   /// F and K of a|b, and how many terms that K adds.
-  void add_F_of_pair(CellId a, CellId b, const Element& factor, RawTerms<R>& out) const {
+  void add_F_of_pair(CellId a, CellId b, const Element& factor, RawTerms<R, GeneratorId>& out) const {
     pairs_.add_tensor(ring_, factors_.F(a), factors_.F(b), factor, out);
   }
-  void add_K_of_pair(CellId a, CellId b, const Element& factor, RawTerms<R>& out) const;
+  void add_K_of_pair(CellId a, CellId b, const Element& factor, RawTerms<R, CellId>& out) const;
   [[nodiscard]] std::uint64_t terms_of_K_of_pair(CellId a, CellId b) const;
 
   [[nodiscard]] const ops::LazyKey& key(CellId cell) const { return structure_.lazy().of(cell)->key; }
-  [[nodiscard]] Element coefficient_at(const Terms<R>& chain, CellId cell) const;
+  [[nodiscard]] Element coefficient_at(const Terms<R, CellId>& chain, CellId cell) const;
 
   R ring_;
   const Structure& structure_;

@@ -17,7 +17,7 @@ Trace<R> Lifts<R>::run_trace(RuleId before, Begin begin) {
   if (traces_running_ == traced_.size()) {
     traced_.emplace_back(ring_);
   }
-  sparse::Accumulator<R>& traced = traced_[traces_running_++];
+  sparse::Accumulator<R, Symbol>& traced = traced_[traces_running_++];
   std::priority_queue<RuleId, std::vector<RuleId>, std::greater<>> queue;
   const Rules<R>& rules = rules_;
   const auto add = [&](Symbol x, const Element& factor, const Element& coefficient) {
@@ -56,9 +56,9 @@ Trace<R> Lifts<R>::run_trace(RuleId before, Begin begin) {
 }
 
 template <Ring R>
-Trace<R> Lifts<R>::trace(std::span<const TermType> chain_of_b) {
+Trace<R> Lifts<R>::trace(std::span<const TermOfB> chain_of_b) {
   return run_trace(rules_.size(), [&](auto add) {
-    for (const TermType& term : chain_of_b) {
+    for (const TermOfB& term : chain_of_b) {
       add(rules_.symbol_of(term.index), term.coefficient, ring_.one());
     }
   });
@@ -73,7 +73,7 @@ Trace<R> Lifts<R>::trace_of_boundary(Symbol x, RuleId before) {
         add(term.index, term.coefficient, ring_.one());
       }
     } else {
-      boundary_.for_each_in_column(rules_.generator_in(x), [&](const TermType& term) {
+      boundary_.for_each_in_column(rules_.generator_in(x), [&](const TermOfB& term) {
         add(rules_.symbol_of(term.index), term.coefficient, ring_.one());
       });
     }
@@ -82,7 +82,7 @@ Trace<R> Lifts<R>::trace_of_boundary(Symbol x, RuleId before) {
 
 template <Ring R>
 void Lifts<R>::drop_work() {
-  for (sparse::Accumulator<R>& traced : traced_) {
+  for (sparse::Accumulator<R, Symbol>& traced : traced_) {
     traced.clear();
   }
   traces_running_ = 0;
@@ -94,7 +94,8 @@ void Lifts<R>::drop_work() {
 /// told of those of a combination, `add_rule(rule, coefficient)` of those of the symbols b of rules.
 template <Ring R>
 template <class Add, class AddRule>
-void Lifts<R>::expand(RuleId time, Symbol x, const Element& a, RawTerms<R>& generators, Add add, AddRule add_rule) {
+void Lifts<R>::expand(RuleId time, Symbol x, const Element& a, RawTerms<R, GeneratorId>& generators, Add add,
+                      AddRule add_rule) {
   if (const auto* combination = rules_.combination(x)) {
     add(combination->rule, combination->x, a);
     add(combination->rule, combination->y, ring_.negate(ring_.multiply(a, combination->q)));
@@ -108,7 +109,7 @@ void Lifts<R>::expand(RuleId time, Symbol x, const Element& a, RawTerms<R>& gene
 }
 
 template <Ring R>
-Terms<R> Lifts<R>::lift(std::span<const TermType> chain_of_s, const Trace<R>& trace) {
+Terms<R, GeneratorId> Lifts<R>::lift(std::span<const TermType> chain_of_s, const Trace<R>& trace) {
   // What is still to be expanded: V_t(x) with its coefficient, the latest t first. Expanding one leads to earlier ones
   // only, so equal ones have been added up by the time their turn comes.
   std::map<std::pair<RuleId, Symbol>, Element, std::greater<>> pending;
@@ -122,7 +123,7 @@ Terms<R> Lifts<R>::lift(std::span<const TermType> chain_of_s, const Trace<R>& tr
   for (const auto& [rule, coefficient] : trace) {
     add_rule(rule, coefficient);
   }
-  RawTerms<R> chain;
+  RawTerms<R, GeneratorId> chain;
   while (!pending.empty()) {
     const auto node = pending.extract(pending.begin());
     if (!ring_.is_zero(node.mapped())) {
@@ -150,10 +151,10 @@ typename Lifts<R>::Expansion Lifts<R>::expansion(Symbol x, RuleId time) {
 
 /// delta(V), in symbols from `first` on. Requires: the rules of the trace are up to date.
 template <Ring R>
-Terms<R> Lifts<R>::gain_of(const Expansion& v, Symbol first) {
-  RawTerms<R> gain;
-  for (const TermType& part : v.generators) {
-    boundary_.for_each_in_column(part.index, [&](const TermType& term) {
+Terms<R, Symbol> Lifts<R>::gain_of(const Expansion& v, Symbol first) {
+  RawTerms<R, Symbol> gain;
+  for (const TermOfB& part : v.generators) {
+    boundary_.for_each_in_column(part.index, [&](const TermOfB& term) {
       if (term.index > part.index && rules_.symbol_of(term.index) >= first) {
         gain.push_back({rules_.symbol_of(term.index), ring_.multiply(part.coefficient, term.coefficient)});
       }
@@ -196,7 +197,7 @@ void Lifts<R>::take_in(RuleId rule) {
       push(top.lift.trace[top.next].first);
       continue;
     }
-    const Terms<R> gain = gain_of(top.lift, perturbations_.first_missing(top.rule));
+    const Terms<R, Symbol> gain = gain_of(top.lift, perturbations_.first_missing(top.rule));
     perturbations_.take_in(top.rule, gain);
     effort_.read(gain.size() + top.lift.trace.size());
     effort_.spend(words_of(gain));
@@ -205,7 +206,7 @@ void Lifts<R>::take_in(RuleId rule) {
 }
 
 template <Ring R>
-Terms<R> Lifts<R>::gain(Symbol x, RuleId time, Symbol first) {
+Terms<R, Symbol> Lifts<R>::gain(Symbol x, RuleId time, Symbol first) {
   const Expansion v = expansion(x, time);
   for (const auto& [rule, coefficient] : v.trace) {
     take_in(rule);

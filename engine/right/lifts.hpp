@@ -37,22 +37,23 @@ template <Ring R>
 class Lifts {
  public:
   using Element = typename R::Element;
-  using TermType = sparse::Term<R>;
+  using TermType = sparse::Term<R, Symbol>;
+  using TermOfB = sparse::Term<R, GeneratorId>;
 
   /// All of them must outlive it.
-  Lifts(R ring, const sparse::ColumnStore<R>& boundary, const Rules<R>& rules, Perturbations<R>& perturbations,
-        Effort& effort)
+  Lifts(R ring, const sparse::ColumnStore<R, GeneratorId>& boundary, const Rules<R>& rules,
+        Perturbations<R>& perturbations, Effort& effort)
       : ring_{ring}, boundary_{boundary}, rules_{rules}, perturbations_{perturbations}, effort_{effort} {}
 
   /// h, as a trace, of a chain of B. Cost: the rules that apply, each once, times the logarithm of their number.
-  [[nodiscard]] Trace<R> trace(std::span<const TermType> chain_of_b);
+  [[nodiscard]] Trace<R> trace(std::span<const TermOfB> chain_of_b);
   /// g of a chain of S (in symbols) plus sum trace[a] V(b_a): a chain of B in normal form.
   /// Cost: each rule involved is expanded once.
-  [[nodiscard]] Terms<R> lift(std::span<const TermType> chain_of_s, const Trace<R>& trace = {});
+  [[nodiscard]] Terms<R, GeneratorId> lift(std::span<const TermType> chain_of_s, const Trace<R>& trace = {});
 
   /// delta(V_time(x)) of the perturbations with new symbols from `first` on, in these; in normal form.
   /// Cost: the rules under x are brought up to date, else that of the lift.
-  [[nodiscard]] Terms<R> gain(Symbol x, RuleId time, Symbol first);
+  [[nodiscard]] Terms<R, Symbol> gain(Symbol x, RuleId time, Symbol first);
   /// Brings a rule up to date, and all rules that it depends on. Cost: O(1) when it is.
   void take_in(RuleId rule);
 
@@ -62,7 +63,7 @@ class Lifts {
  private:
   /// V_t(x) = generators - sum trace[a] V(b_a).
   struct Expansion {
-    RawTerms<R> generators;
+    RawTerms<R, GeneratorId> generators;
     Trace<R> trace;
   };
 
@@ -70,16 +71,18 @@ class Lifts {
   Trace<R> run_trace(RuleId before, Begin begin);
   Trace<R> trace_of_boundary(Symbol x, RuleId before);
   template <class Add, class AddRule>
-  void expand(RuleId time, Symbol x, const Element& coefficient, RawTerms<R>& generators, Add add, AddRule add_rule);
+  void expand(RuleId time, Symbol x, const Element& coefficient, RawTerms<R, GeneratorId>& generators, Add add,
+              AddRule add_rule);
   [[nodiscard]] Expansion expansion(Symbol x, RuleId time);
-  [[nodiscard]] Terms<R> gain_of(const Expansion& v, Symbol first);
+  [[nodiscard]] Terms<R, Symbol> gain_of(const Expansion& v, Symbol first);
 
   R ring_;
-  const sparse::ColumnStore<R>& boundary_;
+  const sparse::ColumnStore<R, GeneratorId>& boundary_;
   const Rules<R>& rules_;
   Perturbations<R>& perturbations_;
   Effort& effort_;
-  std::deque<sparse::Accumulator<R>> traced_;  ///< one for each trace that is running: taking in may start another
+  /// One for each trace that is running: taking in may start another.
+  std::deque<sparse::Accumulator<R, Symbol>> traced_;
   std::size_t traces_running_ = 0;
 };
 

@@ -76,7 +76,7 @@ template <Ring R>
 void Memos<R>::refresh(RuleId rule) {
   lifts_.take_in(rule);
   if (memos_[rule].written || !perturbations_.gain(rule).empty()) {
-    Terms<R> value;
+    Terms<R, Symbol> value;
     perturbations_.for_each_in_value(rule, [&value](Symbol x, const Element& coefficient) {
       value.push_back({x, coefficient});
     });

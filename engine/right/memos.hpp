@@ -27,7 +27,7 @@ template <Ring R>
 class Memos {
  public:
   using Element = typename R::Element;
-  using TermType = sparse::Term<R>;
+  using TermType = sparse::Term<R, Symbol>;
 
   /// All of them must outlive it.
   Memos(R ring, const Rules<R>& rules, const Perturbations<R>& perturbations, Lifts<R>& lifts, Effort& effort)
@@ -36,7 +36,7 @@ class Memos {
   /// The image in S of a sum of symbols, in normal form; `for_each(visit)` calls visit(symbol, coefficient) for each of
   /// its terms, and is called twice. Cost: amortised, the length of the memos that it reads.
   template <class ForEach>
-  void rewrite(ForEach for_each, Terms<R>& out) {
+  void rewrite(ForEach for_each, Terms<R, Symbol>& out) {
     // All memos first: bringing one up to date uses the same sum.
     for_each([this](Symbol x, const Element&) {
       if (rules_.is_rewritten(x)) {
@@ -59,7 +59,7 @@ class Memos {
 
  private:
   struct Memo {
-    Terms<R> terms;
+    Terms<R, Symbol> terms;
     std::uint64_t checked = 0;    ///< the version at which it was known to be in small symbols only
     std::uint64_t perturbed = 0;  ///< the serial number of the last perturbation that it takes into account
     std::uint32_t epoch = 0;      ///< in which it was last written
@@ -98,7 +98,7 @@ class Memos {
   std::vector<Memo> memos_;                      ///< per rule; of the latest, which nobody has read yet, there are none
   std::vector<std::pair<RuleId, Memo>> before_;  ///< memos as they were, for undo: each once per epoch
   std::uint32_t epoch_ = 1;
-  sparse::Accumulator<R> sum_;
+  sparse::Accumulator<R, Symbol> sum_;
   std::vector<RuleId> pending_;  ///< scratch
 };
 

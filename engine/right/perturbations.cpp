@@ -8,22 +8,22 @@ namespace sesame::engine {
 namespace {
 
 template <Ring R>
-void cut(Terms<R>& terms, Symbol first) {
-  std::erase_if(terms, [first](const sparse::Term<R>& term) { return term.index >= first; });
+void cut(Terms<R, Symbol>& terms, Symbol first) {
+  std::erase_if(terms, [first](const sparse::Term<R, Symbol>& term) { return term.index >= first; });
 }
 
 }  // namespace
 
 template <Ring R>
 typename Perturbations<R>::Concerned Perturbations<R>::record(RuleId time, Symbol first,
-                                                              std::span<const Index> changed) {
+                                                              std::span<const GeneratorId> changed) {
   Concerned concerned;
   std::set<int> combined;  // degrees with changes of basis
   for (const auto& combination : rules_.combinations()) {
     combined.insert(rules_.degree(combination.x));
   }
   std::map<int, RuleId> since;  // by degree: rules made before do not have a changed generator in their lifts
-  for (const Index generator : changed) {
+  for (const GeneratorId generator : changed) {
     const Symbol x = rules_.symbol_of(generator);
     const RuleId rule = rules_.removed_by(x);
     if (rule == no_rule) {
@@ -92,7 +92,7 @@ bool Perturbations<R>::is_behind(RuleId rule) const {
 }
 
 template <Ring R>
-void Perturbations<R>::take_in(RuleId rule, const Terms<R>& more) {
+void Perturbations<R>::take_in(RuleId rule, const Terms<R, Symbol>& more) {
   Gain& sum = gains_[rule];
   sum.terms.insert(sum.terms.end(), more.begin(), more.end());
   sum.taken_in = of_degree_[degree_of_b(rule)].size();
@@ -100,7 +100,7 @@ void Perturbations<R>::take_in(RuleId rule, const Terms<R>& more) {
 }
 
 template <Ring R>
-void Perturbations<R>::extend_column(std::size_t combination, const Terms<R>& more) {
+void Perturbations<R>::extend_column(std::size_t combination, const Terms<R, Symbol>& more) {
   if (!more.empty()) {
     rules_.extend_column(combination, more);
     steps_.back().combinations.push_back(combination);

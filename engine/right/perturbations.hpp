@@ -29,7 +29,7 @@ template <Ring R>
 class Perturbations {
  public:
   using Element = typename R::Element;
-  using TermType = sparse::Term<R>;
+  using TermType = sparse::Term<R, Symbol>;
 
   /// `rules` must outlive it.
   Perturbations(R ring, Rules<R>& rules) : ring_{ring}, rules_{rules} {}
@@ -42,7 +42,7 @@ class Perturbations {
   /// Takes note of a perturbation of the boundaries of `changed`, in symbols from `first` on, which were made at `time`
   /// or later. Cost: the changed generators, the combinations, and, when a changed one may be in a lift, the small
   /// symbols of its degree.
-  Concerned record(RuleId time, Symbol first, std::span<const Index> changed);
+  Concerned record(RuleId time, Symbol first, std::span<const GeneratorId> changed);
   /// Grows with each `record`.
   [[nodiscard]] std::uint64_t version() const { return recorded_; }
 
@@ -84,9 +84,9 @@ class Perturbations {
   }
 
   /// A rule takes in all that it lacks: `more` is delta(V(b)) in symbols from `first_missing` on.
-  void take_in(RuleId rule, const Terms<R>& more);
+  void take_in(RuleId rule, const Terms<R, Symbol>& more);
   /// The column of a combination gains what the last perturbation gives it.
-  void extend_column(std::size_t combination, const Terms<R>& more);
+  void extend_column(std::size_t combination, const Terms<R, Symbol>& more);
 
   [[nodiscard]] std::size_t size() const { return steps_.size(); }
   /// Goes back to a number of perturbations; the rules from `rules` on are still there, and about to be undone.
@@ -108,7 +108,7 @@ class Perturbations {
     std::vector<std::size_t> combinations;  ///< whose column it changed
   };
   struct Gain {
-    Terms<R> terms;
+    Terms<R, Symbol> terms;
     std::size_t taken_in = 0;
   };
 

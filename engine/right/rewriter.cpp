@@ -5,7 +5,7 @@
 namespace sesame::engine {
 
 template <Ring R>
-Rewriter<R>::Rewriter(R ring, const sparse::ColumnStore<R>& boundary)
+Rewriter<R>::Rewriter(R ring, const sparse::ColumnStore<R, GeneratorId>& boundary)
     : boundary_{boundary},
       rules_{ring},
       perturbations_{ring, rules_},
@@ -19,7 +19,7 @@ void Rewriter<R>::append(int degree) {
   memos_.rewrite(
       [this, generator = rules_.generator_in(x)](auto visit) {
         boundary_.for_each_in_column(
-            generator, [&](const TermType& term) { visit(rules_.symbol_of(term.index), term.coefficient); });
+            generator, [&](const TermOfB& term) { visit(rules_.symbol_of(term.index), term.coefficient); });
       },
       column_);
   if (!column_.empty()) {
@@ -29,7 +29,7 @@ void Rewriter<R>::append(int degree) {
 }
 
 template <Ring R>
-void Rewriter<R>::perturb(RuleId time, Index first, std::span<const Index> changed) {
+void Rewriter<R>::perturb(RuleId time, GeneratorId first, std::span<const GeneratorId> changed) {
   const Symbol first_symbol = rules_.symbol_of(first);
   const auto concerned = perturbations_.record(time, first_symbol, changed);
   for (const std::size_t k : concerned.combinations) {
@@ -40,7 +40,7 @@ void Rewriter<R>::perturb(RuleId time, Index first, std::span<const Index> chang
     if (rules_.removed_by(x) != no_rule) {
       continue;  // since: another one was eliminated with it
     }
-    const Terms<R> gain = lifts_.gain(x, rules_.size(), first_symbol);
+    const Terms<R, Symbol> gain = lifts_.gain(x, rules_.size(), first_symbol);
     memos_.rewrite(
         [&gain](auto visit) {
           for (const TermType& term : gain) {
@@ -63,11 +63,11 @@ void Rewriter<R>::consume(std::span<const Symbol> symbols) {
 }
 
 template <Ring R>
-Terms<R> Rewriter<R>::rewrite(std::span<const TermType> chain_of_b) {
-  Terms<R> image;
+Terms<R, Symbol> Rewriter<R>::rewrite(std::span<const TermOfB> chain_of_b) {
+  Terms<R, Symbol> image;
   memos_.rewrite(
       [&](auto visit) {
-        for (const TermType& term : chain_of_b) {
+        for (const TermOfB& term : chain_of_b) {
           visit(rules_.symbol_of(term.index), term.coefficient);
         }
       },

@@ -29,10 +29,11 @@ namespace sesame::engine {
 template <Ring R>
 class Rewriter {
  public:
-  using TermType = sparse::Term<R>;
+  using TermType = sparse::Term<R, Symbol>;
+  using TermOfB = sparse::Term<R, GeneratorId>;
 
   /// `boundary` is dB; it grows outside, a column before the generator is announced here by `append`.
-  Rewriter(R ring, const sparse::ColumnStore<R>& boundary);
+  Rewriter(R ring, const sparse::ColumnStore<R, GeneratorId>& boundary);
   Rewriter(const Rewriter&) = delete;
   Rewriter& operator=(const Rewriter&) = delete;
 
@@ -44,18 +45,18 @@ class Rewriter {
   /// `time`, the first of them `first`: a de-identification. The boundaries of those must not have changed.
   /// Cost: when the changed generators are in no rule, their number. Else that of the lifts of the small generators
   /// whose degree is that of a changed one, as far as rules made after the oldest changed one are concerned.
-  void perturb(RuleId time, Index first, std::span<const Index> changed);
+  void perturb(RuleId time, GeneratorId first, std::span<const GeneratorId> changed);
   /// Takes small generators out of S, with their boundaries: what they generate is no longer part of the object. They
   /// stay what chains of B that have them are rewritten to.
   void consume(std::span<const Symbol> symbols);
 
   /// f: the image in S of a chain of B, in symbols. Cost: amortised, the length of the memoised vectors that it reads.
-  [[nodiscard]] Terms<R> rewrite(std::span<const TermType> chain_of_b);
+  [[nodiscard]] Terms<R, Symbol> rewrite(std::span<const TermOfB> chain_of_b);
   /// h, as a trace, of a chain of B. Cost: the rules that apply, each once, times the logarithm of their number.
-  [[nodiscard]] Trace<R> trace(std::span<const TermType> chain_of_b) { return lifts_.trace(chain_of_b); }
+  [[nodiscard]] Trace<R> trace(std::span<const TermOfB> chain_of_b) { return lifts_.trace(chain_of_b); }
   /// g of a chain of S (in symbols) plus sum trace[a] V(b_a): a chain of B in normal form.
   /// Cost: each rule involved is expanded once.
-  [[nodiscard]] Terms<R> lift(std::span<const TermType> chain_of_s, const Trace<R>& trace = {}) {
+  [[nodiscard]] Terms<R, GeneratorId> lift(std::span<const TermType> chain_of_s, const Trace<R>& trace = {}) {
     return lifts_.lift(chain_of_s, trace);
   }
 
@@ -83,7 +84,7 @@ class Rewriter {
   [[nodiscard]] const TorsionCore<R>& core() const { return settling_.core(); }
   [[nodiscard]] int degree(Symbol x) const { return rules_.degree(x); }
   /// The generator of B that a symbol is, or one of those that it is a combination of.
-  [[nodiscard]] Index generator_in(Symbol x) const { return rules_.generator_in(x); }
+  [[nodiscard]] GeneratorId generator_in(Symbol x) const { return rules_.generator_in(x); }
   /// Calls visit(a, b) for each elimination, with the two generators of B. Requires: the ring is a field, so that every
   /// symbol is a generator.
   template <class Visit>
@@ -109,14 +110,14 @@ class Rewriter {
   void undo(const Mark& mark);
 
  private:
-  const sparse::ColumnStore<R>& boundary_;
+  const sparse::ColumnStore<R, GeneratorId>& boundary_;
   Effort effort_;
   Rules<R> rules_;
   Perturbations<R> perturbations_;
   Lifts<R> lifts_;
   Memos<R> memos_;
   Settling<R> settling_;
-  Terms<R> column_;  ///< scratch
+  Terms<R, Symbol> column_;  ///< scratch
 };
 
 }  // namespace sesame::engine

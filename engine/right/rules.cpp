@@ -68,11 +68,11 @@ void Rules<R>::relink(Symbol x) {
 }
 
 template <Ring R>
-Index Rules<R>::generator_in(Symbol x) const {
+GeneratorId Rules<R>::generator_in(Symbol x) const {
   while (const Combination* combined = combination(x)) {
     x = combined->x;
   }
-  return generator_[x];
+  return GeneratorId{generator_[x]};
 }
 
 template <Ring R>
@@ -119,7 +119,7 @@ void Rules<R>::pop() {
 }
 
 template <Ring R>
-RuleId Rules<R>::eliminate(Symbol a, Symbol b, const Terms<R>& column) {
+RuleId Rules<R>::eliminate(Symbol a, Symbol b, const Terms<R, Symbol>& column) {
   const auto at = std::find_if(column.begin(), column.end(), [a](const TermType& term) { return term.index == a; });
   Element inverse = ring_.inverse(at->coefficient);
   const Element minus_inverse = ring_.negate(inverse);
@@ -133,7 +133,7 @@ RuleId Rules<R>::eliminate(Symbol a, Symbol b, const Terms<R>& column) {
 }
 
 template <Ring R>
-RuleId Rules<R>::change_basis(Symbol x, const Element& q, Symbol y, Terms<R> column) {
+RuleId Rules<R>::change_basis(Symbol x, const Element& q, Symbol y, Terms<R, Symbol> column) {
   const auto index = static_cast<std::uint32_t>(combinations_.size());
   const Symbol made = add_symbol(degree_[x], combination_bit | index);
   const std::size_t begin = values_.size();
@@ -151,8 +151,8 @@ void Rules<R>::consume(Symbol x) {
 }
 
 template <Ring R>
-void Rules<R>::extend_column(std::size_t combination, const Terms<R>& terms) {
-  Terms<R>& column = combinations_[combination].column;
+void Rules<R>::extend_column(std::size_t combination, const Terms<R, Symbol>& terms) {
+  Terms<R, Symbol>& column = combinations_[combination].column;
   column.insert(column.end(), terms.begin(), terms.end());
 }
 

@@ -27,7 +27,7 @@ template <Ring R>
 class Rules {
  public:
   using Element = typename R::Element;
-  using TermType = sparse::Term<R>;
+  using TermType = sparse::Term<R, Symbol>;
 
   struct Rule {
     Symbol a;
@@ -43,7 +43,7 @@ class Rules {
     Element q;
     RuleId rule;
     Symbol made;
-    Terms<R> column;
+    Terms<R, Symbol> column;
   };
 
   explicit Rules(R ring) : ring_{ring} {}
@@ -51,13 +51,13 @@ class Rules {
   /// The symbol of the next generator of B.
   Symbol append_generator(int degree);
   /// Eliminates a and b, where d b = `column` has a unit at a. Requires: all of them are small.
-  RuleId eliminate(Symbol a, Symbol b, const Terms<R>& column);
+  RuleId eliminate(Symbol a, Symbol b, const Terms<R, Symbol>& column);
   /// Puts the symbol x' = x - q y, which will be `next_symbol()`, in the place of x; its boundary is `column`.
-  RuleId change_basis(Symbol x, const Element& q, Symbol y, Terms<R> column);
+  RuleId change_basis(Symbol x, const Element& q, Symbol y, Terms<R, Symbol> column);
   /// Takes a small symbol out of S.
   void consume(Symbol x);
 
-  [[nodiscard]] RuleId size() const { return static_cast<RuleId>(rules_.size()); }
+  [[nodiscard]] RuleId size() const { return RuleId{rules_.size()}; }
   [[nodiscard]] const Rule& operator[](RuleId rule) const { return rules_[rule]; }
   /// As it was made, in normal form.
   [[nodiscard]] std::span<const TermType> value(RuleId rule) const {
@@ -68,7 +68,7 @@ class Rules {
   /// The terms of all rules ever made, undone ones included.
   [[nodiscard]] std::uint64_t terms_made() const { return terms_made_; }
 
-  [[nodiscard]] Symbol next_symbol() const { return static_cast<Symbol>(removed_by_.size()); }
+  [[nodiscard]] Symbol next_symbol() const { return Symbol{removed_by_.size()}; }
   [[nodiscard]] int degree(Symbol x) const { return degree_[x]; }
   /// The rule that removed a symbol, as its a or as its b; no_rule when rewriting ends at it: it is small, or consumed.
   [[nodiscard]] RuleId removed_by(Symbol x) const { return removed_by_[x]; }
@@ -76,9 +76,9 @@ class Rules {
   [[nodiscard]] bool is_rewritten(Symbol x) const { return removed_by_[x] != no_rule && rules_[removed_by_[x]].a == x; }
   /// The time at which a symbol was made.
   [[nodiscard]] RuleId born(Symbol x) const { return born_[x]; }
-  [[nodiscard]] Symbol symbol_of(Index generator) const { return symbol_of_[generator]; }
+  [[nodiscard]] Symbol symbol_of(GeneratorId generator) const { return symbol_of_[generator]; }
   /// The generator of B that a symbol is, or one of those that it is a combination of.
-  [[nodiscard]] Index generator_in(Symbol x) const;
+  [[nodiscard]] GeneratorId generator_in(Symbol x) const;
   /// What a symbol is a combination of; nullptr when it is a generator of B.
   [[nodiscard]] const Combination* combination(Symbol x) const {
     return is_combination(x) ? &combinations_[generator_[x] & ~combination_bit] : nullptr;
@@ -87,7 +87,7 @@ class Rules {
   [[nodiscard]] std::span<const Combination> combinations() const { return combinations_; }
   /// The boundary of a combination gains terms in symbols that are younger than all it has, or loses those in symbols
   /// from `first` on.
-  void extend_column(std::size_t combination, const Terms<R>& terms);
+  void extend_column(std::size_t combination, const Terms<R, Symbol>& terms);
   void cut_column(std::size_t combination, Symbol first);
 
   /// The small symbols of a degree, oldest first.
@@ -99,7 +99,7 @@ class Rules {
   void for_each_pair(Visit visit) const {
     for (const Rule& rule : rules_) {
       if (rule.b != no_symbol) {
-        visit(Index{generator_[rule.a]}, Index{generator_[rule.b]});
+        visit(generator_in(rule.a), generator_in(rule.b));
       }
     }
   }

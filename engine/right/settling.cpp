@@ -18,23 +18,23 @@ constexpr int largest_of_combination = 100;
 constexpr int moves_per_step = 200;
 
 template <Ring R>
-Integer size_of(const R& ring, const sparse::Term<R>& term) {
+Integer size_of(const R& ring, const sparse::Term<R, Symbol>& term) {
   return sparse::abs(ring.to_integer(term.coefficient));
 }
 
 template <Ring R>
-Integer largest(const R& ring, const Terms<R>& column) {
+Integer largest(const R& ring, const Terms<R, Symbol>& column) {
   Integer most = 0;
-  for (const sparse::Term<R>& term : column) {
+  for (const sparse::Term<R, Symbol>& term : column) {
     most = std::max(most, size_of(ring, term));
   }
   return most;
 }
 
 template <Ring R>
-Integer content(const R& ring, const Terms<R>& column) {
+Integer content(const R& ring, const Terms<R, Symbol>& column) {
   Integer divisor = 0;
-  for (const sparse::Term<R>& term : column) {
+  for (const sparse::Term<R, Symbol>& term : column) {
     divisor = sparse::gcd(divisor, ring.to_integer(term.coefficient));
   }
   return divisor;
@@ -48,7 +48,7 @@ bool grows(const Integer& before, const Integer& after) { return after > before 
 // ----------------------------------------------------------------------------------------------------- eliminations
 
 template <Ring R>
-void Settling<R>::place(Symbol x, const Terms<R>& column) {
+void Settling<R>::place(Symbol x, const Terms<R, Symbol>& column) {
   if (const TermType* unit = mild_unit(column)) {
     eliminate(unit->index, x, column);
   } else {
@@ -58,11 +58,11 @@ void Settling<R>::place(Symbol x, const Terms<R>& column) {
 }
 
 template <Ring R>
-void Settling<R>::extend(Symbol x, Terms<R> more) {
+void Settling<R>::extend(Symbol x, Terms<R, Symbol> more) {
   if constexpr (R::is_field) {
     place(x, more);
   } else {
-    if (const Terms<R>* before = core_.find(x)) {
+    if (const Terms<R, Symbol>* before = core_.find(x)) {
       sparse::add_multiple<R>(ring_, more, ring_.one(), *before);
     }
     core_.set(x, std::move(more));
@@ -82,7 +82,7 @@ void Settling<R>::consume(Symbol x) {
 /// at most one. Others would be multiplied into every column that they meet; the Smith form deals with such a column
 /// better.
 template <Ring R>
-const sparse::Term<R>* Settling<R>::mild_unit(const Terms<R>& column) const {
+const sparse::Term<R, Symbol>* Settling<R>::mild_unit(const Terms<R, Symbol>& column) const {
   if constexpr (!R::is_field) {
     if (column.size() > 2 && largest(ring_, column) > largest_of_mild_column) {
       return nullptr;
@@ -98,7 +98,7 @@ const sparse::Term<R>* Settling<R>::mild_unit(const Terms<R>& column) const {
 
 /// d b = column has a unit at a: both go.
 template <Ring R>
-void Settling<R>::eliminate(Symbol a, Symbol b, const Terms<R>& column) {
+void Settling<R>::eliminate(Symbol a, Symbol b, const Terms<R, Symbol>& column) {
   const RuleId rule = rules_.eliminate(a, b, column);
   if constexpr (!R::is_field) {
     core_.set(a, {});
@@ -114,7 +114,7 @@ void Settling<R>::eliminate(Symbol a, Symbol b, const Terms<R>& column) {
 template <Ring R>
 void Settling<R>::substitute_row(Symbol row, std::span<const TermType> value) {
   for (const Symbol z : core_.columns_with_row(row)) {
-    Terms<R> column = *core_.find(z);
+    Terms<R, Symbol> column = *core_.find(z);
     const TermType* entry = sparse::find_term<R>(column, row);
     const Element coefficient = entry->coefficient;
     column.erase(column.begin() + (entry - column.data()));
@@ -133,7 +133,7 @@ void Settling<R>::settle() {
       effort_.check();
       const Symbol x = *unsettled_.begin();
       unsettled_.erase(unsettled_.begin());
-      if (const Terms<R>* column = core_.find(x)) {
+      if (const Terms<R, Symbol>* column = core_.find(x)) {
         effort_.spend(words_of(*column));
         settle_column(x);
       }
@@ -164,7 +164,7 @@ template <Ring R>
 void Settling<R>::settle_coprime(Symbol x) {
   while (mild_unit(*core_.find(x)) == nullptr && reduce_rows(x)) {
   }
-  const Terms<R> column = *core_.find(x);
+  const Terms<R, Symbol> column = *core_.find(x);
   if (const TermType* unit = mild_unit(column)) {
     eliminate(unit->index, x, column);
   }
@@ -187,7 +187,7 @@ void Settling<R>::settle_pivot(Symbol x, Symbol owner) {
 /// queued.
 template <Ring R>
 void Settling<R>::settle_row_of(Symbol x) {
-  const Terms<R> column = *core_.find(x);
+  const Terms<R, Symbol> column = *core_.find(x);
   for (auto term = std::next(column.rbegin()); term != column.rend(); ++term) {
     const Symbol y = core_.pivot_owner(term->index);
     if (y == no_symbol) {
@@ -213,7 +213,7 @@ void Settling<R>::settle_row_of(Symbol x) {
 /// might show. False when the step is not made.
 template <Ring R>
 bool Settling<R>::reduce_rows(Symbol x) {
-  const Terms<R>& column = *core_.find(x);
+  const Terms<R, Symbol>& column = *core_.find(x);
   const TermType& least = *std::min_element(column.begin(), column.end(), [this](const auto& a, const auto& b) {
     return size_of(ring_, a) < size_of(ring_, b);
   });
@@ -233,9 +233,9 @@ bool Settling<R>::combine(Symbol x, const Element& q, Symbol y) {
   if (moves_left_ <= 0) {
     return false;
   }
-  const Terms<R>* column_x = core_.find(x);
-  const Terms<R>* column_y = core_.find(y);
-  Terms<R> column = column_x == nullptr ? Terms<R>{} : *column_x;
+  const Terms<R, Symbol>* column_x = core_.find(x);
+  const Terms<R, Symbol>* column_y = core_.find(y);
+  Terms<R, Symbol> column = column_x == nullptr ? Terms<R, Symbol>{} : *column_x;
   const Integer before = largest(ring_, column);
   if (column_y != nullptr) {
     sparse::add_multiple<R>(ring_, column, ring_.negate(q), *column_y);
@@ -244,9 +244,9 @@ bool Settling<R>::combine(Symbol x, const Element& q, Symbol y) {
     return false;
   }
   const Symbol made = rules_.next_symbol();
-  const Terms<R> value{{y, q}, {made, ring_.one()}};
+  const Terms<R, Symbol> value{{y, q}, {made, ring_.one()}};
   for (const Symbol z : core_.columns_with_row(x)) {
-    Terms<R> changed = *core_.find(z);
+    Terms<R, Symbol> changed = *core_.find(z);
     sparse::add_multiple<R>(ring_, changed, Element{sparse::find_term<R>(changed, x)->coefficient}, value);
     if (grows(largest(ring_, *core_.find(z)), largest(ring_, changed))) {
       return false;

@@ -27,7 +27,7 @@ template <Ring R>
 class Settling {
  public:
   using Element = typename R::Element;
-  using TermType = sparse::Term<R>;
+  using TermType = sparse::Term<R, Symbol>;
 
   /// All of them must outlive it.
   Settling(R ring, Rules<R>& rules, Effort& effort) : ring_{ring}, rules_{rules}, effort_{effort} {}
@@ -36,9 +36,9 @@ class Settling {
   [[nodiscard]] const TorsionCore<R>& core() const { return core_; }
 
   /// A small symbol that is in no column has this boundary, which is not 0: eliminates it, or keeps the boundary.
-  void place(Symbol x, const Terms<R>& column);
+  void place(Symbol x, const Terms<R, Symbol>& column);
   /// The boundary of a small symbol has this more, which is not 0. Requires: over a field, that is all of it.
-  void extend(Symbol x, Terms<R> more);
+  void extend(Symbol x, Terms<R, Symbol> more);
   /// Settles what has changed since. Over a field there is nothing to do.
   void settle();
   /// Takes a small symbol out of S, with its boundary.
@@ -50,8 +50,8 @@ class Settling {
   void drop_work() { unsettled_.clear(); }
 
  private:
-  [[nodiscard]] const TermType* mild_unit(const Terms<R>& column) const;
-  void eliminate(Symbol a, Symbol b, const Terms<R>& column);
+  [[nodiscard]] const TermType* mild_unit(const Terms<R, Symbol>& column) const;
+  void eliminate(Symbol a, Symbol b, const Terms<R, Symbol>& column);
   void substitute_row(Symbol row, std::span<const TermType> value);
   void settle_column(Symbol x);
   void settle_coprime(Symbol x);

@@ -5,7 +5,7 @@
 namespace sesame::engine {
 
 template <Ring R>
-const Terms<R>* TorsionCore<R>::find(Symbol x) const {
+const Terms<R, Symbol>* TorsionCore<R>::find(Symbol x) const {
   const auto at = columns_.find(x);
   return at == columns_.end() ? nullptr : &at->second;
 }

@@ -18,7 +18,7 @@ namespace sesame::engine {
 template <Ring R>
 class TorsionCore {
  public:
-  using Column = Terms<R>;
+  using Column = Terms<R, Symbol>;
 
   [[nodiscard]] const std::map<Symbol, Column>& columns() const { return columns_; }
   [[nodiscard]] const Column* find(Symbol x) const;

@@ -19,7 +19,7 @@ using sparse::Ring;
 using sparse::Terms;
 
 template <Ring R>
-Terms<R> unit(const R& ring, CellId c) {
+Terms<R, CellId> unit(const R& ring, CellId c) {
   return {{c, ring.one()}};
 }
 
@@ -73,7 +73,7 @@ StepSequence<R> differences(const Structure& structure, const R& ring, Direction
                             J j_of, const typename R::Element& r_of) {
   const CellBasis none_stored;
   auto i = map_by_columns(ring, small, all, Rest::zero, small, i_of);
-  auto r = map_by_columns(ring, all, small, Rest::zero, small, [&](CellId c) { return Terms<R>{{c, r_of}}; });
+  auto r = map_by_columns(ring, all, small, Rest::zero, small, [&](CellId c) { return Terms<R, CellId>{{c, r_of}}; });
   auto j = map_by_columns(ring, all, quotient, Rest::identity, small, j_of);
   auto s = map_by_columns(ring, quotient, all, Rest::identity, none_stored, [&](CellId c) { return unit(ring, c); });
   ChainComplex<R> c1 = chain_complex(structure, all, moment_of_all, ring);
@@ -104,10 +104,10 @@ StepSequence<R> removed_cells(const Structure& structure, Moment before, Moment 
   /// The cell that c became, with its orientation, or 0 when that is degenerate.
   const auto became = [&](CellId c) {
     const auto [survivor, sign] = structure.forest().find_oriented_at(c, after.links);
-    return survivor == none ? Terms<R>{} : Terms<R>{{survivor, ring.from(sign)}};
+    return survivor == none ? Terms<R, CellId>{} : Terms<R, CellId>{{survivor, ring.from(sign)}};
   };
   const auto i_of = [&](CellId c) {
-    RawTerms<R> terms = became(c);
+    RawTerms<R, CellId> terms = became(c);
     terms.push_back({c, minus_one});
     return terms;
   };
@@ -126,7 +126,9 @@ StepSequence<R> split_cells(const Structure& structure, Moment before, Moment af
     }
   }
   const auto source = [&](CellId c) { return structure.splits().copy(c)->source; };
-  const auto i_of = [&](CellId c) { return RawTerms<R>{{c, ring.one()}, {source(c), ring.negate(ring.one())}}; };
+  const auto i_of = [&](CellId c) {
+    return RawTerms<R, CellId>{{c, ring.one()}, {source(c), ring.negate(ring.one())}};
+  };
   const auto j_of = [&](CellId c) { return unit(ring, source(c)); };
   return differences(structure, ring, Direction::backward, copies, all, after, old_cells, before, i_of, j_of,
                      ring.one());
@@ -189,7 +191,7 @@ std::optional<std::string> first_broken_face_law(const Structure& structure, con
 template <Ring R>
 ChainComplex<R> chain_complex(const Structure& structure, const CellBasis& basis, Moment moment, const R& ring) {
   return reductions::complex_by_columns(ring, basis, [&](CellId cell) {
-    RawTerms<R> terms;
+    RawTerms<R, CellId> terms;
     structure.faces().for_each_at(cell, moment, [&](CellId face, int sign) {
       if (basis.contains(face)) {
         terms.push_back({face, ring.from(sign)});

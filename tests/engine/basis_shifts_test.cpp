@@ -13,7 +13,7 @@ using Row = std::vector<int>;
 /// What the present generators are in those as created, a row each; and which node has which.
 struct PlainBasis {
   std::vector<Row> rows;
-  std::vector<std::vector<Index>> generators_of;
+  std::vector<std::vector<GeneratorId>> generators_of;
 
   void append() {
     const std::size_t at = rows.size();
@@ -21,10 +21,10 @@ struct PlainBasis {
       row.push_back(0);
     }
     rows.emplace_back(at + 1, 0).back() = 1;
-    generators_of.push_back({static_cast<Index>(at)});
+    generators_of.push_back({GeneratorId{at}});
   }
   void shift(std::size_t node, std::size_t copy) {
-    for (const Index generator : generators_of[node]) {
+    for (const GeneratorId generator : generators_of[node]) {
       for (std::size_t k = 0; k < rows.size(); ++k) {
         rows[generator][k] += rows[copy][k];
       }
@@ -34,9 +34,12 @@ struct PlainBasis {
   }
 };
 
+/// The node that a generator was made for: here there is one for each.
+CellId node_of(GeneratorId generator) { return CellId{std::uint32_t{generator}}; }
+
 void check(const engine::BasisShifts<Integers>& shifts, const PlainBasis& plain) {
-  for (Index x = 0; x < plain.rows.size(); ++x) {
-    sparse::RawTerms<Integers> as_created;
+  for (GeneratorId x = 0; x < plain.rows.size(); ++x) {
+    sparse::RawTerms<Integers, GeneratorId> as_created;
     shifts.add_as_created(x, Integers::Element{2}, as_created);
     Row sum(plain.rows.size(), 0);
     for (const auto& [index, coefficient] : as_created) {
@@ -50,13 +53,13 @@ void check(const engine::BasisShifts<Integers>& shifts, const PlainBasis& plain)
     // What was added: with the e as created, that is the present generator.
     Row present(plain.rows.size(), 0);
     present[x] = 1;
-    for (const Index e : shifts.added_to(x)) {
+    for (const GeneratorId e : shifts.added_to(x)) {
       ++present[e];
       const auto with = shifts.with(e);
       REQUIRE(std::find(with.begin(), with.end(), x) != with.end());
     }
     REQUIRE(present == plain.rows[x]);
-    REQUIRE(shifts.generators_of(ops::CellId{x}) == plain.generators_of[x]);
+    REQUIRE(shifts.generators_of(node_of(x)) == plain.generators_of[x]);
   }
 }
 
@@ -88,11 +91,11 @@ TEST_CASE("generators as created are what a matrix of the present basis says, th
       states.resize(back);
     } else {
       states.push_back({generators.mark(), shifts.mark(), plain});
-      const Index copy = generators.append_cell(generators.cells());
+      const GeneratorId copy = generators.append_cell(generators.cells());
       plain.append();
       if (copy > 0 && !random.one_in(3)) {
         const auto node = static_cast<unsigned>(random.in(0, static_cast<int>(copy) - 1));
-        shifts.shift(ops::CellId{node}, ops::CellId{copy});
+        shifts.shift(ops::CellId{node}, node_of(copy));
         plain.shift(node, copy);
       }
     }

@@ -82,25 +82,25 @@ class ProductOf {
   std::vector<Symbol> left_, right_;
 };
 
-template <sparse::Ring R>
-Terms<R> normal(const R& ring, sparse::RawTerms<R> terms) {
+template <sparse::Ring R, class Id>
+Terms<R, Id> normal(const R& ring, sparse::RawTerms<R, Id> terms) {
   return std::move(terms).normal(ring);
 }
 template <sparse::Ring R>
-Terms<R> F(const R& ring, const FamilyMaps<R>& maps, CellId cell) {
-  sparse::RawTerms<R> out;
+Terms<R, GeneratorId> F(const R& ring, const FamilyMaps<R>& maps, CellId cell) {
+  sparse::RawTerms<R, GeneratorId> out;
   maps.add_F(cell, ring.one(), out);
   return normal(ring, out);
 }
 template <sparse::Ring R>
-Terms<R> G(const R& ring, const FamilyMaps<R>& maps, Index generator) {
-  sparse::RawTerms<R> out;
+Terms<R, CellId> G(const R& ring, const FamilyMaps<R>& maps, GeneratorId generator) {
+  sparse::RawTerms<R, CellId> out;
   maps.add_G(generator, ring.one(), out);
   return normal(ring, out);
 }
 template <sparse::Ring R>
-Terms<R> K(const R& ring, const FamilyMaps<R>& maps, CellId cell) {
-  sparse::RawTerms<R> out;
+Terms<R, CellId> K(const R& ring, const FamilyMaps<R>& maps, CellId cell) {
+  sparse::RawTerms<R, CellId> out;
   maps.add_K(cell, ring.one(), out);
   return normal(ring, out);
 }
@@ -108,18 +108,18 @@ Terms<R> K(const R& ring, const FamilyMaps<R>& maps, CellId cell) {
 /// d of a cell or chain of the family, of the generators of one; with d F = F d, d G = G d and d K + K d = 1 - G F.
 template <sparse::Ring R>
 void check_laws(const R& ring, const FamilyMaps<R>& maps, const LeftSide<R>& side, const std::vector<CellId>& cells,
-                std::span<const Index> generators) {
-  const auto of = [&](const auto& map, const Terms<R>& chain) { return applied(ring, map, chain); };
-  const auto d = [&](Index c) { return side.boundary_of_cell(CellId{c}); };
-  const auto d_small = [&](Index x) { return side.boundary_of_generator(x); };
-  const auto map_F = [&](Index c) { return F(ring, maps, CellId{c}); };
-  const auto map_G = [&](Index x) { return G(ring, maps, x); };
-  const auto map_K = [&](Index c) { return K(ring, maps, CellId{c}); };
+                std::span<const GeneratorId> generators) {
+  const auto of = [&](const auto& map, const auto& chain) { return applied(ring, map, chain); };
+  const auto d = [&](CellId c) { return side.boundary_of_cell(c); };
+  const auto d_small = [&](GeneratorId x) { return side.boundary_of_generator(x); };
+  const auto map_F = [&](CellId c) { return F(ring, maps, c); };
+  const auto map_G = [&](GeneratorId x) { return G(ring, maps, x); };
+  const auto map_K = [&](CellId c) { return K(ring, maps, c); };
   for (const CellId c : cells) {
     REQUIRE(of(d_small, map_F(c)) == of(map_F, d(c)));
-    REQUIRE(sum_of<R>(ring, {of(d, map_K(c)), of(map_K, d(c)), of(map_G, map_F(c))}) == one_term(ring, Index{c}));
+    REQUIRE(sum_of<CellId>(ring, {of(d, map_K(c)), of(map_K, d(c)), of(map_G, map_F(c))}) == one_term(ring, c));
   }
-  for (const Index x : generators) {
+  for (const GeneratorId x : generators) {
     REQUIRE(of(d, map_G(x)) == of(map_G, d_small(x)));
   }
 }
@@ -127,26 +127,26 @@ void check_laws(const R& ring, const FamilyMaps<R>& maps, const LeftSide<R>& sid
 /// What is said without writing a map out is what it is.
 template <sparse::Ring R>
 void check_questions(const R& ring, const FamilyMaps<R>& maps, const std::vector<CellId>& cells,
-                     std::span<const Index> generators) {
+                     std::span<const GeneratorId> generators) {
   Random random(1);
   for (const CellId c : cells) {
-    sparse::RawTerms<R> all;
+    sparse::RawTerms<R, CellId> all;
     maps.add_K(c, ring.from(3), all);
     REQUIRE(maps.terms_of_K(c) >= all.size());
     std::vector<CellId> at;
     std::copy_if(cells.begin(), cells.end(), std::back_inserter(at), [&](CellId) { return random.one_in(3); });
     std::sort(at.begin(), at.end());
-    Terms<R> expected = normal(ring, all);
+    Terms<R, CellId> expected = normal(ring, all);
     std::erase_if(expected, [&](const auto& term) { return !std::binary_search(at.begin(), at.end(), term.index); });
-    sparse::RawTerms<R> at_those;
+    sparse::RawTerms<R, CellId> at_those;
     maps.add_K_at(c, at, ring.from(3), at_those);
-    Terms<R> found = normal(ring, at_those);
+    Terms<R, CellId> found = normal(ring, at_those);
     std::erase_if(found, [&](const auto& term) {  // it may be asked for cells of any dimension
       return std::none_of(expected.begin(), expected.end(), [&](const auto& e) { return e.index == term.index; });
     });
     REQUIRE(found == expected);
-    sparse::RawTerms<R> column;
-    for (const Index x : generators) {
+    sparse::RawTerms<R, GeneratorId> column;
+    for (const GeneratorId x : generators) {
       for (const auto& [cell, coefficient] : G(ring, maps, x)) {
         if (cell == c) {
           column.push_back({x, coefficient});
@@ -155,17 +155,17 @@ void check_questions(const R& ring, const FamilyMaps<R>& maps, const std::vector
     }
     REQUIRE(maps.transposed_G(c) == normal(ring, column));
   }
-  for (const Index x : generators) {
-    sparse::RawTerms<R> all;
+  for (const GeneratorId x : generators) {
+    sparse::RawTerms<R, CellId> all;
     maps.add_G(x, ring.one(), all);
     REQUIRE(maps.terms_of_G(x) == all.size());
   }
 }
 
 template <sparse::Ring R>
-std::vector<Index> generators_of(const ProductOf<R>& made) {
-  std::vector<Index> generators;
-  for (Index x = made.pairs().first(); x < made.pairs().end(); ++x) {
+std::vector<GeneratorId> generators_of(const ProductOf<R>& made) {
+  std::vector<GeneratorId> generators;
+  for (GeneratorId x = made.pairs().first(); x < made.pairs().end(); ++x) {
     generators.push_back(x);
   }
   return generators;
@@ -176,7 +176,7 @@ void check_product(const R& ring, const Body& a, const Body& b, bool is_simplici
   CAPTURE(a.what, b.what, is_simplicial);
   ProductOf<R> made(ring, a, b, is_simplicial);
   const std::vector<CellId> cells = current_cells(made.structure());
-  const std::vector<Index> generators = generators_of(made);
+  const std::vector<GeneratorId> generators = generators_of(made);
   REQUIRE(generators.size() == made.left().size() * made.right().size());
   check_laws(ring, made.maps(), made.side(), cells, generators);
   check_questions(ring, made.maps(), cells, generators);
@@ -184,7 +184,7 @@ void check_product(const R& ring, const Body& a, const Body& b, bool is_simplici
     REQUIRE(made.side().g(c) == F(ring, made.maps(), c));
     REQUIRE(made.side().K(c) == K(ring, made.maps(), c));
   }
-  for (const Index x : generators) {
+  for (const GeneratorId x : generators) {
     REQUIRE(made.side().f(x) == G(ring, made.maps(), x));
   }
 }
@@ -200,16 +200,16 @@ TEST_CASE("a table of pairs has each pair once, by degree, and tensor products i
   std::set<std::pair<Symbol, Symbol>> seen;
   int degree = 0;
   const sparse::Integers z;
-  for (Index x = pairs.first(); x < pairs.end(); ++x) {
+  for (GeneratorId x = pairs.first(); x < pairs.end(); ++x) {
     const auto [a, b] = pairs.pair(x);
     CHECK(seen.emplace(a, b).second);
     CHECK(degree_of(a) + degree_of(b) >= degree);
     degree = degree_of(a) + degree_of(b);
-    sparse::RawTerms<sparse::Integers> out;
+    sparse::RawTerms<sparse::Integers, GeneratorId> out;
     pairs.add_tensor(z, {{a, 2}}, {{b, 3}}, sparse::Integer{5}, out);
-    CHECK(normal(z, out) == Terms<sparse::Integers>{{x, 30}});
+    CHECK(normal(z, out) == Terms<sparse::Integers, GeneratorId>{{x, 30}});
   }
-  sparse::RawTerms<sparse::Integers> out;
+  sparse::RawTerms<sparse::Integers, GeneratorId> out;
   pairs.add_tensor(z, {{2, 1}, {7, -1}}, {{0, 1}, {4, 2}}, sparse::Integer{1}, out);
   CHECK(out.size() == 4);
 }
@@ -235,13 +235,13 @@ TEST_CASE("F, G and K of a product of cells are those of the factors, multiplied
   ProductOf<sparse::Integers> made(z, moore_body("A", 3), plane_of_triangles("B"), false);
   engine::FrozenMaps<sparse::Integers>& factors = made.side().frozen();
   const ops::Structure& structure = made.structure();
-  using Chain = Terms<sparse::Integers>;
-  const auto cell_of = [&](Index a, Index b) {
+  const auto cell_of = [&](CellId a, CellId b) {
     const ops::Values& values = structure.values();
-    return structure.lazy().cell(0, ops::LazyPart::pair, values.plain(CellId{a}), values.plain(CellId{b}));
+    return structure.lazy().cell(0, ops::LazyPart::pair, values.plain(a), values.plain(b));
   };
-  const auto tensor = [&](const Chain& left, const Chain& right, auto&& place, int sign) {
-    sparse::RawTerms<sparse::Integers> out;
+  const auto tensor = [&](const auto& left, const auto& right, auto&& place, int sign) {
+    using Id = decltype(place(left.front().index, right.front().index));
+    sparse::RawTerms<sparse::Integers, Id> out;
     for (const auto& [a, m] : left) {
       for (const auto& [b, n] : right) {
         out.push_back({place(a, b), m * n * sparse::Integer{sign}});
@@ -250,7 +250,7 @@ TEST_CASE("F, G and K of a product of cells are those of the factors, multiplied
     return std::move(out).normal(z);
   };
   const auto generator_of = [&](Symbol a, Symbol b) {
-    Index x = made.pairs().first();
+    GeneratorId x = made.pairs().first();
     while (made.pairs().pair(x) != std::pair{a, b}) {
       ++x;
     }
@@ -261,10 +261,9 @@ TEST_CASE("F, G and K of a product of cells are those of the factors, multiplied
       const CellId cell = cell_of(a, b);
       REQUIRE(F(z, made.maps(), cell) == tensor(factors.F(a), factors.F(b), generator_of, 1));
       const auto& of_a = factors.homotopy(a);
-      REQUIRE(K(z, made.maps(), cell) ==
-              sum_of<sparse::Integers>(
-                  z, {tensor(of_a.K, one_term(z, Index{b}), cell_of, 1),
-                      tensor(of_a.GF, factors.homotopy(b).K, cell_of, structure.dimension(a) % 2 == 0 ? 1 : -1)}));
+      REQUIRE(K(z, made.maps(), cell) == sum_of<CellId>(z, {tensor(of_a.K, one_term(z, b), cell_of, 1),
+                                                            tensor(of_a.GF, factors.homotopy(b).K, cell_of,
+                                                                   structure.dimension(a) % 2 == 0 ? 1 : -1)}));
     }
   }
   for (const Symbol a : made.left()) {
@@ -286,19 +285,20 @@ TEST_CASE("the maps of a cone contract it to its apex", "[engine][left]") {
   const CellId apex = shop.cell("v");
   std::vector<CellId> cells = current_cells(structure);
   std::erase(cells, apex);
-  const auto of = [&](const auto& map, const Terms<sparse::Integers>& chain) { return applied(z, map, chain); };
-  const auto d = [&](Index c) { return side.boundary_of_cell(CellId{c}); };
-  const auto on_apex = [&](Index c) { return c == apex ? Terms<sparse::Integers>{} : K(z, maps, CellId{c}); };
-  const auto image = [&](Index c) { return c == apex ? side.g(apex) : F(z, maps, CellId{c}); };
+  const auto of = [&](const auto& map, const auto& chain) { return applied(z, map, chain); };
+  const auto d = [&](CellId c) { return side.boundary_of_cell(c); };
+  const auto on_apex = [&](CellId c) { return c == apex ? Terms<sparse::Integers, CellId>{} : K(z, maps, c); };
+  const auto image = [&](CellId c) { return c == apex ? side.g(apex) : F(z, maps, c); };
   for (const CellId c : cells) {
-    REQUIRE(of(image, d(c)) == of([&](Index x) { return side.boundary_of_generator(x); }, image(c)));
+    REQUIRE(of(image, d(c)) == of([&](GeneratorId x) { return side.boundary_of_generator(x); }, image(c)));
     // G of the apex' generator is the apex.
-    const Terms<sparse::Integers> back = image(c).empty() ? Terms<sparse::Integers>{} : one_term(z, Index{apex});
-    REQUIRE(sum_of<sparse::Integers>(z, {of(d, K(z, maps, c)), of(on_apex, d(c)), back}) == one_term(z, Index{c}));
+    const Terms<sparse::Integers, CellId> back =
+        image(c).empty() ? Terms<sparse::Integers, CellId>{} : one_term(z, apex);
+    REQUIRE(sum_of<CellId>(z, {of(d, K(z, maps, c)), of(on_apex, d(c)), back}) == one_term(z, c));
     REQUIRE(maps.terms_of_K(c) == K(z, maps, c).size());
     REQUIRE(maps.transposed_G(c).empty());
     const bool is_vertex_of_base = structure.dimension(c) == 0;
-    REQUIRE(F(z, maps, c) == (is_vertex_of_base ? side.g(apex) : Terms<sparse::Integers>{}));
+    REQUIRE(F(z, maps, c) == (is_vertex_of_base ? side.g(apex) : Terms<sparse::Integers, GeneratorId>{}));
   }
 }
 
@@ -330,9 +330,9 @@ TEST_CASE("a lazy cone has the cells and boundaries of the cone written out, and
     if (!lazy.structure().lazy().is_lazy(c) || lazy.structure().lazy().of(c)->key.part != ops::LazyPart::base) {
       continue;
     }
-    const Terms<sparse::Integers> bounded = K(z, maps, c);
+    const Terms<sparse::Integers, CellId> bounded = K(z, maps, c);
     REQUIRE(bounded.size() == 1);
-    CHECK(lazy.structure().name(CellId{bounded[0].index}) == "v*" + std::string{lazy.structure().name(c)});
+    CHECK(lazy.structure().name(bounded[0].index) == "v*" + std::string{lazy.structure().name(c)});
     CHECK(bounded[0].coefficient == sparse::Integer{lazy.structure().dimension(c) % 2 == 0 ? -1 : 1});
   }
 }

@@ -52,18 +52,19 @@ TEST_CASE("the left reduction of an edge glued to a loop is the one worked out b
   const auto vertex = shop.cell("e.0");
   const auto edge = shop.cell("e");
   const bool first_stays = shop.structure().is_current(*shop.structure().lookup("e.0"));
-  const Index stays = first_stays ? 0 : 1;
-  const Index went = 1 - stays;
-  const Terms<Integers> difference = sum_of<Integers>(z, {{{stays, 1}}, {{went, -1}}});
-  CHECK(side.boundary_of_generator(2) == Terms<Integers>{{0, -1}, {1, 1}});
+  const GeneratorId stays = first_stays ? GeneratorId{0} : GeneratorId{1};
+  const GeneratorId went = first_stays ? GeneratorId{1} : GeneratorId{0};
+  const Terms<Integers, GeneratorId> difference = sum_of<GeneratorId>(z, {{{stays, 1}}, {{went, -1}}});
+  CHECK(side.boundary_of_generator(2) == Terms<Integers, GeneratorId>{{0, -1}, {1, 1}});
   CHECK(side.boundary_of_generator(3) == difference);
-  CHECK(side.f(0) == Terms<Integers>{{vertex, 1}});
-  CHECK(side.f(1) == Terms<Integers>{{vertex, 1}});
-  CHECK(side.f(2) == Terms<Integers>{{edge, 1}});
+  CHECK(side.f(0) == Terms<Integers, CellId>{{vertex, 1}});
+  CHECK(side.f(1) == Terms<Integers, CellId>{{vertex, 1}});
+  CHECK(side.f(2) == Terms<Integers, CellId>{{edge, 1}});
   CHECK(side.f(3).empty());
-  CHECK(side.g(vertex) == Terms<Integers>{{stays, 1}});
-  CHECK(side.g(edge) == Terms<Integers>{{2, 1}, {3, first_stays ? 1 : -1}});  // the boundary of the loop is 0
-  CHECK(side.h(went) == Terms<Integers>{{3, -1}});
+  CHECK(side.g(vertex) == Terms<Integers, GeneratorId>{{stays, 1}});
+  CHECK(side.g(edge) ==
+        Terms<Integers, GeneratorId>{{2, 1}, {3, first_stays ? 1 : -1}});  // the boundary of the loop is 0
+  CHECK(side.h(went) == Terms<Integers, GeneratorId>{{3, -1}});
   CHECK(side.h(stays).empty());
   CHECK(side.h(2).empty());
   CHECK(side.h(3).empty());
@@ -94,9 +95,9 @@ TEST_CASE("the left reduction of what follows a moment has the cells of then as 
   });
   LeftSide<Integers> side(Integers{}, engine::Window{shop.structure(), cells});
   REQUIRE(side.big().size() == cells.size());
-  for (Index x = 0; x < cells.size(); ++x) {  // the identity
-    CHECK(side.f(x) == Terms<Integers>{{cells[x], 1}});
-    CHECK(side.g(cells[x]) == Terms<Integers>{{x, 1}});
+  for (GeneratorId x = 0; x < cells.size(); ++x) {  // the identity
+    CHECK(side.f(x) == Terms<Integers, CellId>{{cells[x], 1}});
+    CHECK(side.g(cells[x]) == Terms<Integers, GeneratorId>{{x, 1}});
     CHECK(side.h(x).empty());
   }
   for (int step = 0; step < 15; ++step) {

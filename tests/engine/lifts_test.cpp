@@ -6,6 +6,7 @@
 using namespace sesame;
 using namespace sesame::tests;
 using engine::Effort;
+using engine::GeneratorId;
 using engine::Lifts;
 using engine::Perturbations;
 using engine::RuleId;
@@ -27,26 +28,26 @@ struct RandomReduction {
   Effort effort;
   Lifts<R> lifts{ring, b.boundary, rules, perturbations, effort};
 
-  [[nodiscard]] Terms<R> f(const Terms<R>& chain) const {
+  [[nodiscard]] ChainOfS<R> f(const ChainOfB<R>& chain) const {
     return rewritten(ring, rules, in_symbols(ring, rules, chain));
   }
-  Terms<R> g(const Terms<R>& symbols) { return lifts.lift(symbols); }
-  Terms<R> h(const Terms<R>& chain) { return lifts.lift({}, lifts.trace(chain)); }
-  Terms<R> small_boundary(Symbol x) { return f(b.d(g({{x, ring.one()}}))); }
+  ChainOfB<R> g(const ChainOfS<R>& symbols) { return lifts.lift(symbols); }
+  ChainOfB<R> h(const ChainOfB<R>& chain) { return lifts.lift({}, lifts.trace(chain)); }
+  ChainOfS<R> small_boundary(Symbol x) { return f(b.d(g({{x, ring.one()}}))); }
 
   void grow_to(const ChainComplex<R>& complex) {
     const GrowingComplex<R> all = in_random_order(random, complex);
-    for (Index x = 0; x < all.boundary.columns(); ++x) {
+    for (GeneratorId x = 0; x < all.size(); ++x) {
       append(all.degrees[x], all.boundary.column(x));
       if (random.one_in(4)) {
         change_any_basis(all.degrees[x]);
       }
     }
   }
-  void append(int degree, const Terms<R>& boundary) {
+  void append(int degree, const ChainOfB<R>& boundary) {
     b.append(degree, boundary);
     const Symbol x = rules.append_generator(degree);
-    const Terms<R> image = f(boundary);
+    const ChainOfS<R> image = f(boundary);
     std::vector<Symbol> units;
     for (const auto& term : image) {
       if (ring.is_unit(term.coefficient)) {
@@ -75,8 +76,8 @@ struct RandomReduction {
   }
   std::string broken_law() {
     return tests::broken_law(
-        b, small(), [this](const Terms<R>& v) { return f(v); }, [this](const Terms<R>& v) { return g(v); },
-        [this](const Terms<R>& v) { return h(v); }, [this](Symbol x) { return small_boundary(x); });
+        b, small(), [this](const ChainOfB<R>& v) { return f(v); }, [this](const ChainOfS<R>& v) { return g(v); },
+        [this](const ChainOfB<R>& v) { return h(v); }, [this](Symbol x) { return small_boundary(x); });
   }
 };
 
@@ -94,9 +95,9 @@ TEMPLATE_TEST_CASE("Lifts: the lift of a chain with a trace is g of the one plus
   using R = TestType;
   RandomReduction<R> live{test_ring<R>(), GENERATE(range(0U, 8U))};
   live.grow_to(random_complex(live.ring, live.random).complex);
-  for (Index x = 0; x < live.b.boundary.columns(); ++x) {
-    const Terms<R> unit{{x, live.ring.one()}};
-    const Terms<R> both = live.lifts.lift(live.f(unit), live.lifts.trace(unit));
+  for (GeneratorId x = 0; x < live.b.size(); ++x) {
+    const ChainOfB<R> unit{{x, live.ring.one()}};
+    const ChainOfB<R> both = live.lifts.lift(live.f(unit), live.lifts.trace(unit));
     CHECK(both == sum_of(live.ring, live.g(live.f(unit)), live.ring.one(), live.h(unit)));
   }
 }
@@ -113,16 +114,18 @@ TEST_CASE("Lifts: a triangle's edges are traced by the rules that eliminated its
     b.append(0, {});
     rules.append_generator(0);
   }
-  for (const Terms<Integers>& boundary : {Terms<Integers>{{0, -1}, {1, 1}}, {{1, -1}, {2, 1}}, {{0, -1}, {2, 1}}}) {
+  for (const ChainOfB<Integers>& boundary :
+       {ChainOfB<Integers>{{0, -1}, {1, 1}}, {{1, -1}, {2, 1}}, {{0, -1}, {2, 1}}}) {
     b.append(1, boundary);
     rules.append_generator(1);
   }
   rules.eliminate(1, 3, {{0, -1}, {1, 1}});
   rules.eliminate(2, 4, {{0, -1}, {2, 1}});
   // Vertex 2 was rewritten by the second rule only: its value is 0, as the boundary of 4 had been rewritten then.
-  CHECK(lifts.trace(Terms<Integers>{{2, 1}}) == engine::Trace<Integers>{{RuleId{1U}, 1}});
-  CHECK(lifts.lift({}, {{RuleId{1U}, 1}}) == Terms<Integers>{{3, 1}, {4, 1}});  // V(12) = 12 + 01: its boundary is 2 - 0
-  CHECK(lifts.lift(Terms<Integers>{{5, 1}}) == Terms<Integers>{{3, -1}, {4, -1}, {5, 1}});  // the loop
+  CHECK(lifts.trace(ChainOfB<Integers>{{2, 1}}) == engine::Trace<Integers>{{RuleId{1U}, 1}});
+  CHECK(lifts.lift({}, {{RuleId{1U}, 1}}) ==
+        ChainOfB<Integers>{{3, 1}, {4, 1}});  // V(12) = 12 + 01: its boundary is 2 - 0
+  CHECK(lifts.lift(ChainOfS<Integers>{{5, 1}}) == ChainOfB<Integers>{{3, -1}, {4, -1}, {5, 1}});  // the loop
 }
 
 TEMPLATE_TEST_CASE("Lifts: the gain of a symbol is delta of its lift, as it was when nothing was perturbed",
@@ -131,36 +134,36 @@ TEMPLATE_TEST_CASE("Lifts: the gain of a symbol is delta of its lift, as it was 
   RandomReduction<R> live{test_ring<R>(), GENERATE(range(20U, 35U))};
   const R ring = live.ring;
   live.grow_to(random_complex(ring, live.random).complex);
-  const Index old = live.b.boundary.columns();
+  const GeneratorId old = live.b.size();
   const std::vector<Symbol> small = live.small();
-  std::map<Symbol, Terms<R>> lifts_before;
+  std::map<Symbol, ChainOfB<R>> lifts_before;
   for (const Symbol x : small) {
     lifts_before[x] = live.g({{x, ring.one()}});
   }
   // delta = phi d for a random phi on old generators, so d + delta is a boundary again.
   const RuleId time = live.rules.size();
-  std::vector<Terms<R>> phi(old);
+  std::vector<ChainOfB<R>> phi(old);
   for (int k = 0; k < 4; ++k) {
     const int degree = live.random.in(0, 2);
-    const Index e = live.b.append(degree, {});
+    const GeneratorId e = live.b.append(degree, {});
     live.rules.append_generator(degree);
-    for (Index x = 0; x < old; ++x) {
+    for (GeneratorId x = 0; x < old; ++x) {
       if (live.b.degrees[x] == degree && live.random.one_in(2)) {
         phi[x].push_back({e, ring.from(std::int64_t{live.random.in(1, 2)})});
       }
     }
   }
-  std::vector<Terms<R>> delta(old);
-  std::vector<Index> changed;
-  for (Index x = 0; x < old; ++x) {
-    live.b.boundary.for_each_in_column(x, [&](const sparse::Term<R>& term) {
+  std::vector<ChainOfB<R>> delta(old);
+  std::vector<GeneratorId> changed;
+  for (GeneratorId x = 0; x < old; ++x) {
+    live.b.boundary.for_each_in_column(x, [&](const sparse::Term<R, GeneratorId>& term) {
       sparse::add_multiple<R>(ring, delta[x], term.coefficient, phi[term.index]);
     });
     if (!delta[x].empty()) {
       changed.push_back(x);
     }
   }
-  for (const Index x : changed) {
+  for (const GeneratorId x : changed) {
     live.b.boundary.add_to_column(x, ring.one(), delta[x]);
   }
   const Symbol first = live.rules.symbol_of(old);
@@ -170,7 +173,7 @@ TEMPLATE_TEST_CASE("Lifts: the gain of a symbol is delta of its lift, as it was 
     live.perturbations.extend_column(k, live.lifts.gain(combination.made, combination.rule + 1, first));
   }
   for (const Symbol x : small) {
-    Terms<R> expected;
+    ChainOfB<R> expected;
     for (const auto& [generator, coefficient] : lifts_before[x]) {
       sparse::add_multiple<R>(ring, expected, coefficient, delta[generator]);
     }

@@ -20,15 +20,15 @@ struct Rewriting {
   explicit Rewriting(const R& k) : ring{k} {}
 
   R ring;
-  sparse::ColumnStore<R> boundary{ring, 0, 0};
+  sparse::ColumnStore<R, engine::GeneratorId> boundary{ring, 0, 0};
   Rules<R> rules{ring};
   Perturbations<R> perturbations{ring, rules};
   Effort effort;
   Lifts<R> lifts{ring, boundary, rules, perturbations, effort};
   Memos<R> memos{ring, rules, perturbations, lifts, effort};
 
-  Terms<R> rewrite(const Terms<R>& symbols) {
-    Terms<R> image;
+  ChainOfS<R> rewrite(const ChainOfS<R>& symbols) {
+    ChainOfS<R> image;
     memos.rewrite(
         [&](auto visit) {
           for (const auto& [x, coefficient] : symbols) {
@@ -65,23 +65,23 @@ struct Rewriting {
         entries.emplace_back(x, random.in(-2, 2));
       }
     }
-    rules.eliminate(a, above.front(), terms_of(ring, entries));
+    rules.eliminate(a, above.front(), terms_of<Symbol>(ring, entries));
   }
-  [[nodiscard]] Terms<R> any_chain(Random& random) const {
+  [[nodiscard]] ChainOfS<R> any_chain(Random& random) const {
     std::vector<Entry> entries;
     for (int k = 0; k < 4 && rules.next_symbol() > 0; ++k) {
       entries.emplace_back(random.in(0, static_cast<int>(rules.next_symbol()) - 1), random.in(-3, 3));
     }
-    return terms_of(ring, entries);
+    return terms_of<Symbol>(ring, entries);
   }
 };
 
 /// A chain of `length` rules, each of which leads to the next: x0 -> x1 -> ... -> the last.
-void make_chain(Rewriting<Integers>& live, Index length) {
-  for (Index k = 0; k <= length; ++k) {
+void make_chain(Rewriting<Integers>& live, Symbol length) {
+  for (Symbol k = 0; k <= length; ++k) {
     live.rules.append_generator(0);
   }
-  for (Index k = 0; k < length; ++k) {
+  for (Symbol k = 0; k < length; ++k) {
     const Symbol b = live.rules.append_generator(1);
     live.rules.eliminate(k, b, {{k, 1}, {k + 1, -1}});
   }
@@ -115,24 +115,24 @@ TEMPLATE_TEST_CASE("Memos: what chains are rewritten to is what rule after rule 
         }
         break;
       default:
-        const Terms<R> chain = live.any_chain(random);
+        const ChainOfS<R> chain = live.any_chain(random);
         REQUIRE(live.rewrite(chain) == rewritten(live.ring, live.rules, chain));
     }
   }
   for (Symbol x = 0; x < live.rules.next_symbol(); ++x) {
-    const Terms<R> unit{{x, live.ring.one()}};
+    const ChainOfS<R> unit{{x, live.ring.one()}};
     REQUIRE(live.rewrite(unit) == rewritten(live.ring, live.rules, unit));
   }
 }
 
 TEST_CASE("Memos: a long chain of rules is followed once, and its first memo is the answer from then on", "[engine]") {
-  constexpr Index length = 20000;
+  constexpr Symbol length = 20000;
   Rewriting<Integers> live{Integers{}};
   make_chain(live, length);
-  CHECK(live.rewrite({{0, 5}}) == Terms<Integers>{{length, 5}});
+  CHECK(live.rewrite({{0, 5}}) == ChainOfS<Integers>{{length, 5}});
   CHECK(live.effort.terms_read() < 10 * length);
   const std::uint64_t before = live.effort.terms_read();
-  CHECK(live.rewrite({{0, 1}}) == Terms<Integers>{{length, 1}});
+  CHECK(live.rewrite({{0, 1}}) == ChainOfS<Integers>{{length, 1}});
   CHECK(live.effort.terms_read() == before + 2);  // the symbol, and the term of its memo
 }
 
@@ -147,11 +147,11 @@ TEST_CASE("Memos: those written since a moment are as they were then, and only t
   const Symbol b = live.rules.append_generator(1);
   live.rules.append_generator(0);
   live.rules.eliminate(10, b, {{10, 1}, {live.rules.next_symbol() - 1, 2}});
-  CHECK(live.rewrite({{3, 1}}) == Terms<Integers>{{live.rules.next_symbol() - 1, -2}});
+  CHECK(live.rewrite({{3, 1}}) == ChainOfS<Integers>{{live.rules.next_symbol() - 1, -2}});
   CHECK(live.memos.size() > kept);
   live.undo(mark);
   CHECK(live.memos.size() == kept);
-  CHECK(live.rewrite({{3, 1}}) == Terms<Integers>{{10, 1}});
+  CHECK(live.rewrite({{3, 1}}) == ChainOfS<Integers>{{10, 1}});
 }
 
 TEST_CASE("Memos: work that a budget cuts off is forgotten, and what comes after is right", "[engine]") {
@@ -163,5 +163,5 @@ TEST_CASE("Memos: work that a budget cuts off is forgotten, and what comes after
   live.memos.drop_work();
   live.effort.set_budget(UINT64_MAX);
   live.undo(mark);
-  CHECK(live.rewrite({{0, 1}, {7, 1}}) == Terms<Integers>{{100, 2}});
+  CHECK(live.rewrite({{0, 1}, {7, 1}}) == ChainOfS<Integers>{{100, 2}});
 }

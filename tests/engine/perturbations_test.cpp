@@ -5,6 +5,7 @@
 
 using namespace sesame;
 using namespace sesame::tests;
+using engine::GeneratorId;
 using engine::no_rule;
 using engine::no_symbol;
 using engine::Perturbations;
@@ -14,7 +15,8 @@ using engine::Symbol;
 
 namespace {
 
-using Pieces = std::vector<std::pair<std::size_t, sparse::Term<Zp>>>;  // a term and the perturbation that gave it
+using Pieces =
+    std::vector<std::pair<std::size_t, sparse::Term<Zp, Symbol>>>;  // a term and the perturbation that gave it
 
 /// All perturbations in one list, and for each rule how many of them it has seen and what each gave it.
 struct PlainRecord {
@@ -57,20 +59,20 @@ struct Recording {
     const std::vector<Symbol> small = rules.small(p), above = rules.small(p + 1);
     if (small.size() > 1 && !above.empty()) {
       const auto b = above[static_cast<std::size_t>(random.in(0, static_cast<int>(above.size()) - 1))];
-      plain.seen[rules.eliminate(small.front(), b, terms_of(ring, {{small.front(), 3}, {small.back(), 2}}))] =
+      plain.seen[rules.eliminate(small.front(), b, terms_of<Symbol>(ring, {{small.front(), 3}, {small.back(), 2}}))] =
           plain.all.size();
     }
   }
   void perturb(Random& random) {
-    const Index old = rules.next_symbol();
+    const Symbol old = rules.next_symbol();
     const RuleId time = rules.size();
     const Symbol first = rules.append_generator(random.in(0, 2));
     rules.append_generator(random.in(0, 2));
-    std::vector<Index> changed;
+    std::vector<GeneratorId> changed;
     PlainRecord::Perturbation perturbation{first, {}};
-    for (Index x = 0; x < old; ++x) {
+    for (Symbol x = 0; x < old; ++x) {
       if (random.one_in(6)) {
-        changed.push_back(x);
+        changed.push_back(rules.generator_in(x));
         if (rules.removed_by(x) != no_rule && rules[rules.removed_by(x)].b == x) {
           perturbation.changed.push_back(x);
         }
@@ -79,7 +81,7 @@ struct Recording {
     const auto concerned = perturbations.record(time, first, changed);
     plain.all.push_back(perturbation);
     for (Symbol x = 0; x < rules.next_symbol(); ++x) {
-      const bool is_changed = std::find(changed.begin(), changed.end(), x) != changed.end();
+      const bool is_changed = std::find(changed.begin(), changed.end(), rules.generator_in(x)) != changed.end();
       const bool has_changed_lift = std::any_of(perturbation.changed.begin(), perturbation.changed.end(),
                                                 [&](Symbol y) { return rules.degree(y) == rules.degree(x); });
       const bool is_small = rules.removed_by(x) == no_rule && x < first;
@@ -95,7 +97,7 @@ struct Recording {
     if (from == plain.all.size()) {
       return;
     }
-    Terms<Zp> more;
+    ChainOfS<Zp> more;
     for (std::size_t k = from; k < plain.all.size(); ++k) {
       if (random.one_in(2)) {
         more.push_back({plain.all[k].first, ring.from(std::int64_t{random.in(1, 4)})});
@@ -134,18 +136,18 @@ struct Recording {
       const bool has_any =
           std::any_of(plain.all.begin(), plain.all.end(), [&](const auto& each) { return is_of_degree(each, rule); });
       REQUIRE((perturbations.last(rule) != 0) == has_any);
-      Terms<Zp> gain;
+      ChainOfS<Zp> gain;
       for (const auto& [k, term] : plain.gains[rule]) {
         gain.push_back(term);
       }
       const auto found = perturbations.gain(rule);
-      REQUIRE(Terms<Zp>(found.begin(), found.end()) == gain);
+      REQUIRE(ChainOfS<Zp>(found.begin(), found.end()) == gain);
       const auto as_made = rules.value(rule);
-      Terms<Zp> expected(as_made.begin(), as_made.end());
+      ChainOfS<Zp> expected(as_made.begin(), as_made.end());
       for (const auto& [x, coefficient] : gain) {
         expected.push_back({x, ring.negate(ring.multiply(ring.inverse(3), coefficient))});  // the unit is 3
       }
-      Terms<Zp> value;
+      ChainOfS<Zp> value;
       perturbations.for_each_in_value(rule, [&](Symbol x, std::uint32_t factor) { value.push_back({x, factor}); });
       REQUIRE(value == expected);
     }
@@ -196,11 +198,12 @@ TEST_CASE("Perturbations: a generator that is in no lift changes no rule", "[eng
   const Symbol loop = rules.append_generator(1);
   const RuleId rule = rules.eliminate(v, e, {{u, -1}, {v, 1}});
   rules.append_generator(0);
-  const auto concerned = perturbations.record(rule + 1, 4, std::vector<Index>{v, loop});
+  const auto concerned =
+      perturbations.record(rule + 1, 4, std::vector{rules.generator_in(v), rules.generator_in(loop)});
   CHECK(concerned.small == std::set<Symbol>{loop});
   CHECK_FALSE(perturbations.is_behind(rule));
   CHECK(perturbations.last(rule) == 0);
-  perturbations.record(rule + 1, 4, std::vector<Index>{e});
+  perturbations.record(rule + 1, 4, std::vector{rules.generator_in(e)});
   CHECK(perturbations.is_behind(rule));
 }
 
@@ -217,12 +220,12 @@ TEST_CASE("Perturbations: with changes of basis, whatever was born after a rule 
   const Symbol c = rules.append_generator(1);
   const RuleId late = rules.eliminate(1, c, {{1, 1}, {2, 1}});
   const Symbol first = rules.append_generator(0);
-  const auto concerned = perturbations.record(rules.size(), first, std::vector<Index>{rules.generator_in(x)});
+  const auto concerned = perturbations.record(rules.size(), first, std::vector{rules.generator_in(x)});
   CHECK_FALSE(perturbations.is_behind(early));
   CHECK(perturbations.is_behind(late));
   CHECK(concerned.combinations == std::vector<std::size_t>{0});
   perturbations.extend_column(0, {{first, 7}});
-  CHECK(rules.combinations()[0].column == Terms<Integers>{{first, 7}});
+  CHECK(rules.combinations()[0].column == ChainOfS<Integers>{{first, 7}});
   perturbations.undo(0, rules.size());
   CHECK(rules.combinations()[0].column.empty());
 }

@@ -6,6 +6,7 @@
 
 using namespace sesame;
 using namespace sesame::tests;
+using engine::GeneratorId;
 using engine::Rewriter;
 using engine::RuleId;
 using engine::Symbol;
@@ -21,20 +22,20 @@ struct Live {
   Random random;
   GrowingComplex<R> b{ring};
   Rewriter<R> rewriter{ring, b.boundary};
-  using Phi = std::vector<Terms<R>>;  ///< on the generators that there were
+  using Phi = std::vector<ChainOfB<R>>;  ///< on the generators that there were
   std::vector<Phi> phis;
 
   /// With the boundary that it would have, had it been there when the others were perturbed.
-  Index append(int degree, Terms<R> boundary) {
+  GeneratorId append(int degree, ChainOfB<R> boundary) {
     for (const Phi& phi : phis) {
       boundary = sum_of(ring, boundary, ring.one(), applied(phi, boundary));
     }
-    const Index x = b.append(degree, boundary);
+    const GeneratorId x = b.append(degree, boundary);
     rewriter.append(degree);
     return x;
   }
-  [[nodiscard]] Terms<R> applied(const Phi& phi, const Terms<R>& chain) const {
-    Terms<R> image;
+  [[nodiscard]] ChainOfB<R> applied(const Phi& phi, const ChainOfB<R>& chain) const {
+    ChainOfB<R> image;
     for (const auto& [x, coefficient] : chain) {
       if (x < phi.size()) {
         sparse::add_multiple<R>(ring, image, coefficient, phi[x]);
@@ -45,20 +46,20 @@ struct Live {
   /// New generators e without boundary, and delta = phi d on the old ones for a random map phi to them; then perhaps a
   /// generator whose boundary is one of them, so that a rule rewrites it.
   void perturb() {
-    const Index old = b.boundary.columns();
+    const GeneratorId old = b.size();
     const RuleId time = rewriter.rules();
     Phi phi(old);
     for (int k = random.in(1, 3); k > 0; --k) {
       const int degree = random.in(0, 2);
-      const Index e = append(degree, {});
-      for (Index x = 0; x < old; ++x) {
+      const GeneratorId e = append(degree, {});
+      for (GeneratorId x = 0; x < old; ++x) {
         if (b.degrees[x] == degree && random.one_in(2)) {
           phi[x].push_back({e, ring.from(std::int64_t{random.in(1, 2)})});
         }
       }
     }
-    std::vector<Terms<R>> delta(old);
-    for (Index x = 0; x < old; ++x) {
+    std::vector<ChainOfB<R>> delta(old);
+    for (GeneratorId x = 0; x < old; ++x) {
       delta[x] = applied(phi, b.boundary.column(x));
     }
     phis.push_back(std::move(phi));
@@ -69,14 +70,14 @@ struct Live {
   }
   /// A perturbation that takes classes away: each old generator b gains f(b) at one small generator, as an e.
   void cut() {
-    const Index old = b.boundary.columns();
+    const GeneratorId old = b.size();
     const RuleId time = rewriter.rules();
     for (int degree = 1; degree < 4; ++degree) {
       if (const std::vector<Symbol> small = rewriter.small(degree);
           !small.empty() && rewriter.core().columns().empty()) {
-        std::vector<Terms<R>> delta(old);
-        for (Index x = 0; x < old; ++x) {
-          for (const auto& [symbol, coefficient] : rewriter.rewrite(Terms<R>{{x, ring.one()}})) {
+        std::vector<ChainOfB<R>> delta(old);
+        for (GeneratorId x = 0; x < old; ++x) {
+          for (const auto& [symbol, coefficient] : rewriter.rewrite(ChainOfB<R>{{x, ring.one()}})) {
             if (symbol == small.front()) {
               delta[x].push_back({old, coefficient});
             }
@@ -88,15 +89,15 @@ struct Live {
       }
     }
   }
-  void change(RuleId time, Index old, const std::vector<Terms<R>>& delta) {
-    std::vector<Index> changed;
-    for (Index x = 0; x < old; ++x) {
+  void change(RuleId time, GeneratorId old, const std::vector<ChainOfB<R>>& delta) {
+    std::vector<GeneratorId> changed;
+    for (GeneratorId x = 0; x < old; ++x) {
       if (!delta[x].empty()) {
         b.boundary.add_to_column(x, ring.one(), delta[x]);
         changed.push_back(x);
       }
     }
-    if (b.boundary.columns() > old) {
+    if (b.size() > old) {
       rewriter.perturb(time, old, changed);
     }
   }
@@ -109,28 +110,29 @@ struct Live {
     }
     return all;
   }
-  Terms<R> f(const Terms<R>& chain) { return rewriter.rewrite(chain); }
-  Terms<R> g(const Terms<R>& symbols) { return rewriter.lift(symbols); }
-  Terms<R> h(const Terms<R>& chain) { return rewriter.lift({}, rewriter.trace(chain)); }
-  [[nodiscard]] Terms<R> small_boundary(Symbol x) const {
-    const Terms<R>* column = rewriter.core().find(x);
-    return column == nullptr ? Terms<R>{} : *column;
+  ChainOfS<R> f(const ChainOfB<R>& chain) { return rewriter.rewrite(chain); }
+  ChainOfB<R> g(const ChainOfS<R>& symbols) { return rewriter.lift(symbols); }
+  ChainOfB<R> h(const ChainOfB<R>& chain) { return rewriter.lift({}, rewriter.trace(chain)); }
+  [[nodiscard]] ChainOfS<R> small_boundary(Symbol x) const {
+    const ChainOfS<R>* column = rewriter.core().find(x);
+    return column == nullptr ? ChainOfS<R>{} : *column;
   }
   std::string broken_law() {
     return tests::broken_law(
-        b, small(), [this](const Terms<R>& v) { return f(v); }, [this](const Terms<R>& v) { return g(v); },
-        [this](const Terms<R>& v) { return h(v); }, [this](Symbol x) { return small_boundary(x); });
+        b, small(), [this](const ChainOfB<R>& v) { return f(v); }, [this](const ChainOfS<R>& v) { return g(v); },
+        [this](const ChainOfB<R>& v) { return h(v); }, [this](Symbol x) { return small_boundary(x); });
   }
-  /// All maps and the core.
-  std::vector<Terms<R>> everything() {
-    std::vector<Terms<R>> all;
-    for (Index x = 0; x < b.boundary.columns(); ++x) {
-      all.push_back(f({{x, ring.one()}}));
-      all.push_back(h({{x, ring.one()}}));
+  /// All maps and the core: chains of S, then of B.
+  using Everything = std::pair<std::vector<ChainOfS<R>>, std::vector<ChainOfB<R>>>;
+  Everything everything() {
+    Everything all;
+    for (GeneratorId x = 0; x < b.size(); ++x) {
+      all.first.push_back(f({{x, ring.one()}}));
+      all.second.push_back(h({{x, ring.one()}}));
     }
     for (const Symbol x : small()) {
-      all.push_back(g({{x, ring.one()}}));
-      all.push_back(small_boundary(x));
+      all.second.push_back(g({{x, ring.one()}}));
+      all.first.push_back(small_boundary(x));
     }
     return all;
   }
@@ -145,9 +147,9 @@ TEMPLATE_TEST_CASE("Rewriter: it is a reduction after every generator and every 
   Live<R> live{test_ring<R>(), seed};
   const bool is_read_at_once = seed % 2 == 0;  // else what rules lack is taken in late
   const GrowingComplex<R> all = in_random_order(live.random, random_complex(live.ring, live.random).complex);
-  std::vector<Index> place;  // of the generators of `all`
-  for (Index x = 0; x < all.boundary.columns(); ++x) {
-    Terms<R> boundary = all.boundary.column(x);
+  std::vector<GeneratorId> place;  // of the generators of `all`
+  for (GeneratorId x = 0; x < all.size(); ++x) {
+    ChainOfB<R> boundary = all.boundary.column(x);
     for (auto& term : boundary) {
       term.index = place[term.index];
     }
@@ -173,7 +175,7 @@ TEMPLATE_TEST_CASE("Rewriter: S has the homology that B had from the start", "[e
   Live<R> live{test_ring<R>(), GENERATE(range(20U, 30U))};
   const Sample<R> sample = random_complex(live.ring, live.random);
   const GrowingComplex<R> all = in_random_order(live.random, sample.complex);
-  for (Index x = 0; x < all.boundary.columns(); ++x) {
+  for (GeneratorId x = 0; x < all.size(); ++x) {
     live.append(all.degrees[x], all.boundary.column(x));
   }
   Sizes sizes;
@@ -186,11 +188,11 @@ TEMPLATE_TEST_CASE("Rewriter: S has the homology that B had from the start", "[e
   for (std::size_t p = 0; p < small.size(); ++p) {
     Matrix<R> d(live.ring, p == 0 ? 0 : sizes[p - 1], 0);
     for (const Symbol x : small[p]) {
-      Terms<R> column = live.small_boundary(x);
-      for (auto& term : column) {
-        const auto at = std::find(small[p - 1].begin(), small[p - 1].end(), term.index);
+      Terms<R> column;
+      for (const auto& [y, coefficient] : live.small_boundary(x)) {
+        const auto at = std::find(small[p - 1].begin(), small[p - 1].end(), y);
         REQUIRE(at != small[p - 1].end());
-        term.index = static_cast<Index>(at - small[p - 1].begin());
+        column.push_back({static_cast<Index>(at - small[p - 1].begin()), coefficient});
       }
       d.append_column(column);
     }
@@ -211,11 +213,11 @@ TEMPLATE_TEST_CASE("Rewriter: undo goes back to every map as it was, whatever wa
     typename Rewriter<R>::Mark mark;
     GrowingComplex<R> b;
     std::size_t phis;
-    std::vector<Index> place;
-    std::vector<Terms<R>> everything;
+    std::vector<GeneratorId> place;
+    typename Live<R>::Everything everything;
   };
   std::vector<Moment> moments;
-  std::vector<Index> place;
+  std::vector<GeneratorId> place;
   for (int step = 0; step < 40; ++step) {
     switch (live.random.in(0, 6)) {
       case 0:
@@ -241,7 +243,7 @@ TEMPLATE_TEST_CASE("Rewriter: undo goes back to every map as it was, whatever wa
         break;
       default:
         if (place.size() < all.degrees.size()) {
-          Terms<R> boundary = all.boundary.column(static_cast<Index>(place.size()));
+          ChainOfB<R> boundary = all.boundary.column(GeneratorId{place.size()});
           for (auto& term : boundary) {
             term.index = place[term.index];
           }
@@ -259,11 +261,11 @@ TEST_CASE("Rewriter: when a budget breaks a perturbation off, undo restores what
     const Parts parts{.free = 4, .pairs = 8};
     const GrowingComplex<Integers> all =
         in_random_order(live.random, random_complex(live.ring, live.random, 3, parts).complex);
-    for (Index x = 0; x < all.boundary.columns(); ++x) {
+    for (GeneratorId x = 0; x < all.size(); ++x) {
       live.append(all.degrees[x], all.boundary.column(x));
     }
     live.perturb();
-    const std::vector<Terms<Integers>> before = live.everything();
+    const auto before = live.everything();
     const GrowingComplex<Integers> complex = live.b;
     for (std::uint64_t budget = 0; budget < 40; ++budget) {
       const auto mark = live.rewriter.mark();
@@ -286,13 +288,13 @@ TEST_CASE("Rewriter: when a budget breaks a perturbation off, undo restores what
 
 TEST_CASE("Rewriter: what was consumed leaves S and stays what chains are rewritten to", "[engine]") {
   Live<Integers> live{Integers{}, 0};
-  const Index v = live.append(0, {}), w = live.append(0, {});
+  const GeneratorId v = live.append(0, {}), w = live.append(0, {});
   live.append(1, {{v, -1}, {w, 1}});
   const auto mark = live.rewriter.mark();
   live.rewriter.consume(live.rewriter.small(0));
   CHECK(live.rewriter.small(0).empty());
   CHECK(live.rewriter.small_counts()[0] == 0);
-  CHECK(live.rewriter.rewrite(Terms<Integers>{{w, 3}}) == Terms<Integers>{{v, 3}});
+  CHECK(live.rewriter.rewrite(ChainOfB<Integers>{{w, 3}}) == ChainOfS<Integers>{{0, 3}});
   live.rewriter.undo(mark);
-  CHECK(live.rewriter.small(0) == std::vector<Symbol>{v});
+  CHECK(live.rewriter.small(0) == std::vector<Symbol>{0});
 }

@@ -7,6 +7,7 @@
 
 using namespace sesame;
 using namespace sesame::tests;
+using engine::GeneratorId;
 using engine::no_rule;
 using engine::no_symbol;
 using engine::RuleId;
@@ -21,24 +22,24 @@ struct PlainRules {
   struct Row {
     int degree = 0;
     RuleId removed_by = no_rule, born = 0;
-    Index generator = 0;
+    GeneratorId generator = 0;
     bool is_small = true, is_combination = false, is_rewritten = false;
   };
   struct Rule {
     Symbol a, b;
-    Terms<R> value;
+    ChainOfS<R> value;
   };
   std::vector<Row> symbols;
   std::vector<Rule> rules;
   std::vector<Symbol> generators;
-  std::vector<Terms<R>> columns;
+  std::vector<ChainOfS<R>> columns;
 
   void remove(Symbol x) {
     symbols[x].removed_by = static_cast<RuleId>(rules.size());
     symbols[x].is_small = false;
   }
-  void eliminate(const R& ring, Symbol a, Symbol b, const Terms<R>& column) {
-    Terms<R> value;
+  void eliminate(const R& ring, Symbol a, Symbol b, const ChainOfS<R>& column) {
+    ChainOfS<R> value;
     for (const auto& [x, coefficient] : column) {
       if (x == a) {
         const auto factor = ring.negate(ring.inverse(coefficient));
@@ -85,9 +86,9 @@ void require_same(const Rules<R>& rules, const PlainRules<R>& plain) {
     const auto value = rules.value(id);
     REQUIRE(rules[id].a == plain.rules[id].a);
     REQUIRE(rules[id].b == plain.rules[id].b);
-    REQUIRE(Terms<R>(value.begin(), value.end()) == plain.rules[id].value);
+    REQUIRE(ChainOfS<R>(value.begin(), value.end()) == plain.rules[id].value);
   }
-  for (Index g = 0; g < plain.generators.size(); ++g) {
+  for (GeneratorId g = 0; g < plain.generators.size(); ++g) {
     REQUIRE(rules.symbol_of(g) == plain.generators[g]);
   }
   REQUIRE(rules.combinations().size() == plain.columns.size());
@@ -133,7 +134,7 @@ TEMPLATE_TEST_CASE("Rules: symbols, rules and small lists are what plain lists s
       case 1:
       case 2: {
         plain.generators.push_back(rules.append_generator(p));
-        plain.symbols.push_back({p, no_rule, now, static_cast<Index>(plain.generators.size() - 1), true, false, false});
+        plain.symbols.push_back({p, no_rule, now, GeneratorId{plain.generators.size() - 1}, true, false, false});
         break;
       }
       case 3:
@@ -149,7 +150,7 @@ TEMPLATE_TEST_CASE("Rules: symbols, rules and small lists are what plain lists s
         const Symbol a = small[static_cast<std::size_t>(random.in(0, static_cast<int>(small.size()) - 1))];
         std::erase_if(entries, [a](const Entry& entry) { return entry.first == a; });
         entries.emplace_back(a, -1);
-        const Terms<R> column = terms_of(ring, entries);
+        const ChainOfS<R> column = terms_of<Symbol>(ring, entries);
         REQUIRE(rules.eliminate(a, above.front(), column) == now);
         plain.eliminate(ring, a, above.front(), column);
         REQUIRE(rules.version() > version);
@@ -159,7 +160,7 @@ TEMPLATE_TEST_CASE("Rules: symbols, rules and small lists are what plain lists s
       case 5: {
         if (const auto pair = two_of(random, small)) {
           const auto [x, y] = *pair;
-          const Terms<R> column = terms_of(ring, {{0, random.in(0, 2)}});
+          const ChainOfS<R> column = terms_of<Symbol>(ring, {{0, random.in(0, 2)}});
           const auto q = ring.from(std::int64_t{random.in(1, 4)});
           const Symbol z = rules.next_symbol();
           REQUIRE(rules.change_basis(x, q, y, column) == now);
@@ -211,10 +212,10 @@ TEST_CASE("Rules: an elimination divides the rest of its column by minus the uni
   const engine::RuleId rule = rules.eliminate(v, e, {{u, 2}, {v, 3}, {w, 6}});  // 3^-1 = 5
   const auto value = rules.value(rule);
   CHECK(rules[rule].inverse == 5);
-  CHECK(Terms<Zp>(value.begin(), value.end()) == Terms<Zp>{{u, 4}, {w, 5}});
-  std::vector<std::pair<Index, Index>> pairs;
-  rules.for_each_pair([&pairs](Index a, Index b) { pairs.emplace_back(a, b); });
-  CHECK(pairs == std::vector<std::pair<Index, Index>>{{1, 3}});
+  CHECK(ChainOfS<Zp>(value.begin(), value.end()) == ChainOfS<Zp>{{u, 4}, {w, 5}});
+  std::vector<std::pair<GeneratorId, GeneratorId>> pairs;
+  rules.for_each_pair([&pairs](GeneratorId a, GeneratorId b) { pairs.emplace_back(a, b); });
+  CHECK(pairs == std::vector{std::pair{GeneratorId{1}, GeneratorId{3}}});
 }
 
 TEST_CASE("Rules: the generator in a combination is the one that it replaces, however often", "[engine]") {
@@ -225,7 +226,7 @@ TEST_CASE("Rules: the generator in a combination is the one that it replaces, ho
   CHECK(rules.small(1) == std::vector<Symbol>{y, 3});
   CHECK(rules.generator_in(3) == 0);
   // x = x' + 2 y, x' = x'' - y
-  CHECK(rewritten(Integers{}, rules, {{x, 1}}) == Terms<Integers>{{y, 1}, {3, 1}});
+  CHECK(rewritten(Integers{}, rules, {{x, 1}}) == ChainOfS<Integers>{{y, 1}, {3, 1}});
 }
 
 TEST_CASE("Rules: columns of combinations gain terms and lose them from a symbol on", "[engine]") {
@@ -233,7 +234,7 @@ TEST_CASE("Rules: columns of combinations gain terms and lose them from a symbol
   const Symbol x = rules.append_generator(1), y = rules.append_generator(1);
   rules.change_basis(x, 1, y, {{y, 3}});
   rules.extend_column(0, {{10, 4}, {12, 5}});
-  CHECK(rules.combinations()[0].column == Terms<Integers>{{y, 3}, {10, 4}, {12, 5}});
+  CHECK(rules.combinations()[0].column == ChainOfS<Integers>{{y, 3}, {10, 4}, {12, 5}});
   rules.cut_column(0, 11);
-  CHECK(rules.combinations()[0].column == Terms<Integers>{{y, 3}, {10, 4}});
+  CHECK(rules.combinations()[0].column == ChainOfS<Integers>{{y, 3}, {10, 4}});
 }

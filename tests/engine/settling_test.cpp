@@ -29,10 +29,10 @@ struct Presentation {
   Settling<R> settling{ring, rules, effort};
 
   Symbol add(const std::vector<Entry>& entries) {
-    const Terms<R> column = terms_of(ring, entries);
-    given.append_column(column);
+    const ChainOfS<R> column = terms_of<Symbol>(ring, entries);
+    given.append_column(terms_of(ring, entries));
     const Symbol x = rules.append_generator(1);
-    if (const Terms<R> image = rewritten(ring, rules, column); !image.empty()) {
+    if (const ChainOfS<R> image = rewritten(ring, rules, column); !image.empty()) {
       settling.place(x, image);
       settling.settle();
     }
@@ -41,7 +41,11 @@ struct Presentation {
   [[nodiscard]] Matrix<R> core() const {
     Matrix<R> matrix(ring, rules.next_symbol(), 0);
     for (const auto& [x, column] : settling.core().columns()) {
-      matrix.append_column(column);
+      Terms<R> on_rows;
+      for (const auto& [row, coefficient] : column) {
+        on_rows.push_back({row, coefficient});
+      }
+      matrix.append_column(on_rows);
     }
     return matrix;
   }
@@ -61,7 +65,7 @@ std::vector<Integer> factors_above_one(const Matrix<Integers>& matrix) {
 }
 
 /// What a column of the core may look like when it is settled: a unit in it is not mild.
-bool has_mild_unit(const Terms<Integers>& column) {
+bool has_mild_unit(const ChainOfS<Integers>& column) {
   const bool has_unit =
       std::any_of(column.begin(), column.end(), [](const auto& t) { return t.coefficient.is_unit(); });
   const bool is_small =
@@ -104,7 +108,7 @@ TEST_CASE("Settling: over Z the core and the eliminations keep rank and torsion 
     Rules<Integers>::Mark rules;
     std::size_t journal;
     Matrix<Integers> given;
-    std::map<Symbol, Terms<Integers>> columns;
+    std::map<Symbol, ChainOfS<Integers>> columns;
   };
   std::vector<Moment> moments;
   for (int step = 0; step < 40; ++step) {
@@ -130,7 +134,7 @@ TEST_CASE("Settling: over a field each boundary goes with its youngest symbol, a
   Presentation<Zp> live{test_ring<Zp>(), rows};
   for (int step = 0; step < 12; ++step) {
     const std::vector<Entry> entries = any_column(random, rows);
-    const Terms<Zp> image = rewritten(live.ring, live.rules, terms_of(live.ring, entries));
+    const ChainOfS<Zp> image = rewritten(live.ring, live.rules, terms_of<Symbol>(live.ring, entries));
     const Symbol x = live.add(entries);
     REQUIRE((live.rules.removed_by(x) == engine::no_rule) == image.empty());
     if (!image.empty()) {
@@ -159,7 +163,7 @@ TEST_CASE("Settling: 2 and 3 in one row or in one column become a unit, 4 and 6 
   even.add({{0, 4}});
   even.add({{0, 6}});
   REQUIRE(even.settling.core().columns().size() == 1);
-  const Terms<Integers>& left = even.settling.core().columns().begin()->second;
+  const ChainOfS<Integers>& left = even.settling.core().columns().begin()->second;
   REQUIRE(left.size() == 1);
   CHECK(sparse::abs(left.front().coefficient) == 2);
 }
@@ -171,14 +175,14 @@ TEST_CASE("Settling: a unit among large entries stays, next to one other it goes
   Presentation<Integers> other{Integers{}, 2};
   const Symbol y = other.add({{0, 1}, {1, 50}});
   CHECK(other.settling.core().find(y) == nullptr);
-  CHECK(rewritten(Integers{}, other.rules, {{0, 1}}) == Terms<Integers>{{1, -50}});
+  CHECK(rewritten(Integers{}, other.rules, {{0, 1}}) == ChainOfS<Integers>{{1, -50}});
 }
 
 TEST_CASE("Settling: a boundary that is extended adds up, and can lose its torsion", "[engine]") {
   Presentation<Integers> live{Integers{}, 2};
   const Symbol x = live.add({{0, 4}});
   live.settling.extend(x, {{0, 2}, {1, 6}});
-  CHECK(*live.settling.core().find(x) == Terms<Integers>{{0, 6}, {1, 6}});
+  CHECK(*live.settling.core().find(x) == ChainOfS<Integers>{{0, 6}, {1, 6}});
   live.settling.extend(x, {{0, -6}, {1, -5}});
   live.settling.settle();
   CHECK(live.settling.core().columns().empty());
@@ -198,7 +202,7 @@ TEST_CASE("Settling: the partner of a unit leaves the columns of the degree abov
   settling.settle();
   CHECK(rules.small(0).empty());
   CHECK(rules.small(1) == std::vector<Symbol>{y});
-  CHECK(settling.core().columns() == std::map<Symbol, Terms<Integers>>{{z, {{y, -2}}}});
+  CHECK(settling.core().columns() == std::map<Symbol, ChainOfS<Integers>>{{z, {{y, -2}}}});
 }
 
 TEST_CASE("Settling: what is consumed has no boundary any more, and undo gives it back", "[engine]") {
@@ -210,7 +214,7 @@ TEST_CASE("Settling: what is consumed has no boundary any more, and undo gives i
   live.settling.consume(x);
   CHECK(live.settling.core().columns().empty());
   CHECK(live.rules.small(1).empty());
-  CHECK(rewritten(Integers{}, live.rules, {{x, 1}}) == Terms<Integers>{{x, 1}});
+  CHECK(rewritten(Integers{}, live.rules, {{x, 1}}) == ChainOfS<Integers>{{x, 1}});
   live.settling.undo(journal);
   live.rules.undo(mark);
   CHECK(live.settling.core().columns() == before);

@@ -39,11 +39,11 @@ R test_ring() {
 /// Row and coefficient.
 using Entry = std::pair<Index, int>;
 
-template <Ring R>
-Terms<R> terms_of(const R& ring, const std::vector<Entry>& entries) {
-  sparse::RawTerms<R> terms;
+template <class Id = Index, Ring R>
+Terms<R, Id> terms_of(const R& ring, const std::vector<Entry>& entries) {
+  sparse::RawTerms<R, Id> terms;
   for (const auto& [row, coefficient] : entries) {
-    terms.push_back({row, ring.from(std::int64_t{coefficient})});
+    terms.push_back({Id{row}, ring.from(std::int64_t{coefficient})});
   }
   return std::move(terms).normal(ring);
 }

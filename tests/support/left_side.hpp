@@ -14,30 +14,32 @@
 
 namespace sesame::tests {
 
-using sparse::Index;
+using engine::GeneratorId;
+using ops::CellId;
 using sparse::Terms;
 
-template <sparse::Ring R>
-Terms<R> one_term(const R& ring, Index index) {
-  return {{index, ring.one()}};
+template <sparse::Ring R, class Id>
+Terms<R, Id> one_term(const R& ring, Id id) {
+  return {{id, ring.one()}};
 }
 
 /// A linear map, given on generators, of a chain.
-template <sparse::Ring R, class Map>
-Terms<R> applied(const R& ring, const Map& map, const Terms<R>& chain) {
-  sparse::RawTerms<R> sum;
-  for (const auto& [index, coefficient] : chain) {
-    for (const auto& [other, factor] : map(index)) {
+template <sparse::Ring R, class From, class Map>
+auto applied(const R& ring, const Map& map, const Terms<R, From>& chain) {
+  using To = decltype(map(std::declval<From>()).front().index);
+  sparse::RawTerms<R, To> sum;
+  for (const auto& [id, coefficient] : chain) {
+    for (const auto& [other, factor] : map(id)) {
       sum.push_back({other, ring.multiply(coefficient, factor)});
     }
   }
   return std::move(sum).normal(ring);
 }
 
-template <sparse::Ring R>
-Terms<R> sum_of(const R& ring, const std::vector<Terms<R>>& chains) {
-  sparse::RawTerms<R> sum;
-  for (const Terms<R>& chain : chains) {
+template <class Id, sparse::Ring R>
+Terms<R, Id> sum_of(const R& ring, const std::vector<Terms<R, Id>>& chains) {
+  sparse::RawTerms<R, Id> sum;
+  for (const Terms<R, Id>& chain : chains) {
     for (const auto& term : chain) {
       sum.push_back(term);
     }
@@ -56,7 +58,7 @@ class LeftSide {
         rewriter_{ring, big_.boundary()},
         frozen_{ring, big_, rewriter_},
         position_{window_.start()} {
-    for (Index generator = 0; generator < big_.size(); ++generator) {
+    for (GeneratorId generator = 0; generator < big_.size(); ++generator) {
       rewriter_.append(big_.degree(generator));
     }
     follow();
@@ -72,7 +74,7 @@ class LeftSide {
   /// Takes in a step and what queries have made before it. To be called after each step.
   void follow() {
     const engine::RuleId time = rewriter_.rules();
-    Index first_copy = ops::none;
+    GeneratorId first_copy = ops::none;
     std::vector<std::uint32_t> moves;
     const ops::Journal& journal = structure().journal();
     while (position_ < journal.end()) {
@@ -91,7 +93,7 @@ class LeftSide {
     }
     if (!moves.empty()) {
       const auto made = structure().splits().moves().subspan(moves.front(), moves.back() - moves.front() + 1);
-      if (const std::vector<Index> changed = big_.split(first_copy, made); !changed.empty()) {
+      if (const std::vector<GeneratorId> changed = big_.split(first_copy, made); !changed.empty()) {
         rewriter_.perturb(time, first_copy, changed);
       }
     }
@@ -113,17 +115,17 @@ class LeftSide {
   }
 
   /// f, g, h; and K of a cell, which is not 0 where there are lazy cells.
-  Terms<R> f(Index generator) const { return maps().f(one_term(ring_, generator)); }
-  Terms<R> g(ops::CellId cell) const { return maps().g(cell); }
-  Terms<R> h(Index generator) const { return maps().h(generator); }
-  Terms<R> K(ops::CellId cell) const {
-    sparse::RawTerms<R> out;
+  Terms<R, CellId> f(GeneratorId generator) const { return maps().f(one_term(ring_, generator)); }
+  Terms<R, GeneratorId> g(CellId cell) const { return maps().g(cell); }
+  Terms<R, GeneratorId> h(GeneratorId generator) const { return maps().h(generator); }
+  Terms<R, CellId> K(CellId cell) const {
+    sparse::RawTerms<R, CellId> out;
     maps().add_K_of_lazy_part(cell, ring_.one(), out);
     return std::move(out).normal(ring_);
   }
-  Terms<R> boundary_of_generator(Index generator) const { return big_.boundary().column(generator); }
-  Terms<R> boundary_of_cell(ops::CellId cell) const {
-    sparse::RawTerms<R> out;
+  Terms<R, GeneratorId> boundary_of_generator(GeneratorId generator) const { return big_.boundary().column(generator); }
+  Terms<R, CellId> boundary_of_cell(CellId cell) const {
+    sparse::RawTerms<R, CellId> out;
     const auto faces = structure().faces().of(cell);
     for (std::uint32_t k = 0; k < faces.size(); ++k) {
       if (const auto [face, sign] = structure().forest().find_oriented(faces[k]); face != ops::none) {
@@ -135,7 +137,7 @@ class LeftSide {
 
  private:
   void append(ops::EventKind kind, std::uint32_t number) {
-    std::optional<Index> generator;
+    std::optional<GeneratorId> generator;
     switch (kind) {
       case ops::EventKind::cell:
       case ops::EventKind::degenerate:
@@ -172,41 +174,41 @@ class LeftSide {
 template <sparse::Ring R>
 std::string broken_left_law(const LeftSide<R>& side) {
   const R& ring = side.ring();
-  const auto f = [&](Index x) { return side.f(x); };
-  const auto g = [&](Index c) { return side.g(ops::CellId{c}); };
-  const auto h = [&](Index x) { return side.h(x); };
-  const auto K = [&](Index c) { return side.K(ops::CellId{c}); };
-  const auto d_big = [&](Index x) { return side.boundary_of_generator(x); };
-  const auto d_object = [&](Index c) { return side.boundary_of_cell(ops::CellId{c}); };
-  const auto of = [&](const auto& map, const Terms<R>& chain) { return applied(ring, map, chain); };
+  const auto f = [&](GeneratorId x) { return side.f(x); };
+  const auto g = [&](CellId c) { return side.g(c); };
+  const auto h = [&](GeneratorId x) { return side.h(x); };
+  const auto K = [&](CellId c) { return side.K(c); };
+  const auto d_big = [&](GeneratorId x) { return side.boundary_of_generator(x); };
+  const auto d_object = [&](CellId c) { return side.boundary_of_cell(c); };
+  const auto of = [&](const auto& map, const auto& chain) { return applied(ring, map, chain); };
   const bool is_reduction = side.structure().lazy().families() == 0;
   const std::vector<ops::CellId> cells = current_cells(side.structure());
   for (const ops::CellId c : cells) {
-    const Terms<R> dc = d_object(c);
+    const Terms<R, CellId> dc = d_object(c);
     if (!of(d_object, dc).empty()) {
       return "d d = 0 on a cell";
     }
     if (of(d_big, g(c)) != of(g, dc)) {
       return "d g = g d";
     }
-    if (sum_of<R>(ring, {of(f, g(c)), of(d_object, K(c)), of(K, dc)}) != one_term(ring, c)) {
+    if (sum_of<CellId>(ring, {of(f, g(c)), of(d_object, K(c)), of(K, dc)}) != one_term(ring, c)) {
       return "f g + d K + K d = 1";
     }
     if (is_reduction && !(K(c).empty() && of(h, g(c)).empty())) {
       return "K = 0, h g = 0";
     }
   }
-  for (Index x = 0; x < side.big().size(); ++x) {
-    const Terms<R> dx = d_big(x);
+  for (GeneratorId x = 0; x < side.big().size(); ++x) {
+    const Terms<R, GeneratorId> dx = d_big(x);
     if (!of(d_big, dx).empty()) {
       return "d d = 0 on a generator";
     }
-    const Terms<R> fx = f(x);
+    const Terms<R, CellId> fx = f(x);
     if (of(d_object, fx) != of(f, dx)) {
       return "d f = f d";
     }
     if (is_reduction) {
-      if (sum_of<R>(ring, {of(g, fx), of(d_big, h(x)), of(h, dx)}) != one_term(ring, x)) {
+      if (sum_of<GeneratorId>(ring, {of(g, fx), of(d_big, h(x)), of(h, dx)}) != one_term(ring, x)) {
         return "g f + d h + h d = 1";
       }
       if (!(of(f, h(x)).empty() && of(h, h(x)).empty())) {
@@ -221,10 +223,14 @@ std::string broken_left_law(const LeftSide<R>& side) {
 template <sparse::Ring R>
 std::string dump(const LeftSide<R>& side) {
   std::string text;
-  const auto add = [&](const char* what, Index of, const Terms<R>& chain) {
-    text += std::string{what} + std::to_string(of) + ": " + sparse::to_string<R>(side.ring(), chain) + "\n";
+  const auto add = [&](const char* what, std::uint32_t of, const auto& chain) {
+    text += std::string{what} + std::to_string(of) + ":";
+    for (const auto& [id, coefficient] : chain) {
+      text += " " + to_rational(side.ring(), coefficient).to_string() + "*" + std::to_string(id);
+    }
+    text += "\n";
   };
-  for (Index x = 0; x < side.big().size(); ++x) {
+  for (GeneratorId x = 0; x < side.big().size(); ++x) {
     add("d ", x, side.boundary_of_generator(x));
     add("f ", x, side.f(x));
     if (side.structure().lazy().families() == 0) {

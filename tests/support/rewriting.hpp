@@ -13,25 +13,32 @@
 
 namespace sesame::tests {
 
+/// Chains of the big complex, and of the small one.
+template <Ring R>
+using ChainOfB = Terms<R, engine::GeneratorId>;
+template <Ring R>
+using ChainOfS = Terms<R, engine::Symbol>;
+
 /// A complex, all degrees in one column store: each generator comes after those of its boundary.
 template <Ring R>
 struct GrowingComplex {
-  sparse::ColumnStore<R> boundary;
+  sparse::ColumnStore<R, engine::GeneratorId> boundary;
   std::vector<int> degrees;
 
   explicit GrowingComplex(const R& ring) : boundary(ring, 0, 0) {}
-  [[nodiscard]] Terms<R> d(const Terms<R>& chain) const {
-    Terms<R> image;
+  [[nodiscard]] ChainOfB<R> d(const ChainOfB<R>& chain) const {
+    ChainOfB<R> image;
     for (const auto& [x, coefficient] : chain) {
       sparse::add_multiple<R>(boundary.ring(), image, coefficient, boundary.column(x));
     }
     return image;
   }
-  Index append(int degree, const Terms<R>& column) {
+  [[nodiscard]] engine::GeneratorId size() const { return engine::GeneratorId{boundary.columns()}; }
+  engine::GeneratorId append(int degree, const ChainOfB<R>& column) {
     boundary.append_rows(1);
     boundary.append_column(column);
     degrees.push_back(degree);
-    return boundary.columns() - 1;
+    return size() - 1;
   }
 };
 
@@ -39,7 +46,7 @@ struct GrowingComplex {
 template <Ring R>
 GrowingComplex<R> in_random_order(Random& random, const ChainComplex<R>& complex) {
   GrowingComplex<R> growing(complex.ring());
-  std::map<std::pair<int, Index>, Index> place;
+  std::map<std::pair<int, Index>, engine::GeneratorId> place;
   std::vector<std::pair<int, Index>> waiting;
   for (int p = 0; p <= complex.top(); ++p) {
     for (Index x = 0; x < complex.size(p); ++x) {
@@ -49,12 +56,12 @@ GrowingComplex<R> in_random_order(Random& random, const ChainComplex<R>& complex
   while (!waiting.empty()) {
     const auto at = waiting.begin() + random.in(0, static_cast<int>(waiting.size()) - 1);
     const auto [p, x] = *at;
-    sparse::RawTerms<R> column;
+    sparse::RawTerms<R, engine::GeneratorId> column;
     bool is_ready = true;
     for (const auto& term : complex.boundary(p).column(x)) {
       const auto row = place.find({p - 1, term.index});
       is_ready = is_ready && row != place.end();
-      column.push_back({is_ready ? row->second : 0, term.coefficient});
+      column.push_back({is_ready ? row->second : ops::none, term.coefficient});
     }
     if (is_ready) {
       place[{p, x}] = growing.append(p, std::move(column).normal(complex.ring()));
@@ -66,7 +73,7 @@ GrowingComplex<R> in_random_order(Random& random, const ChainComplex<R>& complex
 
 /// A chain of symbols rewritten by all rules as they were made, one after the other.
 template <Ring R>
-Terms<R> rewritten(const R& ring, const engine::Rules<R>& rules, const Terms<R>& symbols) {
+ChainOfS<R> rewritten(const R& ring, const engine::Rules<R>& rules, const ChainOfS<R>& symbols) {
   std::map<engine::Symbol, typename R::Element> sum;
   const auto add = [&](engine::Symbol x, const typename R::Element& factor, const typename R::Element& coefficient) {
     ring.add_product(sum.try_emplace(x, ring.zero()).first->second, factor, coefficient);
@@ -86,7 +93,7 @@ Terms<R> rewritten(const R& ring, const engine::Rules<R>& rules, const Terms<R>&
       }
     }
   }
-  sparse::RawTerms<R> image;
+  sparse::RawTerms<R, engine::Symbol> image;
   for (const auto& [x, coefficient] : sum) {
     image.push_back({x, coefficient});
   }
@@ -95,16 +102,16 @@ Terms<R> rewritten(const R& ring, const engine::Rules<R>& rules, const Terms<R>&
 
 /// A chain of generators of B in symbols.
 template <Ring R>
-Terms<R> in_symbols(const R& ring, const engine::Rules<R>& rules, const Terms<R>& chain) {
-  sparse::RawTerms<R> symbols;
+ChainOfS<R> in_symbols(const R& ring, const engine::Rules<R>& rules, const ChainOfB<R>& chain) {
+  sparse::RawTerms<R, engine::Symbol> symbols;
   for (const auto& term : chain) {
     symbols.push_back({rules.symbol_of(term.index), term.coefficient});
   }
   return std::move(symbols).normal(ring);
 }
 
-template <Ring R>
-Terms<R> sum_of(const R& ring, Terms<R> a, const typename R::Element& factor, const Terms<R>& b) {
+template <Ring R, class Id>
+Terms<R, Id> sum_of(const R& ring, Terms<R, Id> a, const typename R::Element& factor, const Terms<R, Id>& b) {
   sparse::add_multiple<R>(ring, a, factor, b);
   return a;
 }
@@ -117,8 +124,8 @@ std::string broken_law(const GrowingComplex<R>& complex, const std::vector<engin
   const R& ring = complex.boundary.ring();
   const auto minus_one = ring.negate(ring.one());
   for (const engine::Symbol x : small) {
-    const Terms<R> unit{{x, ring.one()}};
-    const Terms<R> lift = g(unit);
+    const ChainOfS<R> unit{{x, ring.one()}};
+    const ChainOfB<R> lift = g(unit);
     const std::string where = " at the symbol " + std::to_string(x);
     if (f(lift) != unit) {
       return "f g = 1" + where;
@@ -130,11 +137,11 @@ std::string broken_law(const GrowingComplex<R>& complex, const std::vector<engin
       return "h g = 0" + where;
     }
   }
-  for (Index b = 0; b < complex.boundary.columns(); ++b) {
-    const Terms<R> unit{{b, ring.one()}};
-    const Terms<R> homotopy = h(unit);
+  for (engine::GeneratorId b = 0; b < complex.size(); ++b) {
+    const ChainOfB<R> unit{{b, ring.one()}};
+    const ChainOfB<R> homotopy = h(unit);
     const std::string where = " at the generator " + std::to_string(b);
-    Terms<R> sum = sum_of(ring, g(f(unit)), ring.one(), complex.d(homotopy));
+    ChainOfB<R> sum = sum_of(ring, g(f(unit)), ring.one(), complex.d(homotopy));
     sum = sum_of(ring, std::move(sum), ring.one(), h(complex.boundary.column(b)));
     if (!sum_of(ring, std::move(sum), minus_one, unit).empty()) {
       return "g f + d h + h d = 1" + where;

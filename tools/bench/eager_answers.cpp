@@ -120,12 +120,18 @@ reductions::Equivalence<R> EagerEquivalence<R>::matrices(const reductions::Chain
   for (Index b = 0; b < size(); ++b) {
     big.add(degrees_[b], b);
   }
+  reductions::Basis<Index> numbers;  // of the cells
+  for (std::size_t p = 0; p < cells.generators().size(); ++p) {
+    for (const ops::CellId cell : cells.generators(p)) {
+      numbers.add(static_cast<int>(p), cell);
+    }
+  }
   const auto small = small_generators();
   const auto map = [&](int degree, const auto& source, const auto& target, const auto& matrix) {
     return reductions::map_by_columns(ring_, degree, source, target, column_of(matrix));
   };
   const auto big_complex = reductions::complex_by_columns(ring_, big, column_of(d_));
-  return {{big_complex, object, map(0, big, cells, f_), map(0, cells, big, g_), map(1, big, big, h_)},
+  return {{big_complex, object, map(0, big, numbers, f_), map(0, numbers, big, g_), map(1, big, big, h_)},
           {big_complex, reductions::complex_by_columns(ring_, small, column_of(d_small_)), map(0, big, small, f_small_),
            map(0, small, big, g_small_), map(1, big, big, h_small_)}};
 }

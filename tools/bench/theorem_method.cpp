@@ -16,7 +16,7 @@ using reductions::GradedMap;
 /// The equivalence with the generators of its object in another order.
 template <sparse::Ring R>
 Equivalence<R> reordered(const Equivalence<R>& equivalence, const CellBasis& from, const CellBasis& to) {
-  const auto itself = [&](CellId cell) { return sparse::Terms<R>{{cell, equivalence.object().ring().one()}}; };
+  const auto itself = [&](CellId cell) { return sparse::Terms<R, CellId>{{cell, equivalence.object().ring().one()}}; };
   const R& ring = equivalence.object().ring();
   return {compose(equivalence.left,
                   reductions::isomorphism(equivalence.object(), reductions::map_by_columns(ring, 0, from, to, itself),
