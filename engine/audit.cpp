@@ -80,7 +80,7 @@ std::optional<std::string> defect_of_maps(LiveEquivalence<R>& live, const ops::C
 
   const auto minus = [](CellChain a, const CellChain& b) {
     for (const CellChain::Term& term : b.terms) {
-      a.terms.push_back({-term.coefficient, term.cell});
+      a.terms.push_back({-term.coefficient, term.generator});
     }
     return a;
   };
@@ -115,7 +115,7 @@ std::optional<std::string> defect_of_maps(LiveEquivalence<R>& live, const ops::C
   }
   for (int p = 0; p < static_cast<int>(rewriter.small_counts().size()); ++p) {
     const std::size_t size = rewriter.small(p).size();
-    for (std::uint32_t k = 0; k < size; ++k) {
+    for (SmallId k = 0; k < size; ++k) {
       const SmallChain x{p, {{1, k}}};
       if (!is_zero(minus(live.boundary(live.apply_G(x)), live.apply_G(live.boundary(x))))) {
         return "G does not obey d on generator " + std::to_string(k) + " of S_" + std::to_string(p);

@@ -71,7 +71,7 @@ CellChain Chains<R>::to_chain(int degree, const Terms<R, CellId>& cells) const {
     chain.terms.push_back({to_rational(ring_, agrees ? coefficient : ring_.negate(coefficient)), cell});
   }
   std::sort(chain.terms.begin(), chain.terms.end(), [this](const CellChain::Term& a, const CellChain::Term& b) {
-    return structure_.lazy().is_older(structure_.forest().oldest(a.cell), structure_.forest().oldest(b.cell));
+    return structure_.lazy().is_older(structure_.forest().oldest(a.generator), structure_.forest().oldest(b.generator));
   });
   return chain;
 }
@@ -85,7 +85,7 @@ SmallChain Chains<R>::to_small(int degree, const Terms<R, Symbol>& symbols) cons
   const std::vector<Symbol> small = rewriter_.small(degree);  // oldest first: increasing
   for (const Term<R, Symbol>& term : symbols) {
     const auto at = std::lower_bound(small.begin(), small.end(), term.index);
-    out.terms.push_back({to_rational(ring_, term.coefficient), static_cast<std::uint32_t>(at - small.begin())});
+    out.terms.push_back({to_rational(ring_, term.coefficient), SmallId{at - small.begin()}});
   }
   return out;
 }

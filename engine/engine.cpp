@@ -62,11 +62,11 @@ void compare(const char* what, const std::optional<T>& expected, const T& found,
 
 /// Adds up the terms of each cell, and drops what comes to nothing.
 void add_up(std::vector<CellChain::Term>& terms) {
-  std::sort(terms.begin(), terms.end(), [](const auto& a, const auto& b) { return a.cell < b.cell; });
+  std::sort(terms.begin(), terms.end(), [](const auto& a, const auto& b) { return a.generator < b.generator; });
   std::size_t kept = 0;
   for (std::size_t i = 0; i < terms.size();) {
     CellChain::Term sum = std::move(terms[i]);
-    for (++i; i < terms.size() && terms[i].cell == sum.cell; ++i) {
+    for (++i; i < terms.size() && terms[i].generator == sum.generator; ++i) {
       sum.coefficient += terms[i].coefficient;
     }
     if (!sum.coefficient.is_zero()) {
@@ -351,7 +351,8 @@ Result<CellChain> Engine::chain(const std::vector<std::pair<Integer, std::string
   }
   add_up(chain.terms);
   std::sort(chain.terms.begin(), chain.terms.end(), [this](const CellChain::Term& a, const CellChain::Term& b) {
-    return structure().lazy().is_older(structure().forest().oldest(a.cell), structure().forest().oldest(b.cell));
+    return structure().lazy().is_older(structure().forest().oldest(a.generator),
+                                       structure().forest().oldest(b.generator));
   });
   return chain;
 }

@@ -12,6 +12,7 @@
 #include "engine/left/saturating.hpp"
 #include "ops/cells/structure.hpp"
 #include "ops/plan/step_sequence.hpp"
+#include "sparse/rational_chain.hpp"
 #include "sparse/ring.hpp"
 
 namespace sesame::engine {
@@ -19,30 +20,14 @@ namespace sesame::engine {
 using sparse::Integer;
 using sparse::Rational;
 
-/// A chain of current cells, by the age of the cells' canonical names; coefficients are integers but over Q (in [0, p)
-/// over Z/p), for cells with the orientations that these stand for: ops::Directory::sign_of_name.
-struct CellChain {
-  struct Term {
-    Rational coefficient;
-    ops::CellId cell;  ///< a current cell
-    friend bool operator==(const Term&, const Term&) = default;
-  };
-  int degree = 0;
-  std::vector<Term> terms;
-  friend bool operator==(const CellChain&, const CellChain&) = default;
-};
+/// A chain of current cells, by the age of the cells' canonical names, with the orientations that these stand for:
+/// ops::Directory::sign_of_name.
+using CellChain = sparse::RationalChain<ops::CellId>;
 
-/// A chain of the small complex: coefficients of the small generators of one degree, numbered from 0, oldest first.
-struct SmallChain {
-  struct Term {
-    Rational coefficient;
-    std::uint32_t generator;
-    friend bool operator==(const Term&, const Term&) = default;
-  };
-  int degree = 0;
-  std::vector<Term> terms;
-  friend bool operator==(const SmallChain&, const SmallChain&) = default;
-};
+/// A generator of the small complex, among those of its degree, counted from 0, oldest first.
+using SmallId = ops::Id<struct GeneratorOfSmallComplex>;
+/// A chain of the small complex, by age.
+using SmallChain = sparse::RationalChain<SmallId>;
 
 /// A generator of a homology group.
 struct Generator {

@@ -3,21 +3,23 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "engine/towers/barcode.hpp"
-#include "sparse/rational.hpp"
+#include "ops/ids.hpp"
+#include "sparse/rational_chain.hpp"
 
 namespace sesame::engine {
+
+/// An inclusion of a tower, counted from 0. It stands for the cell that it added: what that has become since, the one
+/// who counts the inclusions can tell.
+using InclusionId = ops::Id<struct InclusionOfTower>;
+/// A chain of cells, by the inclusions that added them, increasing.
+using InclusionChain = sparse::RationalChain<InclusionId>;
 
 /// What a BarcodeTracker knows of its bars when it keeps cycles.
 class BarCycles {
  public:
-  /// A chain of cells, each by the number of the inclusion that added it, from 0; with coefficients as they are
-  /// printed. What a cell has become since, the one who counts the inclusions can tell.
-  using InclusionChain = std::vector<std::pair<std::uint32_t, sparse::Rational>>;
-
   /// A bar, and the operations that began and ended it, numbers from 0.
   struct TracedBar {
     Bar bar;

@@ -201,30 +201,30 @@ std::vector<BarCycles::TracedBar> ChainImages<R>::bars() const {
 }
 
 template <Ring R>
-BarCycles::InclusionChain ChainImages<R>::cycle(const TracedBar& bar) {
+InclusionChain ChainImages<R>::cycle(const TracedBar& bar) {
   if (bar.bar.death == never) {
     const std::span<const TermType> kept = kept_terms(generators_[bar.birth]);
     const Terms<R> boundary(kept.begin(), kept.end());
     std::vector<Addition> additions{{bar.birth, ring_.one()}};
     reduce(boundary, [&](Generator killer, const Element& factor) { additions.push_back({killer, factor}); });
-    return expand(additions);
+    return expand(bar.bar.dimension, additions);
   }
-  return inclusions(kept_terms(generators_[bar.birth]));
+  return inclusions(bar.bar.dimension, kept_terms(generators_[bar.birth]));
 }
 
 template <Ring R>
-BarCycles::InclusionChain ChainImages<R>::bounded_chain(const TracedBar& bar) {
+InclusionChain ChainImages<R>::bounded_chain(const TracedBar& bar) {
   sparse::expects(bar.bar.death != never, "a bar that has ended has a chain that its cycle bounds");
   const Addition whole{bar.death, ring_.one()};
-  return expand({&whole, 1});
+  return expand(bar.bar.dimension + 1, {&whole, 1});
 }
 
 template <Ring R>
-BarCycles::InclusionChain ChainImages<R>::inclusions(std::span<const TermType> terms) const {
-  InclusionChain chain;
+InclusionChain ChainImages<R>::inclusions(int degree, std::span<const TermType> terms) const {
+  InclusionChain chain{degree, {}};
   for (const TermType& each : terms) {
     if (generators_[each.index].inclusion != no_inclusion) {
-      chain.emplace_back(generators_[each.index].inclusion, to_rational(ring_, each.coefficient));
+      chain.terms.push_back({to_rational(ring_, each.coefficient), InclusionId{generators_[each.index].inclusion}});
     }
   }
   return chain;
@@ -232,7 +232,7 @@ BarCycles::InclusionChain ChainImages<R>::inclusions(std::span<const TermType> t
 
 /// The sum of multiples of V(b): younger generators first, so that each is expanded once.
 template <Ring R>
-BarCycles::InclusionChain ChainImages<R>::expand(std::span<const Addition> sum) {
+InclusionChain ChainImages<R>::expand(int degree, std::span<const Addition> sum) {
   for (const Addition& each : sum) {
     sum_.add_product(each.killer, ring_.one(), each.factor);
   }
@@ -246,7 +246,7 @@ BarCycles::InclusionChain ChainImages<R>::expand(std::span<const Addition> sum) 
     }
   }
   std::ranges::reverse(found);
-  return inclusions(found);
+  return inclusions(degree, found);
 }
 
 template class ChainImages<sparse::Z2>;

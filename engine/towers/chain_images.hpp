@@ -108,8 +108,8 @@ class ChainImages final : public BarCycles {
   [[nodiscard]] std::span<const TermType> kept_terms(const Cell& cell) const {
     return {terms_.data() + cell.first_term, cell.terms};
   }
-  [[nodiscard]] InclusionChain inclusions(std::span<const TermType> terms) const;
-  [[nodiscard]] InclusionChain expand(std::span<const Addition> sum);
+  [[nodiscard]] InclusionChain inclusions(int degree, std::span<const TermType> terms) const;
+  [[nodiscard]] InclusionChain expand(int degree, std::span<const Addition> sum);
 
   R ring_;
   bool has_shared_slots_;

@@ -57,18 +57,18 @@ ops::Label TowerHistory::label_at(Vertex v, std::uint64_t operation) const {
   return std::prev(after)->second;
 }
 
-TowerHistory::NamedChain TowerHistory::image(std::span<const std::pair<std::uint32_t, sparse::Rational>> chain,
-                                             std::uint64_t operation, std::uint32_t p) const {
+TowerHistory::NamedChain TowerHistory::image(const engine::InclusionChain& chain, std::uint64_t operation,
+                                             std::uint32_t p) const {
   // Most simplices of long histories are squashed by then, so nothing is allocated before that is known.
-  std::vector<std::pair<Name, sparse::Rational>> terms;
+  std::vector<NamedChain::Term> terms;
   std::array<Label, ops::TowerComplex::largest_dimension + 1> name;
-  for (const auto& [inclusion, coefficient] : chain) {
+  for (const auto& [coefficient, inclusion] : chain.terms) {
     std::size_t size = 0;
     bool is_reversed = false;
     if (has_cells_) {
       name[size++] = inclusion;
     }
-    for (std::uint64_t at = first_[has_cells_ ? 0 : inclusion]; !has_cells_ && at < first_[inclusion + 1]; ++at) {
+    for (std::uint64_t at = has_cells_ ? 0 : first_[inclusion]; !has_cells_ && at < first_[inclusion + 1]; ++at) {
       name[size++] = label_at(simplices_[at], operation);
       for (std::size_t k = size - 1; k > 0 && name[k - 1] > name[k]; --k) {
         std::swap(name[k - 1], name[k]);
@@ -76,22 +76,22 @@ TowerHistory::NamedChain TowerHistory::image(std::span<const std::pair<std::uint
       }
     }
     if (std::adjacent_find(name.begin(), name.begin() + size) == name.begin() + size) {
-      terms.emplace_back(Name(name.begin(), name.begin() + size), is_reversed ? -coefficient : coefficient);
+      terms.push_back({is_reversed ? -coefficient : coefficient, Name(name.begin(), name.begin() + size)});
     }
   }
-  std::ranges::sort(terms, {}, &std::pair<Name, sparse::Rational>::first);
-  NamedChain image;
+  std::ranges::sort(terms, {}, &NamedChain::Term::generator);
+  NamedChain image{chain.degree, {}};
   for (std::size_t at = 0; at < terms.size();) {
     sparse::Rational sum;
     std::size_t next = at;
-    for (; next < terms.size() && terms[next].first == terms[at].first; ++next) {
-      sum += terms[next].second;
+    for (; next < terms.size() && terms[next].generator == terms[at].generator; ++next) {
+      sum += terms[next].coefficient;
     }
     if (p != 0) {
       sum = smallest_residue(sum.numerator(), p);
     }
     if (!sum.is_zero()) {
-      image.emplace_back(std::move(sum), std::move(terms[at].first));
+      image.terms.push_back({std::move(sum), std::move(terms[at].generator)});
     }
     at = next;
   }

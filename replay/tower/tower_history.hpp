@@ -8,8 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/towers/bar_cycles.hpp"
 #include "ops/simplicial/tower_complex.hpp"
-#include "sparse/rational.hpp"
+#include "sparse/rational_chain.hpp"
 
 namespace sesame::replay {
 
@@ -19,7 +20,7 @@ class TowerHistory {
   using Label = ops::Label;
   /// A simplex by its labels, ascending; a cell of a boundary matrix by its number.
   using Name = std::vector<Label>;
-  using NamedChain = std::vector<std::pair<sparse::Rational, Name>>;
+  using NamedChain = sparse::RationalChain<Name>;
 
   /// A simplex is included, oriented by the order of its labels here.
   void include(std::span<const Label> labels);
@@ -27,11 +28,10 @@ class TowerHistory {
   void include_cell();
   void contract(Label u, Label v);
 
-  /// The image of a chain of inclusions, numbers from 0, in the complex after the operation with a number, from 0:
+  /// The image of a chain of inclusions in the complex after the operation with a number, from 0:
   /// simplices that are squashed count as 0, those that are merged are added up modulo p (0: over Q); simplices in
   /// lexicographic order. Cost: the chain, times the logarithm of the number of contractions.
-  [[nodiscard]] NamedChain image(std::span<const std::pair<std::uint32_t, sparse::Rational>> chain,
-                                 std::uint64_t operation, std::uint32_t p) const;
+  [[nodiscard]] NamedChain image(const engine::InclusionChain& chain, std::uint64_t operation, std::uint32_t p) const;
 
  private:
   using Vertex = std::uint32_t;  ///< a label from its inclusion on

@@ -13,7 +13,7 @@ using engine::never;
 
 std::string chain_line(const TowerHistory::NamedChain& chain) {
   std::string text;
-  for (const auto& [coefficient, name] : chain) {
+  for (const auto& [coefficient, name] : chain.terms) {
     const bool is_negative = coefficient < 0;
     text += text.empty() ? (is_negative ? "-" : "") : (is_negative ? " - " : " + ");
     const sparse::Rational size = sparse::abs(coefficient);
@@ -28,7 +28,7 @@ std::string chain_line(const TowerHistory::NamedChain& chain) {
 void add_chain(TextBuffer& text, const TowerHistory::NamedChain& chain) {
   text.add('[');
   bool is_first = true;
-  for (const auto& [coefficient, name] : chain) {
+  for (const auto& [coefficient, name] : chain.terms) {
     const bool is_word = coefficient.to_int64().has_value();  // other numbers are strings, as everywhere in JSON
     text.add(is_first ? "[" : ",[").add(is_word ? "" : "\"").add(coefficient.to_string()).add(is_word ? ",[" : "\",[");
     is_first = false;
@@ -203,13 +203,13 @@ void CycleReport::for_each_bar(Visit&& visit) const {
 }
 
 std::string CycleReport::line_of(const TowerHistory::NamedChain& chain) const {
-  return is_too_long(chain) ? fmt::format("a chain of {} terms", chain.size()) : chain_line(chain);
+  return is_too_long(chain) ? fmt::format("a chain of {} terms", chain.terms.size()) : chain_line(chain);
 }
 
 void CycleReport::add_member(TextBuffer& text, std::string_view name, const TowerHistory::NamedChain& chain) const {
   text.add(",\"").add(name);
   if (is_too_long(chain)) {
-    text.add("_terms\":").add_integer(chain.size());
+    text.add("_terms\":").add_integer(chain.terms.size());
   } else {
     text.add("\":");
     add_chain(text, chain);

@@ -80,7 +80,7 @@ class CycleReport {
   template <class Visit>
   void for_each_bar(Visit&& visit) const;
   [[nodiscard]] bool is_too_long(const TowerHistory::NamedChain& chain) const {
-    return chain.size() > options_.most_terms;
+    return chain.terms.size() > options_.most_terms;
   }
   [[nodiscard]] std::string line_of(const TowerHistory::NamedChain& chain) const;
   void add_member(TextBuffer& text, std::string_view name, const TowerHistory::NamedChain& chain) const;

@@ -48,7 +48,7 @@ std::vector<std::vector<std::string>> subdivided(const std::vector<std::vector<s
 CellChain carried_forward(const ops::Structure& structure, const CellChain& chain, const std::vector<int>& signs) {
   CellChain image{chain.degree, {}};
   for (std::size_t k = 0; k < chain.terms.size(); ++k) {
-    const auto [cell, sign] = structure.forest().find_oriented(chain.terms[k].cell);
+    const auto [cell, sign] = structure.forest().find_oriented(chain.terms[k].generator);
     if (cell != ops::none) {
       const int total = sign * signs[k] * structure.directory().sign_of_name(cell);
       image.terms.push_back({total > 0 ? chain.terms[k].coefficient : -chain.terms[k].coefficient, cell});
@@ -69,7 +69,7 @@ PastBasis basis_now(Engine& engine) {
     for (const engine::Generator& generator : engine.generators(p)) {
       std::vector<int> signs;
       for (const auto& term : generator.cycle.terms) {
-        signs.push_back(engine.structure().directory().sign_of_name(term.cell));
+        signs.push_back(engine.structure().directory().sign_of_name(term.generator));
       }
       cycles.emplace_back(generator.cycle, signs);
     }

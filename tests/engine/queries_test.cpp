@@ -223,7 +223,7 @@ TEST_CASE("on every cell 1 - G F = d K + K d, and F and G are chain maps", "[eng
     }
     const engine::Homology homology = state.engine.homology();
     for (std::size_t p = 0; p < homology.small.size(); ++p) {
-      for (std::uint32_t k = 0; k < homology.small[p]; ++k) {
+      for (engine::SmallId k = 0; k < homology.small[p]; ++k) {
         const engine::SmallChain generator{static_cast<int>(p), {{1, k}}};
         REQUIRE(maps.boundary(maps.apply_G(generator)) == maps.apply_G(maps.boundary(generator)));
         // F G differs from 1 by a homotopy only: it acts on homology as the identity.

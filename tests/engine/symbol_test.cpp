@@ -4,8 +4,10 @@
 #include <map>
 #include <type_traits>
 
+#include "engine/homology_tracker.hpp"
 #include "engine/left/left_maps.hpp"
 #include "engine/right/rewriter.hpp"
+#include "engine/towers/bar_cycles.hpp"
 #include "sparse/accumulator.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random_complexes.hpp"
@@ -13,7 +15,9 @@
 using namespace sesame;
 using namespace sesame::tests;
 using engine::GeneratorId;
+using engine::InclusionId;
 using engine::RuleId;
+using engine::SmallId;
 using engine::Symbol;
 using ops::CellId;
 
@@ -37,7 +41,7 @@ constexpr bool are_kept_apart = true;
 template <class A, class... Others>
 constexpr bool are_kept_apart<A, Others...> = !(MixedUp<A, Others> || ...) && are_kept_apart<Others...>;
 
-static_assert(are_kept_apart<CellId, ops::LinkId, GeneratorId, Symbol, RuleId>);
+static_assert(are_kept_apart<CellId, ops::LinkId, GeneratorId, Symbol, RuleId, SmallId, InclusionId>);
 static_assert(Comparable<Symbol, Symbol> && Ordered<Symbol, Symbol>);
 static_assert(!are_kept_apart<CellId, Symbol, GeneratorId, Symbol>);  // so it can fail
 
@@ -49,6 +53,7 @@ using Sum = sparse::RawTerms<Integers, Id>;
 static_assert(are_kept_apart<Chain<Index>, Chain<CellId>, Chain<GeneratorId>, Chain<Symbol>>);
 static_assert(are_kept_apart<Sum<Index>, Sum<CellId>, Sum<GeneratorId>, Sum<Symbol>>);
 static_assert(std::is_convertible_v<Chain<Symbol>, Sum<Symbol>> && !std::is_convertible_v<Chain<CellId>, Sum<Symbol>>);
+static_assert(are_kept_apart<engine::CellChain, engine::SmallChain, engine::InclusionChain>);
 
 template <class Id>
 concept RewrittenToS = requires(engine::Rewriter<Integers>& right, Chain<Id> chain) {

@@ -21,7 +21,7 @@ using tests::PlainComplex;
 /// A chain as a row in the numbered simplices of its dimension; all of them have to be there.
 DenseRow row_of(const TowerHistory::NamedChain& chain, const std::map<PlainComplex::Simplex, std::size_t>& number) {
   DenseRow row(number.size(), 0);
-  for (const auto& [coefficient, name] : chain) {
+  for (const auto& [coefficient, name] : chain.terms) {
     const auto at = number.find({name.begin(), name.end()});
     REQUIRE(at != number.end());
     row[at->second] = std::stoll(coefficient.to_string());
@@ -105,7 +105,7 @@ TEST_CASE("cycles are a basis of the homology at every operation, and bound when
 /// A chain as a sum, and what its boundary is.
 std::map<TowerHistory::Name, sparse::Rational> sum_of(const TowerHistory::NamedChain& chain, bool of_boundary) {
   std::map<TowerHistory::Name, sparse::Rational> sum;
-  for (const auto& [coefficient, name] : chain) {
+  for (const auto& [coefficient, name] : chain.terms) {
     if (!of_boundary) {
       sum[name] += coefficient;
     }
@@ -135,12 +135,14 @@ TEST_CASE("over Q cycles are cycles, and bound exactly what is said", "[replay][
   std::size_t ended = 0;
   for (const auto& bar : tracker->cycles()->bars()) {
     const auto cycle = tracker->cycles()->cycle(bar);
-    REQUIRE(!cycle.empty());
+    REQUIRE(!cycle.terms.empty());
+    CHECK(cycle.degree == bar.bar.dimension);
     CHECK(sum_of(history.image(cycle, bar.born_by, 0), true).empty());
     if (bar.bar.death != engine::never) {
       ++ended;
-      CHECK(sum_of(history.image(tracker->cycles()->bounded_chain(bar), bar.killed_by, 0), true) ==
-            sum_of(history.image(cycle, bar.killed_by, 0), false));
+      const auto bounded = history.image(tracker->cycles()->bounded_chain(bar), bar.killed_by, 0);
+      CHECK(bounded.degree == bar.bar.dimension + 1);
+      CHECK(sum_of(bounded, true) == sum_of(history.image(cycle, bar.killed_by, 0), false));
     }
   }
   CHECK(ended > 10);

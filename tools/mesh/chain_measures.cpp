@@ -40,7 +40,7 @@ bool has_signs(const sparse::AnyRing& ring) {
 void ChainMeasures::measure_cycle(MeshGenerator& generator) const {
   generator.box = empty_box();
   for (const auto& term : generator.chain.terms) {
-    for (const auto end : cells_.ends(term.cell)) {
+    for (const auto end : cells_.ends(term.generator)) {
       extend(generator.box, triangles().points[end]);
     }
   }
@@ -70,7 +70,7 @@ double ChainMeasures::times(const sparse::Rational& coefficient) const {
 void ChainMeasures::measure_surface(MeshGenerator& generator) const {
   generator.box = empty_box();
   for (const auto& term : generator.chain.terms) {
-    for (const auto corner : cells_.corners(term.cell)) {
+    for (const auto corner : cells_.corners(term.generator)) {
       extend(generator.box, triangles().points[corner]);
     }
   }
@@ -86,7 +86,7 @@ void ChainMeasures::measure_area(MeshGenerator& generator) const {
   const int exponent = binary_exponent(generator.box);
   std::unordered_map<std::uint32_t, Point> normal_of_face;
   for (const auto& term : generator.chain.terms) {
-    const auto t = cells_.triangle(term.cell);
+    const auto t = cells_.triangle(term.generator);
     Point& sum = normal_of_face[cells_.mesh().face_of_triangle[t]];
     const Point normal = normal_of(t, generator.box[0], exponent);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -96,7 +96,7 @@ void ChainMeasures::measure_area(MeshGenerator& generator) const {
   double area = 0;
   Point moment{};
   for (const auto& term : generator.chain.terms) {
-    const auto t = cells_.triangle(term.cell);
+    const auto t = cells_.triangle(term.generator);
     const Point normal = normal_of(t, generator.box[0], exponent);
     const double weight =
         times(term.coefficient) * part(normal, normal_of_face.at(cells_.mesh().face_of_triangle[t])) / 2;

@@ -23,7 +23,7 @@ struct Coordinates {
 /// What is left of d_2 in the small complex, as columns on the generators of S_1.
 sparse::Matrix<Integers> small_boundary(engine::Engine& engine, Index rows, std::uint32_t columns) {
   sparse::Matrix<Integers> boundary{Integers{}, rows, 0};
-  for (std::uint32_t y = 0; y < columns; ++y) {
+  for (engine::SmallId y = 0; y < columns; ++y) {
     sparse::RawTerms<Integers> sum;
     for (const auto& [coefficient, x] : engine.maps().boundary(SmallChain{2, {{1, y}}}).terms) {
       sum.push_back({x, coefficient.numerator()});
@@ -107,7 +107,7 @@ FirstHomology first_homology(engine::Engine& engine, const std::vector<ops::Cell
 SmallChain small_chain(const Terms<Integers>& terms) {
   SmallChain chain{1, {}};
   for (const auto& [index, coefficient] : terms) {
-    chain.terms.push_back({coefficient, index});
+    chain.terms.push_back({coefficient, engine::SmallId{index}});
   }
   return chain;
 }

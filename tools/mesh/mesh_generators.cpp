@@ -21,7 +21,7 @@ Integer orientation(const MeshCells& cells, const CellChain& chain, const sparse
   const CellChain::Term* lowest = nullptr;
   std::uint32_t triangle = 0;
   for (const auto& term : chain.terms) {
-    const std::uint32_t t = cells.triangle(term.cell);
+    const std::uint32_t t = cells.triangle(term.generator);
     if (lowest == nullptr || t < triangle) {
       lowest = &term;
       triangle = t;

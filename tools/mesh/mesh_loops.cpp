@@ -108,7 +108,7 @@ class LoopFinder {
       generator.vertices.push_back(cells_.in_file(from));
     }
     std::sort(generator.chain.terms.begin(), generator.chain.terms.end(),
-              [](const CellChain::Term& a, const CellChain::Term& b) { return a.cell < b.cell; });
+              [](const CellChain::Term& a, const CellChain::Term& b) { return a.generator < b.generator; });
     measures_.measure_cycle(generator);
     return generator;
   }
