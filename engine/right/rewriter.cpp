@@ -85,13 +85,13 @@ void Rewriter<R>::drop_work() {
 template <Ring R>
 typename Rewriter<R>::Mark Rewriter<R>::mark() {
   memos_.begin_epoch();
-  return {rules_.mark(), perturbations_.size(), core().journal_size(), memos_.size()};
+  return {rules_.mark(), perturbations_.size(), settling_.mark(), memos_.size()};
 }
 
 template <Ring R>
 void Rewriter<R>::undo(const Mark& mark) {
   perturbations_.undo(mark.perturbations, mark.rules.rules);
-  settling_.undo(mark.core_journal);
+  settling_.undo(mark.core);
   rules_.undo(mark.rules);
   memos_.undo(mark.memos);
 }

@@ -101,7 +101,7 @@ class Rewriter {
   struct Mark {
     typename Rules<R>::Mark rules;
     std::size_t perturbations = 0;
-    std::size_t core_journal = 0;
+    typename TorsionCore<R>::Mark core = 0;
     std::size_t memos = 0;
   };
   /// A mark to which `undo` can go back.

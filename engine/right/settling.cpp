@@ -32,12 +32,28 @@ Integer largest(const R& ring, const Terms<R, Symbol>& column) {
 }
 
 template <Ring R>
-Integer content(const R& ring, const Terms<R, Symbol>& column) {
-  Integer divisor = 0;
-  for (const sparse::Term<R, Symbol>& term : column) {
-    divisor = sparse::gcd(divisor, ring.to_integer(term.coefficient));
+bool is_larger_than(int bound, const R& ring, const Terms<R, Symbol>& column) {
+  return std::any_of(column.begin(), column.end(),
+                     [&](const sparse::Term<R, Symbol>& term) { return size_of(ring, term) > bound; });
+}
+
+template <Ring R>
+bool has_unit(const R& ring, const Terms<R, Symbol>& column) {
+  return std::any_of(column.begin(), column.end(),
+                     [&](const sparse::Term<R, Symbol>& term) { return ring.is_unit(term.coefficient); });
+}
+
+/// Whether the entries of a column have no common divisor.
+template <Ring R>
+bool is_coprime(const R& ring, const Terms<R, Symbol>& column) {
+  if (has_unit(ring, column)) {
+    return true;
   }
-  return divisor;
+  Integer divisor = 0;
+  for (auto term = column.begin(); term != column.end() && divisor != 1; ++term) {
+    divisor = sparse::gcd(divisor, ring.to_integer(term->coefficient));
+  }
+  return divisor == 1;
 }
 
 /// Whether a coefficient has become larger than it was, and larger than small.
@@ -84,7 +100,7 @@ void Settling<R>::consume(Symbol x) {
 template <Ring R>
 const sparse::Term<R, Symbol>* Settling<R>::mild_unit(const Terms<R, Symbol>& column) const {
   if constexpr (!R::is_field) {
-    if (column.size() > 2 && largest(ring_, column) > largest_of_mild_column) {
+    if (column.size() > 2 && is_larger_than(largest_of_mild_column, ring_, column)) {
       return nullptr;
     }
   }
@@ -147,7 +163,7 @@ void Settling<R>::settle() {
 /// has made all the moves that it may: nothing but speed and the size of S depends on them.
 template <Ring R>
 void Settling<R>::settle_column(Symbol x) {
-  if (content(ring_, *core_.find(x)) == 1) {
+  if (is_coprime(ring_, *core_.find(x))) {
     settle_coprime(x);
     return;
   }
@@ -214,6 +230,9 @@ void Settling<R>::settle_row_of(Symbol x) {
 template <Ring R>
 bool Settling<R>::reduce_rows(Symbol x) {
   const Terms<R, Symbol>& column = *core_.find(x);
+  if (has_unit(ring_, column)) {
+    return false;  // which divides all other entries
+  }
   const TermType& least = *std::min_element(column.begin(), column.end(), [this](const auto& a, const auto& b) {
     return size_of(ring_, a) < size_of(ring_, b);
   });

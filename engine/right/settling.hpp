@@ -44,8 +44,9 @@ class Settling {
   /// Takes a small symbol out of S, with its boundary.
   void consume(Symbol x);
 
-  /// Goes back to a size of the core's journal.
-  void undo(std::size_t journal_size) { core_.undo(journal_size); }
+  /// A moment to which `undo` can go back.
+  [[nodiscard]] typename TorsionCore<R>::Mark mark() { return core_.mark(); }
+  void undo(typename TorsionCore<R>::Mark mark) { core_.undo(mark); }
   /// Forgets what an OverBudget has cut off.
   void drop_work() { unsettled_.clear(); }
 

@@ -29,35 +29,70 @@ Symbol TorsionCore<R>::pivot_owner(Symbol row) const {
 
 template <Ring R>
 void TorsionCore<R>::set(Symbol x, Column column) {
-  const Column* before = find(x);
-  if (before == nullptr ? column.empty() : *before == column) {
+  const auto at = columns_.find(x);
+  if (at == columns_.end() ? column.empty() : at->second == column) {
     return;
   }
-  journal_.push_back({x, before == nullptr ? Column{} : *before, owns_pivot(x)});
-  replace(x, std::move(column));
+  Edit& edit = edit_of(x);
+  const bool is_first = !edit.before;
+  replace(at, x, column);
+  if (is_first) {
+    edit.before = std::move(column);  // what it was
+  }
+}
+
+/// The edit that holds what there was of x at the last mark.
+template <Ring R>
+typename TorsionCore<R>::Edit& TorsionCore<R>::edit_of(Symbol x) {
+  const auto [at, is_new] = last_edit_.try_emplace(x, journal_.size());
+  if (!is_new && at->second >= epoch_ && at->second < journal_.size() && journal_[at->second].x == x) {
+    return journal_[at->second];
+  }
+  at->second = journal_.size();
+  journal_.push_back({x, std::nullopt, owns_pivot(x)});
+  return journal_.back();
+}
+
+/// Exchanges the column of x, which is at `at`, with another one.
+template <Ring R>
+void TorsionCore<R>::replace(Place at, Symbol x, Column& column) {
+  ++version_;
+  if (at == columns_.end()) {
+    at = columns_.try_emplace(x).first;
+  } else if (column.empty() || column.back().index != at->second.back().index) {
+    set_ownership(x, false);
+  }
+  move_rows(x, at->second, column);
+  at->second.swap(column);
+  if (at->second.empty()) {
+    columns_.erase(at);
+  }
+}
+
+/// Tells the rows that only one of two columns has.
+template <Ring R>
+void TorsionCore<R>::move_rows(Symbol x, const Column& before, const Column& after) {
+  auto a = before.begin();
+  auto b = after.begin();
+  while (a != before.end() || b != after.end()) {
+    if (b == after.end() || (a != before.end() && a->index < b->index)) {
+      leave_row(x, (a++)->index);
+    } else if (a == before.end() || b->index < a->index) {
+      rows_[(b++)->index].push_back(x);
+    } else {
+      ++a, ++b;
+    }
+  }
 }
 
 template <Ring R>
-void TorsionCore<R>::replace(Symbol x, Column column) {
-  ++version_;
-  if (const auto at = columns_.find(x); at != columns_.end()) {
-    if (column.empty() || column.back().index != at->second.back().index) {
-      set_ownership(x, false);
-    }
-    for (const auto& term : at->second) {
-      std::vector<Symbol>& in_row = rows_[term.index];
-      in_row.erase(std::find(in_row.begin(), in_row.end(), x));
-      if (in_row.empty()) {
-        rows_.erase(term.index);
-      }
-    }
-    columns_.erase(at);
-  }
-  for (const auto& term : column) {
-    rows_[term.index].push_back(x);
-  }
-  if (!column.empty()) {
-    columns_.emplace(x, std::move(column));
+void TorsionCore<R>::leave_row(Symbol x, Symbol row) {
+  const auto at = rows_.find(row);
+  std::vector<Symbol>& in_row = at->second;
+  *std::find(in_row.begin(), in_row.end(), x) = in_row.back();
+  in_row.pop_back();
+  if (in_row.empty()) {
+    rows_.erase(at);
   }
 }
 
@@ -79,7 +114,7 @@ void TorsionCore<R>::set_ownership(Symbol x, bool owns) {
 template <Ring R>
 void TorsionCore<R>::own_pivot(Symbol x) {
   if (!owns_pivot(x)) {
-    journal_.push_back({x, std::nullopt, false});
+    edit_of(x);
     set_ownership(x, true);
   }
 }
@@ -87,23 +122,30 @@ void TorsionCore<R>::own_pivot(Symbol x) {
 template <Ring R>
 void TorsionCore<R>::release_pivot(Symbol x) {
   if (owns_pivot(x)) {
-    journal_.push_back({x, std::nullopt, true});
+    edit_of(x);
     set_ownership(x, false);
   }
 }
 
 template <Ring R>
-void TorsionCore<R>::undo(std::size_t journal_size) {
-  while (journal_.size() > journal_size) {
+void TorsionCore<R>::undo(Mark mark) {
+  // Pivots change hands in an epoch: all are released before any goes to whom it belonged.
+  std::map<Symbol, bool> owned;
+  while (journal_.size() > mark) {
     Edit edit = std::move(journal_.back());
     journal_.pop_back();
+    set_ownership(edit.x, false);
     if (edit.before) {
-      replace(edit.x, std::move(*edit.before));
+      replace(columns_.find(edit.x), edit.x, *edit.before);
     }
-    if (find(edit.x) != nullptr) {
-      set_ownership(edit.x, edit.owned_pivot);
+    owned[edit.x] = edit.owned_pivot;
+  }
+  for (const auto& [x, owns] : owned) {
+    if (owns) {
+      set_ownership(x, true);
     }
   }
+  epoch_ = mark;
 }
 
 #define SESAME_INSTANTIATE(R) template class TorsionCore<R>;

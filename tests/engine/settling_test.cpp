@@ -114,7 +114,7 @@ TEST_CASE("Settling: over Z the core and the eliminations keep rank and torsion 
   for (int step = 0; step < 40; ++step) {
     if (random.one_in(5)) {
       const auto& core = live.settling.core();
-      moments.push_back({live.rules.mark(), core.journal_size(), live.given, core.columns()});
+      moments.push_back({live.rules.mark(), live.settling.mark(), live.given, core.columns()});
     } else if (!moments.empty() && random.one_in(5)) {
       live.settling.undo(moments.back().journal);
       live.rules.undo(moments.back().rules);
@@ -209,7 +209,7 @@ TEST_CASE("Settling: what is consumed has no boundary any more, and undo gives i
   Presentation<Integers> live{Integers{}, 2};
   const Symbol x = live.add({{0, 4}, {1, 6}});
   const auto mark = live.rules.mark();
-  const std::size_t journal = live.settling.core().journal_size();
+  const std::size_t journal = live.settling.mark();
   const auto before = live.settling.core().columns();
   live.settling.consume(x);
   CHECK(live.settling.core().columns().empty());
