@@ -3,7 +3,8 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 # A static library hands on what it links: the packages that the folders' third-party targets come from, and for
-# pkg-config those of them that are more than headers, and Eigen, which a header of ours includes. GMP, which has no CMake package, is in sesameConfig.cmake.in.
+# pkg-config those of them that are more than headers, and Eigen, which a header of ours includes. GMP and
+# FLINT, which have no CMake packages, are in sesameConfig.cmake.in.
 set(third_party "")
 foreach(library IN LISTS SESAME_LIBRARIES)
   get_target_property(linked ${library} LINK_LIBRARIES)
@@ -25,6 +26,8 @@ set(SESAME_PC_LIBS "")
 foreach(library IN LISTS SESAME_LIBRARIES)
   string(PREPEND SESAME_PC_LIBS " -l${library}")  # a static library stands before those that it uses
 endforeach()
+string(APPEND SESAME_PC_LIBS " -lflint")
+
 file(RELATIVE_PATH SESAME_PC_UP /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" SESAME_PC_UP "${SESAME_PC_UP}")
 
@@ -37,6 +40,7 @@ configure_file(cmake/sesame.pc.in ${PROJECT_BINARY_DIR}/cmake/sesame.pc @ONLY)
 install(TARGETS sesame_all ${SESAME_LIBRARIES} EXPORT sesameTargets)
 install(EXPORT sesameTargets NAMESPACE sesame:: DESTINATION ${package_dir})
 install(FILES ${PROJECT_BINARY_DIR}/cmake/sesameConfig.cmake ${PROJECT_BINARY_DIR}/cmake/sesameConfigVersion.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/FindFLINT.cmake
         DESTINATION ${package_dir})
 install(FILES ${PROJECT_BINARY_DIR}/cmake/sesame.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 install(FILES ${SESAME_BUILD_INCLUDE}/sesame/version.hpp DESTINATION include/sesame)

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <queue>
 #include <utility>
@@ -91,14 +93,23 @@ class DiagonalElimination {
   /// All pivots, in the order found. The matrix is zero apart from them.
   std::vector<Pivot<R>> run() {
     std::vector<Pivot<R>> pivots;
-    while (auto pivot = next_pivot()) {
-      isolate(*pivot);
-      make_positive(*pivot);
-      columns_[pivot->column].clear();
-      rows_[pivot->row] = {};
-      pivots.push_back(std::move(*pivot));
+    while (take_pivot(pivots)) {
     }
     return pivots;
+  }
+  /// The same, until coefficients begin to grow: then there is a `rest`.
+  std::vector<Pivot<R>> run_while_small() {
+    std::vector<Pivot<R>> pivots;
+    while (!has_grown_ && take_pivot(pivots)) {
+    }
+    return pivots;
+  }
+  /// The columns that are not zero yet; they have none of the rows of the pivots.
+  [[nodiscard]] Lines<R> rest() const {
+    Lines<R> rest;
+    std::copy_if(columns_.begin(), columns_.end(), std::back_inserter(rest),
+                 [](const Terms<R>& column) { return !column.empty(); });
+    return rest;
   }
 
   Transform<R>& left() { return left_; }
@@ -106,6 +117,19 @@ class DiagonalElimination {
 
  private:
   using Candidate = std::pair<std::size_t, Index>;  // column size, column
+
+  bool take_pivot(std::vector<Pivot<R>>& pivots) {
+    auto pivot = next_pivot();
+    if (!pivot) {
+      return false;
+    }
+    isolate(*pivot);
+    make_positive(*pivot);
+    columns_[pivot->column].clear();
+    rows_[pivot->row] = {};
+    pivots.push_back(std::move(*pivot));
+    return true;
+  }
 
   void queue(Index j) {
     if (!columns_[j].empty()) {
@@ -241,21 +265,41 @@ class DiagonalElimination {
 
   /// column[to] += factor column[from], with the rows told of new entries and of entries that went.
   void add_column(Index to, const Element& factor, Index from) {
-    const Terms<R> before = columns_[to];
-    add_multiple<R>(ring_, columns_[to], factor, columns_[from]);
-    auto a = before.begin();
-    auto b = columns_[to].begin();
-    while (a != before.end() || b != columns_[to].end()) {
-      if (b == columns_[to].end() || (a != before.end() && a->index < b->index)) {
-        --row_sizes_[(a++)->index];
-      } else if (a == before.end() || b->index < a->index) {
-        ++row_sizes_[b->index];
-        rows_[(b++)->index].push_back(to);
+    Terms<R>& column = columns_[to];
+    sum_.clear();
+    sum_.reserve(column.size() + columns_[from].size());
+    auto a = column.begin();
+    for (const Term<R>& b : columns_[from]) {
+      while (a != column.end() && a->index < b.index) {
+        sum_.push_back(std::move(*a++));
+      }
+      if (a == column.end() || b.index < a->index) {
+        ++row_sizes_[b.index];
+        rows_[b.index].push_back(to);
+        sum_.push_back({b.index, ring_.multiply(factor, b.coefficient)});
       } else {
-        ++a, ++b;
+        ring_.add_product(a->coefficient, factor, b.coefficient);
+        if (ring_.is_zero(a->coefficient)) {
+          --row_sizes_[b.index];
+        } else {
+          has_grown_ = has_grown_ || is_large(a->coefficient);
+          sum_.push_back(std::move(*a));
+        }
+        ++a;
       }
     }
+    std::move(a, column.end(), std::back_inserter(sum_));
+    column.assign(std::move_iterator(sum_.begin()), std::move_iterator(sum_.end()));
     queue(to);
+  }
+
+  /// Of a coefficient that is more than what elimination makes of small entries when it goes well.
+  [[nodiscard]] static bool is_large(const Element& a) {
+    if constexpr (std::same_as<Element, Integer>) {
+      constexpr std::int64_t bound = std::int64_t{1} << 40;
+      return a > Integer{bound} || a < Integer{-bound};
+    }
+    return false;
   }
 
   /// Multiplies the new basis element of the source by a unit: the pivot becomes positive, over a field 1.
@@ -278,12 +322,14 @@ class DiagonalElimination {
 
   R ring_;
   bool with_transforms_ = false;
+  bool has_grown_ = false;  ///< some coefficient, at some time
   Lines<R> columns_;
   std::vector<std::vector<Index>> rows_;  ///< columns that meet the row: perhaps repeated, perhaps no longer
   std::vector<std::size_t> row_sizes_;    ///< the exact number of entries of the row
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
   Transform<R> left_;
   Transform<R> right_;
+  Terms<R> sum_;  ///< scratch
 };
 
 }  // namespace sesame::sparse

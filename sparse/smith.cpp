@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <iterator>
+#include <map>
+#include <optional>
 #include <utility>
 
 #include "sparse/diagonal_elimination.hpp"
+#include "sparse/padic_smith.hpp"
 
 namespace sesame::sparse {
 namespace {
@@ -44,18 +48,26 @@ void make_divide(const R& ring, Pivot<R>& a, Pivot<R>& b, DiagonalElimination<R>
   b.value = ring.from(a_g * second);
 }
 
-/// Sorts the pivots and makes each divide the next.
+[[nodiscard]] bool divides(const Integer& a, const Integer& b) { return divide(b, a).remainder.is_zero(); }
+
+/// Sorts the pivots and makes each divide the next. Cost: linear, after sorting, when they do so already.
 template <Ring R>
 void chain_divisors(const R& ring, std::vector<Pivot<R>>& pivots, DiagonalElimination<R>* elimination) {
   const auto less = [&](const Pivot<R>& a, const Pivot<R>& b) {
     return ring.to_integer(a.value) < ring.to_integer(b.value);
   };
   std::stable_sort(pivots.begin(), pivots.end(), less);
+  const auto fails = [&](const Pivot<R>& a, const Pivot<R>& b) {
+    return !divides(ring.to_integer(a.value), ring.to_integer(b.value));
+  };
+  if (std::adjacent_find(pivots.begin(), pivots.end(), fails) == pivots.end()) {
+    return;
+  }
   const auto first_non_unit =
       std::find_if(pivots.begin(), pivots.end(), [&](const Pivot<R>& pivot) { return !ring.is_unit(pivot.value); });
   for (auto a = first_non_unit; a != pivots.end(); ++a) {
     for (auto b = a + 1; b != pivots.end(); ++b) {
-      if (!divide(ring.to_integer(b->value), ring.to_integer(a->value)).remainder.is_zero()) {
+      if (!divides(ring.to_integer(a->value), ring.to_integer(b->value))) {
         make_divide(ring, *a, *b, elimination);
       }
     }
@@ -68,6 +80,41 @@ std::vector<typename R::Element> values(const std::vector<Pivot<R>>& pivots) {
   result.reserve(pivots.size());
   std::transform(pivots.begin(), pivots.end(), std::back_inserter(result), [](const Pivot<R>& p) { return p.value; });
   return result;
+}
+
+/// What an elimination has left over, diagonalised by other means; nothing when it had better go on. Below the least
+/// size an elimination is as quick, whatever its coefficients.
+template <Ring R>
+std::optional<std::vector<Pivot<R>>> lifted_pivots(Lines<R> rest) {
+  if constexpr (std::same_as<R, Integers>) {
+    constexpr std::size_t least_size = 24;
+    std::map<Index, Index> rows;
+    for (const Terms<R>& column : rest) {
+      for (const Term<R>& term : column) {
+        rows.try_emplace(term.index, 0);
+      }
+    }
+    if (std::min(rest.size(), rows.size()) < least_size) {
+      return std::nullopt;
+    }
+    Index next = 0;
+    for (auto& [row, number] : rows) {
+      number = next++;
+    }
+    for (Terms<R>& column : rest) {
+      for (Term<R>& term : column) {
+        term.index = rows[term.index];
+      }
+    }
+    if (const auto factors = padic_invariant_factors(next, rest)) {
+      std::vector<Pivot<R>> pivots;
+      for (const Integer& factor : *factors) {
+        pivots.push_back({0, 0, factor});  // where, is asked by transforms only
+      }
+      return pivots;
+    }
+  }
+  return std::nullopt;
 }
 
 /// The pivots' lines first, then the others in their old order.
@@ -123,14 +170,29 @@ SmithForm<R> smith_form(const Matrix<R>& matrix) {
 
 template <Ring R>
 std::vector<typename R::Element> invariant_factors(const Matrix<R>& matrix) {
+  DiagonalElimination<R> elimination(matrix, false);
+  std::vector<Pivot<R>> pivots = elimination.run_while_small();
+  if (std::optional<std::vector<Pivot<R>>> others = lifted_pivots(elimination.rest())) {
+    pivots.insert(pivots.end(), others->begin(), others->end());
+  } else {
+    const std::vector<Pivot<R>> further = elimination.run();
+    pivots.insert(pivots.end(), further.begin(), further.end());
+  }
+  chain_divisors<R>(matrix.ring(), pivots, nullptr);
+  return values(pivots);
+}
+
+template <Ring R>
+std::vector<typename R::Element> invariant_factors_by_elimination(const Matrix<R>& matrix) {
   std::vector<Pivot<R>> pivots = DiagonalElimination<R>(matrix, false).run();
   chain_divisors<R>(matrix.ring(), pivots, nullptr);
   return values(pivots);
 }
 
-#define SESAME_INSTANTIATE(R)                            \
-  template SmithForm<R> smith_form<R>(const Matrix<R>&); \
-  template std::vector<R::Element> invariant_factors<R>(const Matrix<R>&);
+#define SESAME_INSTANTIATE(R)                                              \
+  template SmithForm<R> smith_form<R>(const Matrix<R>&);                   \
+  template std::vector<R::Element> invariant_factors<R>(const Matrix<R>&); \
+  template std::vector<R::Element> invariant_factors_by_elimination<R>(const Matrix<R>&);
 SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
 #undef SESAME_INSTANTIATE
 

@@ -28,8 +28,13 @@ template <Ring R>
 [[nodiscard]] SmithForm<R> smith_form(const Matrix<R>& matrix);
 
 /// Only the invariant factors: no transforms are kept. Same order as SmithForm::factors.
+/// Cost: an elimination, as long as coefficients stay small; what is left then over Z is done by p-adic lifting, at the
+/// cost of a few products of dense matrices (see padic_smith.hpp).
 template <Ring R>
 [[nodiscard]] std::vector<typename R::Element> invariant_factors(const Matrix<R>& matrix);
+/// The same by elimination alone, whatever becomes of the coefficients: the slow twin.
+template <Ring R>
+[[nodiscard]] std::vector<typename R::Element> invariant_factors_by_elimination(const Matrix<R>& matrix);
 
 /// Agoston's form of a finite complex: one basis of each C_p serves both d_p and d_{p+1}.
 ///

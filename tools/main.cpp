@@ -1,5 +1,6 @@
 // sesame: the program. Results go to standard output, messages and progress to standard error.
 #include <fcntl.h>
+#include <flint/flint.h>
 #include <gmp.h>
 #include <unistd.h>
 
@@ -57,13 +58,17 @@ void* checked(void* memory) { return memory != nullptr ? memory : (end_for_want_
 
 std::terminate_handler default_end = nullptr;
 
-/// Where no exception can pass: in GMP, which would abort without a word of ours, and in destructors that allocate, as
-/// those of nlohmann::json do. What was written stays: logs are flushed step by step.
+/// Where no exception can pass: in GMP and FLINT, which would abort without a word of ours, and in destructors that
+/// allocate, as those of nlohmann::json do. What was written stays: logs are flushed step by step.
 void expect_memory_to_run_out_anywhere() {
   mp_set_memory_functions(
       [](std::size_t size) { return checked(std::malloc(size)); },
       [](void* memory, std::size_t /*old*/, std::size_t size) { return checked(std::realloc(memory, size)); },
       [](void* memory, std::size_t /*size*/) { std::free(memory); });
+  __flint_set_memory_functions(
+      [](std::size_t size) { return checked(std::malloc(size)); },
+      [](std::size_t count, std::size_t size) { return checked(std::calloc(count, size)); },
+      [](void* memory, std::size_t size) { return checked(std::realloc(memory, size + (size == 0))); }, std::free);
   default_end = std::set_terminate([] {
     try {
       if (const std::exception_ptr error = std::current_exception()) {
