@@ -49,8 +49,33 @@ const typename Groups<R>::Torsion& Groups<R>::torsion() {
   torsion_ = {};
   version_ = core.version();
   is_filled_ = true;
+  const bool is_live = live_.follow();
+  is_live ? read_off_live() : compute_from_core();
+  if (is_told) {
+    const std::chrono::duration<double, std::micro> took = Clock::now() - start;
+    step_log().debug("torsion was {} {} columns in {} degrees; took {:.1f} us",
+                     is_live ? "brought up to date with" : "computed anew, by Smith forms of", core.columns().size(),
+                     std::count_if(torsion_.ranks.begin(), torsion_.ranks.end(), [](auto rank) { return rank > 0; }),
+                     took.count());
+  }
+  return torsion_;
+}
+
+template <Ring R>
+void Groups<R>::read_off_live() {
+  for (auto& [degree, live] : live_.degrees()) {
+    const auto p = static_cast<std::size_t>(degree);
+    torsion_.ranks.resize(p + 2, 0);
+    torsion_.ranks[p + 1] = static_cast<std::uint32_t>(live.rank());
+    torsion_.coefficients.resize(p + 1);
+    torsion_.coefficients[p] = live.group.group().torsion;
+  }
+}
+
+template <Ring R>
+void Groups<R>::compute_from_core() {
   std::map<int, std::vector<Symbol>> by_degree;
-  for (const auto& [x, column] : core.columns()) {
+  for (const auto& [x, column] : rewriter_.core().columns()) {
     by_degree[rewriter_.degree(x)].push_back(x);
   }
   for (const auto& [degree, columns] : by_degree) {
@@ -65,12 +90,6 @@ const typename Groups<R>::Torsion& Groups<R>::torsion() {
       }
     }
   }
-  if (is_told) {
-    const std::chrono::duration<double, std::micro> took = Clock::now() - start;
-    step_log().debug("torsion was computed anew, by Smith forms of {} columns in {} degrees; took {:.1f} us",
-                     core.columns().size(), by_degree.size(), took.count());
-  }
-  return torsion_;
 }
 
 template <Ring R>

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/live_torsion.hpp"
 #include "engine/right/rewriter.hpp"
 #include "sparse/integer.hpp"
 #include "sparse/rational.hpp"
@@ -72,23 +73,27 @@ template <Ring R>
 class Groups {
  public:
   /// `rewriter` must outlive it.
-  Groups(R ring, const Rewriter<R>& rewriter) : ring_{ring}, rewriter_{rewriter} {}
+  Groups(R ring, const Rewriter<R>& rewriter) : ring_{ring}, rewriter_{rewriter}, live_{rewriter} {}
 
   /// What the core says of all degrees.
   struct Torsion {
     std::vector<std::vector<Integer>> coefficients;  ///< by degree: invariant factors > 1, each dividing the next
     std::vector<std::uint32_t> ranks;                ///< of dS, by degree
   };
-  /// Cost: O(1) as long as the core has not changed, else a Smith form of it for each degree, without transforms.
+  /// Cost: O(1) as long as the core has not changed; else what is new, see LiveTorsion; where too much is, a Smith form
+  /// of the core for each degree, without transforms.
   [[nodiscard]] const Torsion& torsion();
   /// Cost: the small generators of a degree, and Smith forms of the core's columns of two, with transforms.
   [[nodiscard]] Group<R> of(int degree) const;
 
  private:
+  void read_off_live();
+  void compute_from_core();
   [[nodiscard]] sparse::Matrix<R> core_matrix(const std::vector<Symbol>& columns) const;
 
   R ring_;
   const Rewriter<R>& rewriter_;
+  LiveTorsion<R> live_;
   Torsion torsion_;
   std::uint64_t version_ = 0;  ///< of the core, that torsion_ is of
   bool is_filled_ = false;

@@ -30,6 +30,7 @@ void Rewriter<R>::append(int degree) {
 
 template <Ring R>
 void Rewriter<R>::perturb(RuleId time, GeneratorId first, std::span<const GeneratorId> changed) {
+  ++breaks_;
   const Symbol first_symbol = rules_.symbol_of(first);
   const auto concerned = perturbations_.record(time, first_symbol, changed);
   for (const std::size_t k : concerned.combinations) {
@@ -57,6 +58,7 @@ void Rewriter<R>::perturb(RuleId time, GeneratorId first, std::span<const Genera
 
 template <Ring R>
 void Rewriter<R>::consume(std::span<const Symbol> symbols) {
+  ++breaks_;
   for (const Symbol x : symbols) {
     settling_.consume(x);
   }
@@ -90,6 +92,7 @@ typename Rewriter<R>::Mark Rewriter<R>::mark() {
 
 template <Ring R>
 void Rewriter<R>::undo(const Mark& mark) {
+  ++breaks_;
   perturbations_.undo(mark.perturbations, mark.rules.rules);
   settling_.undo(mark.core);
   rules_.undo(mark.rules);

@@ -96,6 +96,11 @@ class Rewriter {
   /// The terms of all rules ever made, undone ones included.
   [[nodiscard]] std::uint64_t rule_terms() const { return rules_.terms_made(); }
   [[nodiscard]] RuleId rules() const { return rules_.size(); }
+  /// All rules as they were made: what has become of the small generators.
+  [[nodiscard]] const Rules<R>& all_rules() const { return rules_; }
+  /// Grows whenever S has changed otherwise than by new generators and new rules: by a perturbation, a consumption,
+  /// undo.
+  [[nodiscard]] std::uint64_t breaks() const { return breaks_; }
 
   /// How much there was of everything at some moment.
   struct Mark {
@@ -118,6 +123,7 @@ class Rewriter {
   Memos<R> memos_;
   Settling<R> settling_;
   Terms<R, Symbol> column_;  ///< scratch
+  std::uint64_t breaks_ = 0;
 };
 
 }  // namespace sesame::engine
