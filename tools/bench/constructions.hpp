@@ -84,4 +84,15 @@ struct Assembly {
 /// loop, so the rank of H_1 is factors + gluings.
 [[nodiscard]] Operations glued_product_of_circles(std::uint32_t edges, std::uint32_t factors, std::uint32_t gluings);
 
+// ---- torsion
+
+/// The matching complex of the complete graph on n vertices: its vertices are the edges, its simplices sets of disjoint
+/// ones. In one step. For n = 7: H = Z, Z/3, Z^20; for n = 11: Z, 0, 0, Z^1188 + (Z/3)^45, Z^252.
+[[nodiscard]] Operations matching_complex(std::uint32_t n);
+/// Tetrahedra; then their faces are glued in random pairs, in the order of their vertices, a pair a step.
+[[nodiscard]] Operations random_gluings(std::uint32_t tetrahedra, std::uint64_t seed);
+/// All edges between the vertices in one step, then triangles in random order, one a step: those that raise the rank of
+/// the boundary, which is told modulo a prime. H = Z, a finite group, 0.
+[[nodiscard]] Operations acyclic_triangles(std::uint32_t vertices, std::uint64_t seed);
+
 }  // namespace sesame::tools

@@ -7,6 +7,7 @@
 #include "tools/bench/constructions.hpp"
 #include "tools/bench/sessions.hpp"
 #include "tools/bench/surface_count.hpp"
+#include "tools/bench/torsion_scenarios.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -98,10 +99,6 @@ Answer sphere(std::size_t dimension) {
   answer.betti.resize(dimension + 1);
   ++answer.betti[dimension];
   return answer;
-}
-
-Answer torsion_summands(std::int64_t pieces, std::int64_t of_order_two) {
-  return {{pieces, of_order_two}, {{}, std::vector<std::int64_t>(static_cast<std::size_t>(of_order_two), 2)}};
 }
 
 struct NamedOrder {
@@ -272,11 +269,6 @@ void add_sessions(std::vector<Scenario>& list) {
       [](Size n) {
         return Answer{{1, 2 * whole(n)}};
       });
-  add(
-      "torsion", "squares, each made and glued to a Klein bottle", {"squares", 400, 12},
-      [](Size n) { return separate_klein_bottles(small(n)); },
-      [](Size n) { return torsion_summands(whole(n), whole(n)); },
-      by_step([](std::size_t step) { return torsion_summands(whole(step / 2) + 1, whole((step + 1) / 2)); }));
 }
 
 void add_other_constructions(std::vector<Scenario>& list) {
@@ -431,6 +423,7 @@ const std::vector<Scenario>& scenarios() {
     add_repetitions(list);
     add_sessions(list);
     add_other_constructions(list);
+    add_torsion(list);
     add_generators(list);
     add_comparisons(list);
     add_filtrations(list);
