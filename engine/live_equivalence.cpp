@@ -98,12 +98,8 @@ void LiveEquivalence<R>::take_in_step() {
   const auto take_in = [&](const ops::Journal::Run& run) {
     switch (run.kind) {
       case ops::EventKind::cell:
-      case ops::EventKind::degenerate:
-      case ops::EventKind::lazy:
         for (CellId c{run.first}; c < run.first + run.count; ++c) {
-          if (const auto generator = big_.append_cell(c)) {
-            rewriter_.append(big_.degree(*generator));
-          }
+          rewriter_.append(big_.degree(big_.append_cell(c)));
         }
         break;
       case ops::EventKind::copy:

@@ -20,7 +20,7 @@ std::string description(const StepReport& report) {
       text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", is_undo ? undone : what, count);
     }
   };
-  add("cells made", "cells gone", EventKind::cell, EventKind::copy, EventKind::degenerate, EventKind::lazy);
+  add("cells made", "cells gone", EventKind::cell, EventKind::copy);
   add("cells merged or squashed", "cells separate again", EventKind::removal);
   add("incidences moved", "incidences moved back", EventKind::move);
   add("products and large cones", "products and large cones gone", EventKind::family);

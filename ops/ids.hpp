@@ -78,8 +78,15 @@ requires(!std::same_as<A, B>) bool operator==(Id<A>, Id<B>) = delete;
 template <class A, class B>
 requires(!std::same_as<A, B>) std::strong_ordering operator<=>(Id<A>, Id<B>) = delete;
 
-/// A cell as it was created; ids count creations from 0. The *current cell* that it is now is `Forest::find(id)`.
+/// A *node*: a cell as it was created. The *current cell* that it is now is `Forest::find(id)`. Ids of nodes that steps
+/// make count from 0, in their order. Nodes that are only asked for, cells of lazy families and degenerate cells, count
+/// from 0 too, with a mark: so a query changes no number of what steps make.
 using CellId = Id<struct CellKind>;
+inline constexpr std::uint32_t mark_of_asked = 0x8000'0000U;
+[[nodiscard]] constexpr CellId asked_node(std::uint32_t number) { return CellId{number | mark_of_asked}; }
+/// Requires of both: there is such a node.
+[[nodiscard]] constexpr bool is_asked_for(CellId node) { return (node & mark_of_asked) != 0; }
+[[nodiscard]] constexpr std::uint32_t number_of(CellId node) { return node & ~mark_of_asked; }
 /// A removal of a cell in favour of another, counted from 0 in the order in which they happened.
 using LinkId = Id<struct LinkKind>;
 using BodyId = Id<struct BodyOfCells>;

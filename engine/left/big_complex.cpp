@@ -29,13 +29,8 @@ BigComplex<R>::BigComplex(R ring, const Window& window)
 // ------------------------------------------------------------------------------------------------------------- growth
 
 template <Ring R>
-std::optional<GeneratorId> BigComplex<R>::append_cell(CellId cell) {
+GeneratorId BigComplex<R>::append_cell(CellId cell) {
   sparse::expects(cell == generators_.cells(), "cells are appended in the order of their creation");
-  if (window_.is_lazy(cell) ||
-      (structure_.forest().parent(cell) == ops::none && structure_.forest().link_of(cell) == ops::none)) {
-    generators_.skip_cell();
-    return std::nullopt;
-  }
   begin_column();
   window_.for_each_first_face(cell, [this](CellId face, int sign) {
     if (structure_.forest().parent(face) != ops::none) {
@@ -80,7 +75,7 @@ GeneratorId BigComplex<R>::append_copy(CellId copy) {
   begin_column();
   const CellId source = structure_.splits().copy(copy)->source;
   const auto add = [&](CellId face, int sign) {
-    if (face >= first && face < structure_.cells().size() && structure_.splits().copy(face) != nullptr) {
+    if (face >= first && !ops::is_asked_for(face) && structure_.splits().copy(face) != nullptr) {
       gathered_.push_back({generators_.of(face), ring_.from(sign)});
     }
   };

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <set>
 #include <span>
 #include <tuple>
@@ -66,9 +65,8 @@ class BigComplex {
   /// The entries ever appended to the boundary, undone ones included.
   [[nodiscard]] std::uint64_t entries_appended() const { return entries_appended_; }
 
-  /// Appends the generator of the next cell (a lazy one, or one degenerate from the start, has none: then nothing), of
-  /// the next removal. Cost O(faces of faces * log cells).
-  std::optional<GeneratorId> append_cell(CellId cell);
+  /// Appends the generator of the next cell that a step made, of the next removal. Cost O(faces of faces * log cells).
+  GeneratorId append_cell(CellId cell);
   GeneratorId append_removal(LinkId link);
   /// Appends a generator of the next lazy family, with its boundary (in normal form); then the maps of that family.
   GeneratorId append_of_family(ops::FamilyId family, int degree,

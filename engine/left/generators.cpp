@@ -4,7 +4,7 @@ namespace sesame::engine {
 
 ops::BodyId Generators::body_of(GeneratorId generator) const {
   if (is_removal(generator)) {
-    return structure_.body_of(structure_.forest().removed(LinkId{origin_[generator] & ~removal_bit}));
+    return structure_.body_of(structure_.forest().removed(LinkId{origin_[generator]}));
   }
   if (is_of_family(generator)) {
     return structure_.bodies().find(structure_.lazy().family(family(generator)).body);
@@ -12,9 +12,10 @@ ops::BodyId Generators::body_of(GeneratorId generator) const {
   return structure_.body_of(cell(generator));
 }
 
-GeneratorId Generators::append(std::uint32_t origin, int degree) {
+GeneratorId Generators::append(Kind kind, std::uint32_t origin, int degree) {
   origin_.push_back(origin);
-  degree_.push_back(static_cast<std::uint8_t>(degree));
+  kind_and_degree_.push_back(
+      static_cast<std::uint8_t>(static_cast<unsigned>(kind) << degree_bits | static_cast<unsigned>(degree)));
   if (static_cast<std::size_t>(degree) >= counts_.size()) {
     counts_.resize(static_cast<std::size_t>(degree) + 1, 0);
   }
@@ -24,9 +25,9 @@ GeneratorId Generators::append(std::uint32_t origin, int degree) {
 
 void Generators::truncate(const Mark& mark) {
   while (size() > mark.generators) {
-    --counts_[degree_.back()];
+    --counts_[static_cast<std::size_t>(degree(size() - 1))];
     origin_.pop_back();
-    degree_.pop_back();
+    kind_and_degree_.pop_back();
   }
   while (!counts_.empty() && counts_.back() == 0) {
     counts_.pop_back();

@@ -21,42 +21,43 @@ class Generators {
   explicit Generators(const Window& window) : window_{window}, structure_{window.structure()} {}
 
   [[nodiscard]] GeneratorId size() const { return GeneratorId{origin_.size()}; }
-  [[nodiscard]] int degree(GeneratorId generator) const { return degree_[generator]; }
+  [[nodiscard]] int degree(GeneratorId generator) const {
+    return kind_and_degree_[generator] & ((1U << degree_bits) - 1);
+  }
   /// The number of generators of each degree, up to the largest that has one.
   [[nodiscard]] const std::vector<std::uint32_t>& counts() const { return counts_; }
   /// The body whose cells a generator belongs to.
   [[nodiscard]] ops::BodyId body_of(GeneratorId generator) const;
 
-  [[nodiscard]] bool is_removal(GeneratorId generator) const { return (origin_[generator] & removal_bit) != 0; }
-  [[nodiscard]] bool is_of_family(GeneratorId generator) const { return (origin_[generator] & family_bit) != 0; }
+  [[nodiscard]] bool is_removal(GeneratorId generator) const { return kind(generator) == Kind::removal; }
+  [[nodiscard]] bool is_of_family(GeneratorId generator) const { return kind(generator) == Kind::family; }
   /// The cell that a generator was made for. Requires: it is neither of a removal nor of a family.
   [[nodiscard]] CellId cell(GeneratorId generator) const { return CellId{origin_[generator]}; }
-  [[nodiscard]] ops::FamilyId family(GeneratorId generator) const {
-    return ops::FamilyId{origin_[generator] & ~family_bit};
-  }
+  [[nodiscard]] ops::FamilyId family(GeneratorId generator) const { return ops::FamilyId{origin_[generator]}; }
 
   /// The generator made for a node that the window knows, or none.
   [[nodiscard]] GeneratorId of(CellId node) const {
-    return window_.is_first(node) ? GeneratorId{window_.place(node)} : of_cell_[node - window_.begin().created];
+    return window_.is_first(node)    ? GeneratorId{window_.place(node)}
+           : ops::is_asked_for(node) ? GeneratorId{ops::none}
+                                     : of_cell_[node - window_.begin().created];
   }
   [[nodiscard]] GeneratorId of_link(LinkId link) const { return of_link_[link - window_.begin().links]; }
-  /// The number of nodes, of removals that have been taken in, those before the window included.
+  /// The number of nodes that steps made, of removals that have been taken in, those before the window included.
   [[nodiscard]] CellId cells() const { return window_.begin().created + of_cell_.size(); }
   [[nodiscard]] LinkId links() const { return window_.begin().links + of_link_.size(); }
 
-  /// The next cell of the window's beginning; the next node, with a generator or without; the next removal; a generator
-  /// of a family. All return the generator.
-  GeneratorId append_first(CellId cell) { return append(cell, structure_.dimension(cell)); }
+  /// The next cell of the window's beginning; the next node that a step made; the next removal; a generator of a
+  /// family. All return the generator.
+  GeneratorId append_first(CellId cell) { return append(Kind::cell, cell, structure_.dimension(cell)); }
   GeneratorId append_cell(CellId cell) {
     of_cell_.push_back(size());
-    return append(cell, structure_.dimension(cell));
+    return append(Kind::cell, cell, structure_.dimension(cell));
   }
-  void skip_cell() { of_cell_.push_back(ops::none); }
   GeneratorId append_removal(LinkId link) {
     of_link_.push_back(size());
-    return append(removal_bit | link, structure_.dimension(structure_.forest().removed(link)) + 1);
+    return append(Kind::removal, link, structure_.dimension(structure_.forest().removed(link)) + 1);
   }
-  GeneratorId append_of_family(ops::FamilyId family, int degree) { return append(family_bit | family, degree); }
+  GeneratorId append_of_family(ops::FamilyId family, int degree) { return append(Kind::family, family, degree); }
 
   struct Mark {
     GeneratorId generators = 0;
@@ -68,15 +69,19 @@ class Generators {
   void truncate(const Mark& mark);
 
  private:
-  static constexpr std::uint32_t removal_bit = 0x8000'0000U;
-  static constexpr std::uint32_t family_bit = 0x4000'0000U;
+  enum class Kind : std::uint8_t { cell, removal, family };
+  static constexpr int degree_bits = 6;
+  static_assert(ops::largest_dimension + 1 < 1 << degree_bits);
 
-  GeneratorId append(std::uint32_t origin, int degree);
+  GeneratorId append(Kind kind, std::uint32_t origin, int degree);
+  [[nodiscard]] Kind kind(GeneratorId generator) const {
+    return static_cast<Kind>(kind_and_degree_[generator] >> degree_bits);
+  }
 
   const Window& window_;
   const Structure& structure_;
-  std::vector<std::uint32_t> origin_;  ///< per generator: a cell, or removal_bit | link, or family_bit | family
-  std::vector<std::uint8_t> degree_;
+  std::vector<std::uint32_t> origin_;  ///< per generator: a cell, a link, or a family
+  std::vector<std::uint8_t> kind_and_degree_;
   std::vector<GeneratorId> of_cell_, of_link_;  ///< of those made in the window
   std::vector<std::uint32_t> counts_;
 };

@@ -40,7 +40,7 @@ class Window {
   /// The place of one of them in that list.
   [[nodiscard]] std::uint32_t place(CellId first_cell) const { return places_.at(first_cell); }
   /// Whether a node that the window knows was there at the beginning.
-  [[nodiscard]] bool is_first(CellId c) const { return c < begin_.created; }
+  [[nodiscard]] bool is_first(CellId c) const { return begin_.knew(c); }
 
   /// The node that the window knows for any node: of those made before, the cell that it was at the beginning, or none.
   [[nodiscard]] CellId known(CellId node) const {

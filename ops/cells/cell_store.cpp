@@ -6,7 +6,7 @@
 namespace sesame::ops {
 
 OrderId CellStore::order(CellId c, std::uint32_t k) const {
-  if (lazy(c) != none) {
+  if (is_asked_for(c)) {
     const auto orders = lazy_faces_->orders(c);
     return orders.empty() ? same_order : orders[k];
   }
@@ -19,16 +19,31 @@ CellId CellStore::owner_of(std::uint32_t entry) const {
   return static_cast<CellId>(std::upper_bound(first_face_.begin(), first_face_.end(), entry) - first_face_.begin() - 1);
 }
 
-CellId CellStore::add(TypeId type, std::uint32_t name, std::uint32_t lazy, BodyId body) {
+CellId CellStore::add(TypeId type, std::uint32_t name, BodyId body) {
   const CellId id = size();
-  type_.push_back(type);
+  type_.push_back(id, type);
   first_face_.push_back(faces_.size());
-  first_incidence_.push_back(none);
+  first_incidence_.push_back(id, none);
   name_.push_back(name);
-  lazy_.push_back(lazy);
-  body_.push_back(body);
-  lazy_nodes_ += lazy != none ? 1 : 0;
+  body_.push_back(id, body);
   return id;
+}
+
+CellId CellStore::add_asked(TypeId type, std::uint32_t lazy, BodyId body) {
+  const CellId id = asked();
+  type_.push_back(id, type);
+  first_incidence_.push_back(id, none);
+  lazy_.push_back(lazy);
+  body_.push_back(id, body);
+  return id;
+}
+
+void CellStore::pop_asked() {
+  const CellId last = asked() - 1;
+  type_.pop_back(last);
+  first_incidence_.pop_back(last);
+  lazy_.pop_back();
+  body_.pop_back(last);
 }
 
 void CellStore::add_face(CellId face, OrderId order) {
@@ -51,12 +66,11 @@ void CellStore::pop_back() {
     faces_.pop_back();
     next_incidence_.pop_back();
   }
-  lazy_nodes_ -= lazy_.back() != none ? 1 : 0;
-  type_.pop_back();
-  first_incidence_.pop_back();
+  const CellId last = size() - 1;
+  type_.pop_back(last);
+  first_incidence_.pop_back(last);
   name_.pop_back();
-  lazy_.pop_back();
-  body_.pop_back();
+  body_.pop_back(last);
 }
 
 }  // namespace sesame::ops

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ops/cells/cell_type.hpp"
+#include "ops/cells/per_node.hpp"
 #include "ops/ids.hpp"
 
 namespace sesame::ops {
@@ -34,22 +35,36 @@ class CellStore {
   /// To be called once, before the first lazy node.
   void set_face_source(const FaceSource& source) { lazy_faces_ = &source; }
 
-  /// The number of nodes ever created and not undone, those that were only asked for included.
-  [[nodiscard]] CellId size() const { return static_cast<CellId>(type_.size()); }
+  /// How many nodes steps have made, those undone apart: the id of the next one.
+  [[nodiscard]] CellId size() const { return type_.made(); }
+  /// How many were only asked for: the id of the next one.
+  [[nodiscard]] CellId asked() const { return type_.asked(); }
+  /// Calls visit(node) for all nodes, those that steps made first, each kind in the order of its creation.
+  template <class Visit>
+  void for_each_node(Visit&& visit) const {
+    for (CellId c = 0; c < size(); ++c) {
+      visit(c);
+    }
+    for (CellId c = asked_node(0); c < asked(); ++c) {
+      visit(c);
+    }
+  }
   [[nodiscard]] TypeId type_id(CellId c) const { return type_[c]; }
   [[nodiscard]] const TypeInfo& type(CellId c) const { return types_.info(type_[c]); }
   [[nodiscard]] int dimension(CellId c) const { return type(c).dimension; }
   /// The body that a node was created in. It may have joined others since.
   [[nodiscard]] BodyId body(CellId c) const { return body_[c]; }
   /// The number of the name that a node was created with; none for lazy and degenerate ones.
-  [[nodiscard]] std::uint32_t name(CellId c) const { return name_[c]; }
+  [[nodiscard]] std::uint32_t name(CellId c) const { return is_asked_for(c) ? std::uint32_t{none} : name_[c]; }
   /// The number of a lazy cell among these, or none.
-  [[nodiscard]] std::uint32_t lazy(CellId c) const { return lazy_nodes_ == 0 ? none : lazy_[c]; }
+  [[nodiscard]] std::uint32_t lazy(CellId c) const {
+    return is_asked_for(c) ? lazy_[number_of(c)] : std::uint32_t{none};
+  }
 
   /// The faces as they were given at creation, in flattened order: not yet looked up in the forest.
   [[nodiscard]] std::span<const CellId> faces(CellId c) const {
-    if (lazy(c) != none) [[unlikely]] {
-      return lazy_faces_->faces(c);
+    if (is_asked_for(c)) [[unlikely]] {
+      return lazy(c) != none ? lazy_faces_->faces(c) : std::span<const CellId>{};
     }
     return {faces_.data() + first_face_[c], faces_.data() + first_face_[c + 1]};
   }
@@ -69,28 +84,30 @@ class CellStore {
   }
 
   // ---- change
-  /// A node without faces. `lazy`: its number among lazy cells, or none.
-  CellId add(TypeId type, std::uint32_t name, std::uint32_t lazy, BodyId body);
-  /// Gives the last node one more face.
+  /// A node of a step, without faces.
+  CellId add(TypeId type, std::uint32_t name, BodyId body);
+  /// Gives the last one another face.
   void add_face(CellId face, OrderId order);
-  /// Takes the last node back, with its faces.
+  /// Takes the last one back, with its faces.
   void pop_back();
+  /// A node that is asked for. `lazy`: its number among lazy cells, or none.
+  CellId add_asked(TypeId type, std::uint32_t lazy, BodyId body);
+  void pop_asked();
 
  private:
   [[nodiscard]] CellId owner_of(std::uint32_t entry) const;
 
   TypeTable& types_;
   const FaceSource* lazy_faces_ = nullptr;
-  std::vector<TypeId> type_;
-  std::vector<std::uint64_t> first_face_{0};  ///< per node and one more: where its faces begin
+  PerNode<TypeId> type_;
+  std::vector<std::uint64_t> first_face_{0};  ///< per node of a step and one more: where its faces begin
   std::vector<CellId> faces_;
-  std::vector<std::uint32_t> next_incidence_;   ///< per entry of `faces_`: the one before with the same face
-  std::vector<std::uint32_t> first_incidence_;  ///< per node: the entry of `faces_` that named it last
-  std::vector<std::uint32_t> name_;
-  std::vector<std::uint32_t> lazy_;
-  std::vector<BodyId> body_;
+  std::vector<std::uint32_t> next_incidence_;  ///< per entry of `faces_`: the one before with the same face
+  PerNode<std::uint32_t> first_incidence_;     ///< the entry of `faces_` that named the node last
+  std::vector<std::uint32_t> name_;            ///< of those that steps made
+  std::vector<std::uint32_t> lazy_;            ///< of those that were asked for
+  PerNode<BodyId> body_;
   std::unordered_map<std::uint64_t, OrderId> face_orders_;  ///< by entry of `faces_`, where not the same
-  std::uint32_t lazy_nodes_ = 0;
 };
 
 }  // namespace sesame::ops

@@ -57,21 +57,20 @@ std::span<const CellId> Forest::squashed_onto(CellId node) const {
   return at == squashed_onto_.end() ? std::span<const CellId>{} : at->second;
 }
 
-void Forest::add() {
-  const auto id = static_cast<CellId>(parent_.size());
-  parent_.push_back(id);
-  oldest_.push_back(id);
-  size_.push_back(1);
-  link_of_.push_back(none);
-  last_child_.push_back(none);
+void Forest::add(CellId node) {
+  parent_.push_back(node, node);
+  oldest_.push_back(node, node);
+  size_.push_back(node, 1);
+  link_of_.push_back(node, none);
+  last_child_.push_back(node, none);
 }
 
-void Forest::pop_back() {
-  parent_.pop_back();
-  oldest_.pop_back();
-  size_.pop_back();
-  link_of_.pop_back();
-  last_child_.pop_back();
+void Forest::pop_back(CellId node) {
+  parent_.pop_back(node);
+  oldest_.pop_back(node);
+  size_.pop_back(node);
+  link_of_.pop_back(node);
+  last_child_.pop_back(node);
 }
 
 void Forest::squash(CellId node, const Value& becomes) {

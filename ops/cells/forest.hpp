@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "ops/cells/per_node.hpp"
 #include "ops/cells/value.hpp"
 #include "ops/ids.hpp"
 
@@ -79,9 +80,9 @@ class Forest {
   [[nodiscard]] std::span<const CellId> squashed_onto(CellId node) const;
 
   // ---- change; each has its opposite, to be called in reverse order
-  /// One more node, a current one.
-  void add();
-  void pop_back();
+  /// The next node of a kind, a current one.
+  void add(CellId node);
+  void pop_back(CellId node);
   /// A node is degenerate from the start. Undone by `unsquash`.
   void squash(CellId node, const Value& becomes);
   /// Requires: the node was squashed last of those that are still degenerate over the same node.
@@ -103,10 +104,10 @@ class Forest {
   };
   void add_link(const Link& link, OrderId order, int sign);
 
-  std::vector<CellId> parent_, oldest_;
-  std::vector<std::uint32_t> size_;
-  std::vector<LinkId> link_of_;
-  std::vector<LinkId> last_child_;  ///< per node: the last link that ends at it
+  PerNode<CellId> parent_, oldest_;
+  PerNode<std::uint32_t> size_;
+  PerNode<LinkId> link_of_;
+  PerNode<LinkId> last_child_;  ///< the last link that ends at the node
   std::vector<Link> links_;
   std::vector<bool> reverses_;                  ///< per link
   std::uint32_t reversals_ = 0;                 ///< links that do

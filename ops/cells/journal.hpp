@@ -10,8 +10,8 @@
 
 namespace sesame::ops {
 
-/// The kinds of elementary events. What an event did stands in the structure, under its number: nodes are numbered
-/// together, everything else in a list of its own.
+/// The kinds of elementary events. What an event did stands in the structure, under its number: that of a node is its
+/// id, everything else is numbered in a list of its own.
 enum class EventKind : std::uint8_t {
   cell,        ///< a node: a cell was made, with its faces and its name
   copy,        ///< a node: a cell was made, with its name, as a copy of another

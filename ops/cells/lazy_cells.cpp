@@ -35,8 +35,8 @@ Incidence LazyCells::face(FamilyId family, LazyPart part, const Value& left, con
   if (const auto known = index_.find(key); known != index_.end()) {
     made.cell = known->second;
   } else {
-    made.cell = cells_.add(type, none, static_cast<std::uint32_t>(lazy_cells_.size()), f.body);
-    forest_.add();
+    made.cell = cells_.add_asked(type, static_cast<std::uint32_t>(lazy_cells_.size()), f.body);
+    forest_.add(made.cell);
     lazy_cells_.push_back({key});
     index_.emplace(key, made.cell);
     made_[family].push_back(made.cell);

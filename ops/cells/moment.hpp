@@ -9,13 +9,16 @@
 namespace sesame::ops {
 
 /// A moment of the history: how many cells had been created and removed, incidences moved, copies and lazy families
-/// made.
+/// made, and how many nodes been asked for.
 struct Moment {
   CellId created = 0;
   LinkId links = 0;
   std::uint32_t moves = 0;
   FamilyId families = 0;
   std::uint32_t copies = 0;
+  CellId asked = asked_node(0);
+  /// Whether there was such a node.
+  [[nodiscard]] bool knew(CellId node) const { return node < (is_asked_for(node) ? asked : created); }
   friend bool operator==(const Moment&, const Moment&) = default;
 };
 

@@ -76,8 +76,9 @@ struct Plan {
   std::string names;
   std::vector<std::pair<std::string, CellId>> aliases;  ///< further names of new cells
   std::vector<Merge> merges;  ///< by dimension, so that boundaries agree when their turn comes
-  std::vector<std::pair<std::uint32_t, Value>> degenerate;  ///< new cells, by position, that are degenerate: no names
-  std::vector<CellId> sources;                              ///< empty, or per new cell: the cell that it is a copy of
+  /// Degenerate nodes to be asked for before new cells, by the position of these. Nobody has asked for them yet.
+  std::vector<std::pair<std::uint32_t, Value>> degenerate;
+  std::vector<CellId> sources;  ///< empty, or per new cell: the cell that it is a copy of
   /// Copies, by position, whose names stand for their vertices in another order: that of the name of the cell split.
   std::vector<std::pair<std::uint32_t, OrderId>> name_orders;
   std::vector<Move> moves;  ///< incidences that go to a copy

@@ -57,14 +57,17 @@ Moment Structure::moment_at(Journal::Position position) const {
     return count - static_cast<std::uint32_t>((since[kinds] + ...));
   };
   const Moment at_end = now();
-  return {less(at_end.created, EventKind::cell, EventKind::copy, EventKind::degenerate, EventKind::lazy),
-          less(at_end.links, EventKind::removal), less(at_end.moves, EventKind::move),
-          less(at_end.families, EventKind::family), less(at_end.copies, EventKind::copy)};
+  return {less(at_end.created, EventKind::cell, EventKind::copy),
+          less(at_end.links, EventKind::removal),
+          less(at_end.moves, EventKind::move),
+          less(at_end.families, EventKind::family),
+          less(at_end.copies, EventKind::copy),
+          less(at_end.asked, EventKind::degenerate, EventKind::lazy)};
 }
 
 bool Structure::was_current(CellId c, const Moment& moment) const {
   const LazyCell* lazy = lazy_.of(c);
-  if (lazy != nullptr ? lazy->key.family >= moment.families : c >= moment.created) {
+  if (lazy != nullptr ? lazy->key.family >= moment.families : !moment.knew(c)) {
     return false;
   }
   if (lazy_.consumed_by(c) < moment.families) {  // none is more than any

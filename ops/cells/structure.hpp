@@ -82,11 +82,9 @@ class Structure {
   // ---- the object as a whole
   /// The number of current cells of each dimension, up to the largest that has one.
   [[nodiscard]] std::span<const std::uint64_t> counts() const;
-  /// The number of nodes that steps made: not what was only asked for.
-  [[nodiscard]] CellId made_by_steps() const { return cells_.size() - (lazy_.made() + values_.degenerate_nodes()); }
   [[nodiscard]] Moment now() const {
-    return {cells_.size(), forest_.links(), static_cast<std::uint32_t>(splits_.moves().size()), lazy_.families(),
-            splits_.copies()};
+    return {cells_.size(),    forest_.links(),  static_cast<std::uint32_t>(splits_.moves().size()),
+            lazy_.families(), splits_.copies(), cells_.asked()};
   }
   /// The moment when the journal had come to a position. Cost: what has happened since.
   [[nodiscard]] Moment moment_at(Journal::Position position) const;
@@ -121,7 +119,7 @@ class Structure {
   void undo_last_cell();
   void undo_last_copy();
   void undo_last_family();
-  void drop_last_node();
+  void undo_last_asked();
 
   std::unique_ptr<Knowledge> knowledge_ = std::make_unique<Knowledge>();
   Journal journal_;

@@ -138,16 +138,14 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
   auto next_name = plan.name_orders.begin();
   for (std::size_t k = 0; k < plan.cells.size(); ++k) {
     const Plan::NewCell& cell = plan.cells[k];
-    if (next_degenerate != plan.degenerate.end() && next_degenerate->first == k) {
+    for (; next_degenerate != plan.degenerate.end() && next_degenerate->first == k; ++next_degenerate) {
       (void)values_.incidence_of(next_degenerate->second);
-      ++next_degenerate;
-      continue;
     }
     const TypeInfo& type = types().info(cell.type);
     const CellId source = plan.sources.empty() ? none : plan.sources[k];
     const BodyId body = source != none ? body_of(source) : new_body != none ? new_body : plan.into_body.value();
-    const CellId id = cells_.add(cell.type, directory_.names().size(), none, body);
-    forest_.add();
+    const CellId id = cells_.add(cell.type, directory_.names().size(), body);
+    forest_.add(id);
     for (std::size_t f = cell.first_face; f < cell.first_face + type.faces.size(); ++f) {
       const bool has_order = next_order != plan.face_orders.end() && next_order->first == f;
       cells_.add_face(plan.faces[f], has_order ? next_order->second : same_order);
@@ -171,7 +169,9 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
       const Moment before = now();
       const auto earlier = static_cast<std::uint32_t>(k);  // copies of this step
       splits_.add_copy(
-          {id, source, {id - earlier, before.links, before.moves, before.families, before.copies - earlier}});
+          {id,
+           source,
+           {id - earlier, before.links, before.moves, before.families, before.copies - earlier, before.asked}});
     }
     note(source == none ? EventKind::cell : EventKind::copy, id);
   }

@@ -14,17 +14,18 @@ void Structure::undo_last_family() {
   lazy_.pop_family();
 }
 
-void Structure::drop_last_node() {
+void Structure::undo_last_cell() {
   const CellId c = cells_.size() - 1;
+  count(c, -1);
+  directory_.pop_back();
   bodies_.drop_cell(cells_.body(c), c);
-  forest_.pop_back();
+  forest_.pop_back(c);
   cells_.pop_back();
 }
 
-void Structure::undo_last_cell() {
-  count(cells_.size() - 1, -1);
-  directory_.pop_back();
-  drop_last_node();
+void Structure::undo_last_asked() {
+  forest_.pop_back(cells_.asked() - 1);
+  cells_.pop_asked();
 }
 
 void Structure::undo_last_copy() {
@@ -40,11 +41,11 @@ void Structure::undo_last_event() {
     case EventKind::copy:
       return undo_last_copy();
     case EventKind::degenerate:
-      values_.undo_degenerate(cells_.size() - 1);
-      return drop_last_node();
+      values_.undo_degenerate(cells_.asked() - 1);
+      return undo_last_asked();
     case EventKind::lazy:
       lazy_.undo_last_cell();
-      return drop_last_node();
+      return undo_last_asked();
     case EventKind::expansion:
       return lazy_.undo_last_expansion();
     case EventKind::removal:

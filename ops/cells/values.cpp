@@ -38,8 +38,8 @@ Incidence Values::incidence_of(const Value& v) const {
   if (const auto known = degenerate_index_.find(v); known != degenerate_index_.end()) {
     return {known->second};
   }
-  const CellId node = cells_.add(v.type, none, none, cells_.body(v.cell));
-  forest_.add();
+  const CellId node = cells_.add_asked(v.type, none, cells_.body(v.cell));
+  forest_.add(node);
   forest_.squash(node, v);
   degenerate_index_.emplace(v, node);
   journal_.append(EventKind::degenerate, node);

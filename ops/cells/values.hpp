@@ -36,8 +36,6 @@ class Values {
   /// A value in normal form as a face: a cell in an order, or a node that is degenerate from the start. This is made
   /// when it is asked for first: knowledge, not state.
   [[nodiscard]] Incidence incidence_of(const Value& v) const;
-  /// How many such nodes there are.
-  [[nodiscard]] std::size_t degenerate_nodes() const { return degenerate_index_.size(); }
 
   /// Forgets a node that is degenerate from the start, the last one of all nodes.
   void undo_degenerate(CellId node);

@@ -148,10 +148,9 @@ class ConePlanner {
     return v.is_degenerate() ? degenerate(cone) : Incidence{cone.cell, cone.order};
   }
   Incidence degenerate(const Value& v) {
-    const auto [at, is_new] = degenerate_.emplace(v, next());
+    const auto [at, is_new] = degenerate_.emplace(v, structure_.cells().asked() + plan_.degenerate.size());
     if (is_new) {
       plan_.degenerate.emplace_back(static_cast<std::uint32_t>(plan_.cells.size()), v);
-      add_cell(v.type, plan_.faces.size(), plan_);
     }
     return {at->second};
   }
@@ -212,7 +211,7 @@ Status plan_written_cones(std::span<const std::string> apexes, const std::vector
   }
   const bool by_edges =
       std::any_of(coned.begin(), coned.end(), [&](CellId c) { return !is_simplex(structure.cells().type(c).type); });
-  // All that may make lazy cells comes first, faces and names: the plan counts on ids.
+  // All that may ask for nodes comes first, faces and names: the plan counts on ids.
   for (const CellId c : coned) {
     (void)structure.faces().of(c);
     if (Status s = check_standard(coned_type(structure.cells().type(c).type, by_edges), structure, limits); !s) {

@@ -46,18 +46,17 @@ class SplitPlanner {
   }
 
  private:
-  /// Ids of copies until the plan is written: laws are checked, which may make lazy cells, before ids are known.
-  static constexpr CellId first_copy{0x8000'0000U};
   struct NewCopy {
     CellId source;
     const std::string& name;
     OrderId order;  // in which the name of the cell that is split has its vertices; that of the copy has them so too
   };
 
-  [[nodiscard]] static bool is_copy(CellId c) { return c >= first_copy; }
-  [[nodiscard]] CellId source_of(CellId c) const { return is_copy(c) ? copies_[c - first_copy].source : c; }
+  /// Copies have the ids that follow those in use, in the order of the operation until the plan is written.
+  [[nodiscard]] bool is_copy(CellId c) const { return !is_asked_for(c) && c >= first_copy_; }
+  [[nodiscard]] CellId source_of(CellId c) const { return is_copy(c) ? copies_[c - first_copy_].source : c; }
   [[nodiscard]] std::string_view name_of(CellId c) const {
-    return is_copy(c) ? std::string_view{copies_[c - first_copy].name} : structure_.name(c);
+    return is_copy(c) ? std::string_view{copies_[c - first_copy_].name} : structure_.name(c);
   }
 
   Status add_copy(const Deidentify::Split& split) {
@@ -69,7 +68,7 @@ class SplitPlanner {
       return Error{Errc::refused,
                    fmt::format("\"{}\" is degenerate: only a cell that is not can be split", split.cell)};
     }
-    const CellId id = first_copy + copies_.size();
+    const CellId id = first_copy_ + copies_.size();
     if (!copy_names_.emplace(split.copy, id).second) {
       return Error{Errc::bad_input,
                    fmt::format("the name \"{}\" is given to two copies: names are unique", split.copy)};
@@ -83,7 +82,7 @@ class SplitPlanner {
   /// stands for its vertices, by which its faces are counted.
   [[nodiscard]] Result<Incidence> movable(const std::string& name) const {
     if (const auto copy = copy_names_.find(name); copy != copy_names_.end()) {
-      return Incidence{copy->second, copies_[copy->second - first_copy].order};
+      return Incidence{copy->second, copies_[copy->second - first_copy_].order};
     }
     const Result<Value> found = resolve_cell(name, structure_);
     if (!found) {
@@ -119,7 +118,7 @@ class SplitPlanner {
                                value.is_degenerate() ? "degenerate over " : "", name_of(value.cell),
                                operation_.splits[split].cell, operation_.splits[split].copy)};
     }
-    value.cell = first_copy + split;
+    value.cell = first_copy_ + split;
     if (!is_copy(cell)) {
       moves_.push_back({cell, static_cast<std::uint32_t>(slot), value.cell, value.order});
     }
@@ -196,16 +195,16 @@ class SplitPlanner {
     std::vector<std::vector<Incidence>> faces;
     for (const std::size_t k : order) {
       faces.emplace_back();
-      for (const Value& v : faces_.at(first_copy + k)) {  // this may make nodes: so ids come later
+      for (const Value& v : faces_.at(first_copy_ + k)) {
         faces.back().push_back(is_copy(v.cell) ? Incidence{v.cell, v.order} : structure_.values().incidence_of(v));
       }
     }
-    plan.first = structure_.cells().size();
+    plan.first = first_copy_;
     std::vector<CellId> id(copies_.size());
     for (std::size_t k = 0; k < order.size(); ++k) {
       id[order[k]] = plan.first + k;
     }
-    const auto final_id = [&](CellId c) { return is_copy(c) ? id[c - first_copy] : c; };
+    const auto final_id = [&](CellId c) { return is_copy(c) ? id[c - first_copy_] : c; };
     for (std::size_t k = 0; k < order.size(); ++k) {
       const NewCopy& copy = copies_[order[k]];
       const std::size_t first_face = plan.faces.size();
@@ -226,6 +225,7 @@ class SplitPlanner {
 
   const Deidentify& operation_;
   const Structure& structure_;
+  const CellId first_copy_ = structure_.cells().size();
   std::vector<NewCopy> copies_;
   std::unordered_map<std::string_view, CellId> copy_names_;
   std::unordered_map<CellId, std::vector<Value>> faces_;  // references into it stay valid

@@ -241,7 +241,7 @@ Status plan_insertion(const Insert& operation, const Structure& structure, const
   if (planner.has_nothing_to_do()) {
     return Done{};
   }
-  const std::int64_t room = std::min(limits.cells_per_step, limits.cells - std::int64_t{structure.made_by_steps()});
+  const std::int64_t room = std::min(limits.cells_per_step, limits.cells - std::int64_t{structure.cells().size()});
   if (!planner.add_faces(room)) {
     return Error{Errc::refused,
                  fmt::format("this step would make more than {} cells, as many as there is room for", room)};

@@ -19,9 +19,9 @@ Status check_room(std::int64_t new_cells, const Structure& structure, const Limi
     return Error{Errc::refused, fmt::format("this step would make {} cells; the limit for one step is {}", new_cells,
                                             limits.cells_per_step)};
   }
-  if (new_cells + structure.made_by_steps() > limits.cells) {
+  if (new_cells + structure.cells().size() > limits.cells) {
     return Error{Errc::refused, fmt::format("this step would bring the workspace to {} cells; the limit is {}",
-                                            new_cells + structure.made_by_steps(), limits.cells)};
+                                            new_cells + structure.cells().size(), limits.cells)};
   }
   return Done{};
 }

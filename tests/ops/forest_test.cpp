@@ -17,41 +17,41 @@ namespace {
 
 /// What each node is, by plain lists: the history of a forest as one picture after each removal.
 struct Picture {
+  std::vector<CellId> node;  ///< by age, those that steps made and those that were asked for
   std::vector<CellId> cell;  ///< per node: the current cell, or none
   std::vector<int> sign;
 };
 
 void check(const Forest& forest, const std::vector<Picture>& after) {
   const Picture& now = after.back();
-  const auto nodes = static_cast<CellId>(now.cell.size());
-  for (CellId c = 0; c < nodes; ++c) {
-    REQUIRE(forest.find(c) == now.cell[c]);
-    REQUIRE(forest.is_current(c) == (now.cell[c] == c));
+  for (std::size_t k = 0; k < now.node.size(); ++k) {
+    const CellId c = now.node[k];
+    REQUIRE(forest.find(c) == now.cell[k]);
+    REQUIRE(forest.is_current(c) == (now.cell[k] == c));
     for (LinkId links = 0; links < after.size(); ++links) {
-      if (c < after[links].cell.size()) {
+      if (k < after[links].cell.size()) {
         const ops::OrientedCell was = forest.find_oriented_at(c, links);
-        REQUIRE(was.cell == after[links].cell[c]);
-        REQUIRE((was.cell == none || was.sign == after[links].sign[c]));
+        REQUIRE(was.cell == after[links].cell[k]);
+        REQUIRE((was.cell == none || was.sign == after[links].sign[k]));
       }
     }
-    if (now.cell[c] == c) {
-      std::vector<CellId> members;
-      forest.for_each_member(c, [&](CellId node) { members.push_back(node); });
-      std::sort(members.begin(), members.end());
+    if (now.cell[k] == c) {
+      std::set<CellId> members;
+      forest.for_each_member(c, [&](CellId node) { REQUIRE(members.insert(node).second); });
       std::vector<CellId> wanted;
-      for (CellId node = 0; node < nodes; ++node) {
-        if (now.cell[node] == c) {
-          wanted.push_back(node);
+      for (std::size_t j = 0; j < now.node.size(); ++j) {
+        if (now.cell[j] == c) {
+          wanted.push_back(now.node[j]);
         }
       }
-      REQUIRE(members == wanted);
+      REQUIRE(members == std::set<CellId>(wanted.begin(), wanted.end()));
       REQUIRE(forest.members(c) == wanted.size());
       REQUIRE(forest.oldest(c) == wanted.front());
       for (LinkId links = 0; links < after.size(); ++links) {
         const auto& cells = after[links].cell;
-        if (c < cells.size() && cells[c] == c) {
+        if (k < cells.size() && cells[k] == c) {
           const auto first = std::find(cells.begin(), cells.end(), c) - cells.begin();
-          REQUIRE(forest.oldest_at(c, links) == static_cast<CellId>(first));
+          REQUIRE(forest.oldest_at(c, links) == now.node[static_cast<std::size_t>(first)]);
         }
       }
     }
@@ -68,28 +68,34 @@ TEST_CASE("what nodes are and were is what plain lists say, with signs, through 
   std::vector<bool> adds;          // what happened, in order: nodes added, else removals
   for (int step = 0; step < 250; ++step) {
     std::vector<CellId> current;
-    for (CellId c = 0; c < after.back().cell.size(); ++c) {
-      if (after.back().cell[c] == c) {
-        current.push_back(c);
+    Picture& now = after.back();
+    for (std::size_t k = 0; k < now.node.size(); ++k) {
+      if (now.cell[k] == now.node[k]) {
+        current.push_back(now.node[k]);
       }
     }
     const CellId what = draw(7);
     if (what < 3) {
-      forest.add();
-      after.back().cell.push_back(static_cast<CellId>(after.back().cell.size()));
-      after.back().sign.push_back(1);
+      const auto asked = static_cast<std::size_t>(std::count_if(now.node.begin(), now.node.end(), ops::is_asked_for));
+      const CellId node = draw(3) == 0 ? ops::asked_node(static_cast<std::uint32_t>(asked))
+                                       : static_cast<CellId>(now.node.size() - asked);
+      forest.add(node);
+      now.node.push_back(node);
+      now.cell.push_back(node);
+      now.sign.push_back(1);
       adds.push_back(true);
     } else if (what < 6 && current.size() > 1) {
       std::shuffle(current.begin(), current.end(), random);
       const int sign = draw(2) == 0 ? 1 : -1;
-      Picture next = after.back();
+      Picture next = now;
       const bool squashes = draw(5) == 0;
-      for (CellId c = 0; c < next.cell.size(); ++c) {
-        if (next.cell[c] == current[0]) {
-          next.cell[c] = squashes ? none : current[1];
-          next.sign[c] *= sign;
+      for (std::size_t k = 0; k < next.cell.size(); ++k) {
+        if (next.cell[k] == current[0]) {
+          next.cell[k] = squashes ? CellId{none} : current[1];
+          next.sign[k] *= sign;
         }
       }
+      const auto age = [&](CellId node) { return std::find(now.node.begin(), now.node.end(), node); };
       forest.begin_step();
       if (squashes) {
         forest.link_squashed(current[0], {current[1], 0, 1});
@@ -97,7 +103,7 @@ TEST_CASE("what nodes are and were is what plain lists say, with signs, through 
         REQUIRE(forest.squashed_onto(current[1]).back() == current[0]);
       } else {
         forest.link(current[0], current[1], sign < 0 ? ops::OrderId{1} : ops::same_order, sign,
-                    std::min(forest.oldest(current[0]), forest.oldest(current[1])));
+                    *std::min(age(forest.oldest(current[0])), age(forest.oldest(current[1]))));
       }
       REQUIRE(forest.removed(forest.links() - 1) == current[0]);
       REQUIRE(forest.link_of(current[0]) == forest.links() - 1);
@@ -105,9 +111,10 @@ TEST_CASE("what nodes are and were is what plain lists say, with signs, through 
       adds.push_back(false);
     } else if (!adds.empty()) {
       if (adds.back()) {
-        forest.pop_back();
-        after.back().cell.pop_back();
-        after.back().sign.pop_back();
+        forest.pop_back(now.node.back());
+        now.node.pop_back();
+        now.cell.pop_back();
+        now.sign.pop_back();
       } else {
         const CellId removed = forest.removed(forest.links() - 1);
         REQUIRE(forest.undo_last_link() == removed);
@@ -122,8 +129,8 @@ TEST_CASE("what nodes are and were is what plain lists say, with signs, through 
 
 TEST_CASE("a removal knows how many there were before its step", "[ops]") {
   Forest forest;
-  for (int k = 0; k < 5; ++k) {
-    forest.add();
+  for (CellId node = 0; node < 5; ++node) {
+    forest.add(node);
   }
   forest.begin_step();
   forest.link(1, 0, ops::same_order, 1, 0);
@@ -141,13 +148,14 @@ TEST_CASE("a removal knows how many there were before its step", "[ops]") {
 
 TEST_CASE("a node degenerate from the start is no cell at any moment", "[ops]") {
   Forest forest;
-  forest.add();
-  forest.add();
-  forest.squash(1, {0, 0, 1});
-  CHECK(forest.find(1) == none);
-  CHECK(forest.find_at(1, 0) == none);
-  CHECK(forest.last_root(1) == 1);
-  CHECK(forest.link_of(1) == none);
-  forest.unsquash(1);
-  CHECK(forest.find(1) == 1);
+  const CellId degenerate = ops::asked_node(0);
+  forest.add(0);
+  forest.add(degenerate);
+  forest.squash(degenerate, {0, 0, 1});
+  CHECK(forest.find(degenerate) == none);
+  CHECK(forest.find_at(degenerate, 0) == none);
+  CHECK(forest.last_root(degenerate) == degenerate);
+  CHECK(forest.link_of(degenerate) == none);
+  forest.unsquash(degenerate);
+  CHECK(forest.find(degenerate) == degenerate);
 }

@@ -543,14 +543,14 @@ TEST_CASE("what cells, and which faces, there were can be said of every past mom
   s.lazy().make_all();
   for (const auto& [moment, cells] : pasts) {
     std::map<std::string, std::vector<CellId>> found;
-    for (CellId c = 0; c < s.cells().size(); ++c) {
-      if (s.was_current(c, moment)) {
+    s.cells().for_each_node([&, at = moment](CellId c) {
+      if (s.was_current(c, at)) {
         std::vector<CellId>& faces = found[label(s, c)];
         for (std::uint32_t f = 0; f < s.cells().type(c).faces.size(); ++f) {
-          faces.push_back(s.faces().at(c, f, moment).cell);
+          faces.push_back(s.faces().at(c, f, at).cell);
         }
       }
-    }
+    });
     REQUIRE(found == cells);
   }
 }

@@ -133,12 +133,12 @@ std::string matrices_of(Engine& engine) {
 inline std::string dump(Engine& engine) {
   std::string text = dump(engine.structure()) + answers(engine);
   text += "euler " + std::to_string(engine.euler_characteristic()) + "\n";
-  for (ops::CellId c = 0; c < engine.structure().cells().size(); ++c) {
+  engine.structure().cells().for_each_node([&](ops::CellId c) {
     if (engine.structure().is_current(c)) {
       const CellChain cell{engine.structure().dimension(c), {{1, c}}};
       text += to_text(engine.classify(cell)) + "; " + to_text(engine.classify(engine.maps().boundary(cell))) + "\n";
     }
-  }
+  });
   return text + matrices_of<sparse::Integers>(engine) + matrices_of<sparse::Z2>(engine) +
          matrices_of<sparse::Zp>(engine) + matrices_of<sparse::Rationals>(engine);
 }

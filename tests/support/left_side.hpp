@@ -140,8 +140,6 @@ class LeftSide {
     std::optional<GeneratorId> generator;
     switch (kind) {
       case ops::EventKind::cell:
-      case ops::EventKind::degenerate:
-      case ops::EventKind::lazy:
         generator = big_.append_cell(ops::CellId{number});
         break;
       case ops::EventKind::copy:

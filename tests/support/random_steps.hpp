@@ -43,11 +43,11 @@ inline StreamShape everything(std::size_t most_cells) {
 inline std::vector<ops::CellId> current_cells(const ops::Structure& structure) {
   structure.lazy().make_all();
   std::vector<ops::CellId> cells;
-  for (ops::CellId c = 0; c < structure.cells().size(); ++c) {
+  structure.cells().for_each_node([&](ops::CellId c) {
     if (structure.is_current(c) && !structure.lazy().is_consumed(c)) {
       cells.push_back(c);
     }
-  }
+  });
   std::sort(cells.begin(), cells.end(), [&](ops::CellId a, ops::CellId b) { return structure.lazy().is_older(a, b); });
   return cells;
 }
@@ -213,12 +213,12 @@ class RandomSteps {
   std::optional<ops::Operation> gluing_to_degenerate(const ops::Structure& structure,
                                                      const std::vector<ops::CellId>& cells) {
     std::vector<ops::CellId> degenerate;
-    for (ops::CellId c = 0; c < structure.cells().size(); ++c) {
+    structure.cells().for_each_node([&](ops::CellId c) {
       if (structure.find(c) == ops::none && structure.forest().link_of(c) != ops::none &&
           !structure.lazy().is_consumed(c)) {
         degenerate.push_back(c);
       }
-    }
+    });
     if (degenerate.empty()) {
       return std::nullopt;
     }

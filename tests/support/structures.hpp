@@ -100,12 +100,7 @@ inline ops::StepKind kind_between(const ops::Structure& structure, const ops::Mo
   if (after.copies > before.copies) {
     return ops::StepKind::split;
   }
-  for (ops::CellId c = before.created; c < after.created; ++c) {  // queries may have made nodes as well
-    if (!structure.lazy().is_lazy(c) && structure.forest().find_at(c, after.links) == c) {
-      return ops::StepKind::addition;
-    }
-  }
-  return ops::StepKind::nothing;
+  return after.created > before.created ? ops::StepKind::addition : ops::StepKind::nothing;
 }
 template <sparse::Ring R>
 auto sequence_between(const ops::Structure& structure, const ops::Moment& before, const ops::Moment& after,
@@ -179,13 +174,13 @@ inline std::vector<ops::CellId> nodes_of(const ops::Structure& structure) {
   structure.lazy().make_all();
   std::vector<ops::CellId> nodes;
   std::vector<std::pair<std::string, ops::CellId>> lazy;
-  for (ops::CellId c = 0; c < structure.cells().size(); ++c) {
+  structure.cells().for_each_node([&](ops::CellId c) {
     if (structure.lazy().is_lazy(c)) {
       lazy.emplace_back(label(structure, c), c);
     } else if (!is_born_degenerate(structure, c)) {
       nodes.push_back(c);
     }
-  }
+  });
   std::sort(lazy.begin(), lazy.end());
   for (const auto& [text, c] : lazy) {
     nodes.push_back(c);
@@ -292,7 +287,7 @@ inline Error refused(Workshop& shop, const ops::Operation& op) {
     StructureMark now = mark_of(shop.structure());
     if (now.moment.families > 0) {  // looking for a name may make lazy cells
       now.position = 0;
-      now.moment.created = 0;
+      now.moment.asked = ops::asked_node(0);
     }
     return now;
   };

@@ -106,9 +106,7 @@ void EagerMethod<R>::add_cells() {
   const ops::Moment now = structure.now();
   std::vector<CellId> cells;
   for (std::size_t k = 0; k < plan.cells.size(); ++k) {
-    if (structure.is_current(plan.first + k)) {
-      cells.push_back(plan.first + k);
-    }
+    cells.push_back(plan.first + k);
   }
   std::stable_sort(cells.begin(), cells.end(),
                    [&](CellId a, CellId b) { return structure.dimension(a) < structure.dimension(b); });

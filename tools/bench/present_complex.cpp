@@ -10,28 +10,34 @@ using sparse::Index;
 
 void PresentComplex::begin_again() {
   cells_.clear();
-  seen_ = 0;
+  position_ = {};
 }
 
 void PresentComplex::catch_up() {
   structure_.lazy().make_all();
   const auto is_in_object = [this](CellId c) { return structure_.is_current(c) && !structure_.lazy().is_consumed(c); };
-  cells_read_ += structure_.cells().size() - seen_;
   for (auto& cells : cells_) {
     cells_read_ += cells.size();
     std::erase_if(cells, [&](CellId c) { return !is_in_object(c); });
   }
-  for (; seen_ < structure_.cells().size(); ++seen_) {
-    if (is_in_object(seen_)) {
-      const auto degree = static_cast<std::size_t>(structure_.dimension(seen_));
+  const auto take = [&](CellId c) {
+    ++cells_read_;
+    position_.push_back(c, 0);
+    if (is_in_object(c)) {
+      const auto degree = static_cast<std::size_t>(structure_.dimension(c));
       cells_.resize(std::max(cells_.size(), degree + 1));
-      cells_[degree].push_back(seen_);
+      cells_[degree].push_back(c);
     }
+  };
+  while (position_.made() < structure_.cells().size()) {
+    take(position_.made());
+  }
+  while (position_.asked() < structure_.cells().asked()) {
+    take(position_.asked());
   }
   while (!cells_.empty() && cells_.back().empty()) {
     cells_.pop_back();
   }
-  position_.resize(structure_.cells().size());
   for (const auto& cells : cells_) {
     for (std::size_t k = 0; k < cells.size(); ++k) {
       position_[cells[k]] = static_cast<Index>(k);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "ops/cells/per_node.hpp"
 #include "ops/cells/structure.hpp"
 #include "reductions/chain_complex.hpp"
 
@@ -30,9 +31,8 @@ class PresentComplex {
 
   const ops::Structure& structure_;
   std::vector<std::vector<ops::CellId>> cells_;  ///< by degree
-  ops::CellId seen_ = 0;                         ///< cells before this one have been looked at
   std::uint64_t cells_read_ = 0;
-  std::vector<sparse::Index> position_;  ///< of each current cell in its degree
+  ops::PerNode<sparse::Index> position_;  ///< of each current cell in its degree; nodes that it knows have been seen
 };
 
 }  // namespace sesame::tools
