@@ -13,7 +13,15 @@ using sparse::expects;
 
 namespace {
 
-/// The cells of the object by dimension and age, lazy ones written out.
+/// By dimension and age: an order that no query changes.
+void sort_cells(const Structure& structure, std::vector<CellId>& cells) {
+  std::sort(cells.begin(), cells.end(), [&structure](CellId a, CellId b) {
+    const int p = structure.dimension(a), q = structure.dimension(b);
+    return p != q ? p < q : structure.lazy().is_older(structure.forest().oldest(a), structure.forest().oldest(b));
+  });
+}
+
+/// The cells of the object, lazy ones written out.
 std::vector<CellId> cells_of_object(const Structure& structure) {
   structure.lazy().make_all();
   const ops::CellBasis basis = ops::cells_at(structure, ops::now(structure));
@@ -21,6 +29,7 @@ std::vector<CellId> cells_of_object(const Structure& structure) {
   for (const std::vector<CellId>& of_degree : basis.generators()) {
     cells.insert(cells.end(), of_degree.begin(), of_degree.end());
   }
+  sort_cells(structure, cells);
   return cells;
 }
 
@@ -67,10 +76,7 @@ std::vector<CellId> LiveEquivalence<R>::current_cells() const {
   for (CellId c = window_.begin().created; c < structure_.cells().size(); ++c) {
     add(c);
   }
-  std::sort(cells.begin(), cells.end(), [this](CellId a, CellId b) {
-    return std::pair{structure_.dimension(a), structure_.forest().oldest(a)} <
-           std::pair{structure_.dimension(b), structure_.forest().oldest(b)};
-  });
+  sort_cells(structure_, cells);
   return cells;
 }
 

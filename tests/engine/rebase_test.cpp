@@ -1,5 +1,8 @@
 // Equivalences that are begun afresh when their history weighs more than the object: nothing but cost and
 // representatives may depend on that.
+#include <algorithm>
+#include <numeric>
+
 #include "tests/support/engines.hpp"
 #include "tests/support/graph_sessions.hpp"
 #include "tests/support/random_steps.hpp"
@@ -90,6 +93,44 @@ TEST_CASE("every law holds after every step of random streams, whenever the equi
     REQUIRE(live_groups(engine) == live_groups(twin));
   }
   CHECK(twin.rebases() == 0);
+}
+
+TEST_CASE("queries between steps change nothing that is said later, beginning afresh or not",
+          "[engine][rebase][stream]") {
+  const RebasePolicy policy = GENERATE(RebasePolicy::never(), after_each_split);
+  const unsigned seed = GENERATE(range(40U, 60U));
+  CAPTURE(policy.least_splits, seed);
+  Engine asked(ring_named("Z"), {}, policy);
+  Engine unasked(ring_named("Z"), {}, policy);
+  RandomSteps random(seed, everything(40));
+  const auto named = [](Engine& engine) {
+    std::string text;
+    for (int p = 0; p < static_cast<int>(engine.cells().size()); ++p) {
+      for (const engine::Generator& generator : engine.generators(p)) {
+        text += "\norder " + generator.order.to_string();
+        for (const CellChain* chain : {&generator.cycle, &generator.bounding}) {
+          std::vector<std::string> terms;
+          for (const auto& [coefficient, cell] : chain->terms) {
+            terms.push_back(" " + coefficient.to_string() + "*" + std::string{engine.structure().name(cell)});
+          }
+          std::sort(terms.begin(), terms.end());
+          text = std::accumulate(terms.begin(), terms.end(), text + " |");
+        }
+      }
+    }
+    return text;
+  };
+  for (int k = 0; k < 40; ++k) {
+    const ops::Operation op = random.next(asked.structure());  // looks at all cells
+    CAPTURE(k, ops::to_text(op));
+    carry_out(asked, op);
+    carry_out(unasked, op);
+    if (random.random().one_in(3)) {
+      (void)answers(asked);
+    }
+  }
+  CHECK(number_of(asked.structure().cells().asked()) >= number_of(unasked.structure().cells().asked()));
+  CHECK(first_difference(named(asked), named(unasked)) == "");
 }
 
 TEST_CASE("undo goes back through rebases to exactly what was", "[engine][rebase][undo]") {
