@@ -5,6 +5,7 @@
 
 #include "engine/audit.hpp"
 #include "engine/left/new_family.hpp"
+#include "engine/left/small_of_body.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::engine {
@@ -167,9 +168,7 @@ void LiveEquivalence<R>::go_back_to(const Mark& mark) {
 
 template <Ring R>
 std::uint64_t LiveEquivalence<R>::small_of(ops::BodyId body) const {
-  std::uint64_t count = 0;
-  rewriter_.for_each_small([&](Symbol x) { count += big_.body_of(rewriter_.generator_in(x)) == body ? 1 : 0; });
-  return count;
+  return small_of_body(body, structure_, big_, rewriter_).size();
 }
 
 template <Ring R>

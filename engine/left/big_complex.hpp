@@ -57,6 +57,7 @@ class BigComplex {
   [[nodiscard]] const sparse::ColumnStore<R, GeneratorId>& boundary() const { return boundary_; }
   /// The number of generators of each degree, up to the largest that has one.
   [[nodiscard]] const std::vector<std::uint32_t>& counts() const { return generators_.counts(); }
+  [[nodiscard]] const Generators& generators() const { return generators_; }
   /// The body whose cells a generator belongs to.
   [[nodiscard]] ops::BodyId body_of(GeneratorId generator) const { return generators_.body_of(generator); }
   /// f, g and h.

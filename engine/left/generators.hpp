@@ -42,6 +42,17 @@ class Generators {
                                      : of_cell_[node - window_.begin().created];
   }
   [[nodiscard]] GeneratorId of_link(LinkId link) const { return of_link_[link - window_.begin().links]; }
+  /// Calls visit(generator) for what was made for a node in the window: its own generator, that of its removal.
+  template <class Visit>
+  void for_each_of(CellId node, Visit&& visit) const {
+    if (!window_.is_first(node) || window_.is_cell_of_beginning(node)) {
+      visit(of(node));
+    }
+    const LinkId link = structure_.forest().link_of(node);
+    if (link != ops::none && link >= window_.begin().links) {
+      visit(of_link(link));
+    }
+  }
   /// The number of nodes that steps made, of removals that have been taken in, those before the window included.
   [[nodiscard]] CellId cells() const { return window_.begin().created + of_cell_.size(); }
   [[nodiscard]] LinkId links() const { return window_.begin().links + of_link_.size(); }

@@ -1,28 +1,15 @@
 #include "engine/left/new_family.hpp"
 
-#include <algorithm>
 #include <memory>
 
 #include "engine/left/cone_maps.hpp"
 #include "engine/left/product_maps.hpp"
 #include "engine/left/simplicial_product_maps.hpp"
+#include "engine/left/small_of_body.hpp"
 
 namespace sesame::engine {
 
 namespace {
-
-/// The small generators of a body, sorted.
-template <Ring R>
-std::vector<Symbol> symbols_of(ops::BodyId body, const BigComplex<R>& big, const Rewriter<R>& rewriter) {
-  std::vector<Symbol> symbols;
-  rewriter.for_each_small([&](Symbol x) {
-    if (big.body_of(rewriter.generator_in(x)) == body) {
-      symbols.push_back(x);
-    }
-  });
-  std::sort(symbols.begin(), symbols.end());
-  return symbols;
-}
 
 /// dS of some small generators.
 template <Ring R>
@@ -47,10 +34,10 @@ Terms<R, GeneratorId> boundary_of_pair(const R& ring, const PairTable& pairs, Sy
 }
 
 template <Ring R>
-PairTable append_pairs(ops::FamilyId id, const std::vector<ops::BodyId>& factors, BigComplex<R>& big,
-                       Rewriter<R>& rewriter) {
-  const std::vector<Symbol> left = symbols_of(factors[0], big, rewriter);
-  const std::vector<Symbol> right = symbols_of(factors[1], big, rewriter);
+PairTable append_pairs(ops::FamilyId id, const Structure& structure, BigComplex<R>& big, Rewriter<R>& rewriter) {
+  const std::vector<ops::BodyId>& factors = structure.lazy().family(id).bodies;
+  const std::vector<Symbol> left = small_of_body(factors[0], structure, big, rewriter);
+  const std::vector<Symbol> right = small_of_body(factors[1], structure, big, rewriter);
   Columns<R> columns;
   add_columns(left, rewriter, columns);
   add_columns(right, rewriter, columns);
@@ -77,13 +64,13 @@ void append_family(ops::FamilyId id, const Structure& structure, FrozenMaps<R>& 
   const ops::LazyFamily& family = structure.lazy().family(id);
   if (family.kind == ops::FamilyKind::cone) {
     for (const ops::BodyId body : family.bodies) {
-      rewriter.consume(symbols_of(body, big, rewriter));
+      rewriter.consume(small_of_body(body, structure, big, rewriter));
     }
     big.follow(family.apex);  // it is F of every vertex
     big.append_family(std::make_unique<ConeMaps<R>>(ring, structure, id, big.maps()));
     return;
   }
-  PairTable pairs = append_pairs(id, family.bodies, big, rewriter);
+  PairTable pairs = append_pairs(id, structure, big, rewriter);
   if (family.kind == ops::FamilyKind::product) {
     big.append_family(std::make_unique<ProductMaps<R>>(ring, structure, id, std::move(pairs), frozen));
   } else {

@@ -39,6 +39,7 @@ class Window {
   [[nodiscard]] const std::vector<CellId>& cells() const { return cells_; }
   /// The place of one of them in that list.
   [[nodiscard]] std::uint32_t place(CellId first_cell) const { return places_.at(first_cell); }
+  [[nodiscard]] bool is_cell_of_beginning(CellId c) const { return places_.contains(c); }
   /// Whether a node that the window knows was there at the beginning.
   [[nodiscard]] bool is_first(CellId c) const { return begin_.knew(c); }
 

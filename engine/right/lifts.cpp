@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <queue>
 #include <tuple>
 
@@ -28,6 +29,7 @@ Trace<R> Lifts<R>::run_trace(RuleId before, Begin begin) {
   };
   begin(add);
   Trace<R> trace;
+  std::optional<std::size_t> perturbations;  // until that time; all rules that follow are of one degree
   while (!queue.empty()) {
     const RuleId rule = queue.top();
     queue.pop();
@@ -38,7 +40,10 @@ Trace<R> Lifts<R>::run_trace(RuleId before, Begin begin) {
     if (rules[rule].b != no_symbol) {
       trace.emplace_back(rule, ring_.multiply(rules[rule].inverse, coefficient));
     }
-    if (perturbations_.lacks_any(rule, before)) {
+    if (!perturbations) {
+      perturbations = perturbations_.until(rule, before);
+    }
+    if (perturbations_.lacks_any_of(*perturbations, rule)) {
       take_in(rule);  // else what it is behind with is in symbols that no rule of that time can use
     }
     const std::uint64_t weight = words(coefficient);
@@ -199,6 +204,9 @@ void Lifts<R>::take_in(RuleId rule) {
     }
     const Terms<R, Symbol> gain = gain_of(top.lift, perturbations_.first_missing(top.rule));
     perturbations_.take_in(top.rule, gain);
+    for (const TermType& term : gain) {
+      dependents_.gain_value(term.index, top.rule);
+    }
     effort_.read(gain.size() + top.lift.trace.size());
     effort_.spend(words_of(gain));
     stack.pop_back();

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/right/dependents.hpp"
 #include "engine/right/effort.hpp"
 #include "engine/right/perturbations.hpp"
 #include "engine/right/rules.hpp"
@@ -42,8 +43,13 @@ class Lifts {
 
   /// All of them must outlive it.
   Lifts(R ring, const sparse::ColumnStore<R, GeneratorId>& boundary, const Rules<R>& rules,
-        Perturbations<R>& perturbations, Effort& effort)
-      : ring_{ring}, boundary_{boundary}, rules_{rules}, perturbations_{perturbations}, effort_{effort} {}
+        Perturbations<R>& perturbations, Dependents<R>& dependents, Effort& effort)
+      : ring_{ring},
+        boundary_{boundary},
+        rules_{rules},
+        perturbations_{perturbations},
+        dependents_{dependents},
+        effort_{effort} {}
 
   /// h, as a trace, of a chain of B. Cost: the rules that apply, each once, times the logarithm of their number.
   [[nodiscard]] Trace<R> trace(std::span<const TermOfB> chain_of_b);
@@ -80,6 +86,7 @@ class Lifts {
   const sparse::ColumnStore<R, GeneratorId>& boundary_;
   const Rules<R>& rules_;
   Perturbations<R>& perturbations_;
+  Dependents<R>& dependents_;
   Effort& effort_;
   /// One for each trace that is running: taking in may start another.
   std::deque<sparse::Accumulator<R, Symbol>> traced_;

@@ -16,7 +16,8 @@ void cut(Terms<R, Symbol>& terms, Symbol first) {
 
 template <Ring R>
 typename Perturbations<R>::Concerned Perturbations<R>::record(RuleId time, Symbol first,
-                                                              std::span<const GeneratorId> changed) {
+                                                              std::span<const GeneratorId> changed,
+                                                              const Reached& reached) {
   Concerned concerned;
   std::set<int> combined;  // degrees with changes of basis
   for (const auto& combination : rules_.combinations()) {
@@ -43,8 +44,8 @@ typename Perturbations<R>::Concerned Perturbations<R>::record(RuleId time, Symbo
     const auto q = static_cast<std::size_t>(degree);
     of_degree_.resize(std::max(of_degree_.size(), q + 1));
     of_degree_[q].push_back({time, rule, first, ++last_serial_});
-    for (const Symbol x : rules_.small(degree)) {
-      if (x < first) {
+    for (const Symbol x : reached ? *reached : rules_.small(degree)) {
+      if (x < first && rules_.degree(x) == degree && rules_.is_small(x)) {
         concerned.small.insert(x);
       }
     }
@@ -54,7 +55,8 @@ typename Perturbations<R>::Concerned Perturbations<R>::record(RuleId time, Symbo
   for (std::size_t k = 0; k < rules_.combinations().size() && !since.empty(); ++k) {
     const auto& combination = rules_.combinations()[k];
     const auto of_degree = since.find(rules_.degree(combination.x));
-    if (combination.rule < time && of_degree != since.end() && combination.rule >= of_degree->second) {
+    const bool is_reached = !reached || std::binary_search(reached->begin(), reached->end(), combination.made);
+    if (is_reached && combination.rule < time && of_degree != since.end() && combination.rule >= of_degree->second) {
       concerned.combinations.push_back(k);
     }
   }
@@ -76,8 +78,8 @@ std::size_t Perturbations<R>::until(std::size_t degree, RuleId time) const {
 /// How many perturbations of its degree a rule has taken in: those made before it have been part of it from the start.
 template <Ring R>
 std::size_t Perturbations<R>::taken_in(RuleId rule) const {
-  const auto gained = gains_.find(rule);
-  return gained != gains_.end() ? gained->second.taken_in : until(degree_of_b(rule), rule);
+  const Gain* gained = find_gain(rule);
+  return gained != nullptr ? gained->taken_in : until(degree_of_b(rule), rule);
 }
 
 template <Ring R>
@@ -93,7 +95,14 @@ bool Perturbations<R>::is_behind(RuleId rule) const {
 
 template <Ring R>
 void Perturbations<R>::take_in(RuleId rule, const Terms<R, Symbol>& more) {
-  Gain& sum = gains_[rule];
+  if (rule >= place_.size()) {
+    place_.resize(rules_.size(), no_place);
+  }
+  if (place_[rule] == no_place) {
+    place_[rule] = static_cast<std::uint32_t>(gains_.size());
+    gains_.push_back({rule, {}, 0});
+  }
+  Gain& sum = gains_[place_[rule]];
   sum.terms.insert(sum.terms.end(), more.begin(), more.end());
   sum.taken_in = of_degree_[degree_of_b(rule)].size();
   steps_.back().rules.push_back(rule);
@@ -112,9 +121,24 @@ void Perturbations<R>::undo(std::size_t size, RuleId rules) {
   while (steps_.size() > size) {
     undo_last();
   }
-  for (RuleId rule = rules; rule < rules_.size() && !gains_.empty(); ++rule) {
-    gains_.erase(rule);
+  for (RuleId rule = rules; rule < place_.size(); ++rule) {
+    forget_gain(rule);
   }
+  place_.resize(std::min<std::size_t>(place_.size(), rules));
+}
+
+/// The last one takes its place.
+template <Ring R>
+void Perturbations<R>::forget_gain(RuleId rule) {
+  const std::uint32_t place = std::exchange(place_[rule], no_place);
+  if (place == no_place) {
+    return;
+  }
+  if (place + 1 < gains_.size()) {
+    gains_[place] = std::move(gains_.back());
+    place_[gains_[place].rule] = place;
+  }
+  gains_.pop_back();
 }
 
 template <Ring R>
@@ -128,14 +152,14 @@ void Perturbations<R>::undo_last() {
     rules_.cut_column(combination, step.first);
   }
   for (const RuleId rule : step.rules) {
-    const auto gained = gains_.find(rule);
-    if (gained == gains_.end()) {
+    Gain* gained = find_gain(rule);
+    if (gained == nullptr) {
       continue;
     }
-    cut<R>(gained->second.terms, step.first);
-    gained->second.taken_in = std::min(gained->second.taken_in, of_degree_[degree_of_b(rule)].size());
+    cut<R>(gained->terms, step.first);
+    gained->taken_in = std::min(gained->taken_in, of_degree_[degree_of_b(rule)].size());
     if (steps_.empty()) {
-      gains_.erase(gained);
+      forget_gain(rule);
     } else {
       steps_.back().rules.push_back(rule);
     }

@@ -3,9 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <span>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "engine/right/rules.hpp"
@@ -39,10 +40,12 @@ class Perturbations {
     std::set<Symbol> small;
     std::vector<std::size_t> combinations;  ///< by their place in Rules::combinations
   };
+  /// The symbols whose lifts may have a changed generator, by increasing number; nothing: any may.
+  using Reached = std::optional<std::vector<Symbol>>;
   /// Takes note of a perturbation of the boundaries of `changed`, in symbols from `first` on, which were made at `time`
-  /// or later. Cost: the changed generators, the combinations, and, when a changed one may be in a lift, the small
-  /// symbols of its degree.
-  Concerned record(RuleId time, Symbol first, std::span<const GeneratorId> changed);
+  /// or later. Cost: the changed generators, the combinations, and, when a changed one may be in a lift, the symbols
+  /// that are reached, or the small symbols of its degree.
+  Concerned record(RuleId time, Symbol first, std::span<const GeneratorId> changed, const Reached& reached = {});
   /// Grows with each `record`.
   [[nodiscard]] std::uint64_t version() const { return recorded_; }
 
@@ -51,9 +54,17 @@ class Perturbations {
     const std::size_t q = degree_of_b(rule);
     return q < of_degree_.size() && !of_degree_[q].empty() ? of_degree_[q].back().serial : 0;
   }
-  /// Whether there has been a perturbation until a time that a rule has not taken in.
-  [[nodiscard]] bool lacks_any(RuleId rule, RuleId time) const {
-    return !of_degree_.empty() && until(degree_of_b(rule), time) > taken_in(rule);
+  /// How many perturbations there had been at a time of the degree that concerns a rule.
+  [[nodiscard]] std::size_t until(RuleId rule, RuleId time) const {
+    return of_degree_.empty() ? 0 : until(degree_of_b(rule), time);
+  }
+  /// Whether one of the first `count` of them is one that the rule has not taken in.
+  [[nodiscard]] bool lacks_any_of(std::size_t count, RuleId rule) const {
+    if (count == 0) {
+      return false;
+    }
+    const Gain* gained = find_gain(rule);
+    return gained != nullptr ? count > gained->taken_in : of_degree_[degree_of_b(rule)][count - 1].time > rule;
   }
   /// Whether there has been a perturbation that a rule has not taken in and that may change it.
   [[nodiscard]] bool is_behind(RuleId rule) const;
@@ -62,11 +73,15 @@ class Perturbations {
 
   /// delta(V(b)) for the b of a rule, by all perturbations that it has taken in; in normal form.
   [[nodiscard]] std::span<const TermType> gain(RuleId rule) const {
-    if (gains_.empty()) {
-      return {};
+    const Gain* gained = find_gain(rule);
+    return gained != nullptr ? std::span<const TermType>{gained->terms} : std::span<const TermType>{};
+  }
+  /// Calls visit(rule, gain) for all that have taken something in, in no order.
+  template <class Visit>
+  void for_each_gain(Visit visit) const {
+    for (const Gain& gained : gains_) {
+      visit(gained.rule, std::span<const TermType>{gained.terms});
     }
-    const auto gained = gains_.find(rule);
-    return gained != gains_.end() ? std::span<const TermType>{gained->second.terms} : std::span<const TermType>{};
   }
   /// The value of a rule, with what it has gained: visit(symbol, coefficient). Gains are in younger symbols, so this is
   /// normal form.
@@ -108,6 +123,7 @@ class Perturbations {
     std::vector<std::size_t> combinations;  ///< whose column it changed
   };
   struct Gain {
+    RuleId rule;
     Terms<R, Symbol> terms;
     std::size_t taken_in = 0;
   };
@@ -117,13 +133,20 @@ class Perturbations {
   }
   [[nodiscard]] std::size_t until(std::size_t degree, RuleId time) const;
   [[nodiscard]] std::size_t taken_in(RuleId rule) const;
+  [[nodiscard]] const Gain* find_gain(RuleId rule) const {
+    return rule < place_.size() && place_[rule] != no_place ? &gains_[place_[rule]] : nullptr;
+  }
+  [[nodiscard]] Gain* find_gain(RuleId rule) { return const_cast<Gain*>(std::as_const(*this).find_gain(rule)); }
+  void forget_gain(RuleId rule);
   void undo_last();
 
   R ring_;
   Rules<R>& rules_;
   std::vector<std::vector<Perturbation>> of_degree_;  ///< by the degree of the changed generators
   std::vector<Step> steps_;
-  std::unordered_map<RuleId, Gain> gains_;
+  static constexpr std::uint32_t no_place = UINT32_MAX;
+  std::vector<Gain> gains_;
+  std::vector<std::uint32_t> place_;  ///< per rule, as far as needed: of its gain
   std::uint64_t last_serial_ = 0, recorded_ = 0;
 };
 

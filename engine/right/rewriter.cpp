@@ -9,7 +9,8 @@ Rewriter<R>::Rewriter(R ring, const sparse::ColumnStore<R, GeneratorId>& boundar
     : boundary_{boundary},
       rules_{ring},
       perturbations_{ring, rules_},
-      lifts_{ring, boundary, rules_, perturbations_, effort_},
+      dependents_{boundary, rules_, perturbations_},
+      lifts_{ring, boundary, rules_, perturbations_, dependents_, effort_},
       memos_{ring, rules_, perturbations_, lifts_, effort_},
       settling_{ring, rules_, effort_} {}
 
@@ -28,14 +29,47 @@ void Rewriter<R>::append(int degree) {
   }
 }
 
+/// The symbols whose lifts may have one of the changed generators, found by the index of dependents; nothing when
+/// looking at all small symbols is cheaper than finding them, or than making the index.
+template <Ring R>
+typename Perturbations<R>::Reached Rewriter<R>::lifts_with(std::span<const GeneratorId> changed, Symbol first) {
+  constexpr std::uint64_t terms_of_a_lift = 16;  // that are read for a small symbol, at least
+  std::vector<bool> is_counted(small_counts().size());
+  std::uint64_t candidates = 0;
+  for (const GeneratorId generator : changed) {
+    const auto degree = static_cast<std::size_t>(rules_.degree(rules_.symbol_of(generator)));
+    candidates += is_counted[degree] ? 0 : small_counts()[degree];
+    is_counted[degree] = true;
+  }
+  if (!dependents_.is_kept()) {
+    looked_at_ += candidates;
+    if (terms_of_a_lift * looked_at_ < dependents_.size_of_backlog()) {
+      return std::nullopt;
+    }
+  }
+  dependents_.catch_up();
+  for (const GeneratorId generator : changed) {
+    boundary_.for_each_in_column(generator, [&](const sparse::Term<R, GeneratorId>& term) {
+      if (const Symbol z = rules_.symbol_of(term.index); z >= first) {
+        dependents_.gain_boundary(z, rules_.symbol_of(generator));
+      }
+    });
+  }
+  return dependents_.lifts_with(changed, terms_of_a_lift * (candidates + 1));
+}
+
 template <Ring R>
 void Rewriter<R>::perturb(RuleId time, GeneratorId first, std::span<const GeneratorId> changed) {
   ++breaks_;
   const Symbol first_symbol = rules_.symbol_of(first);
-  const auto concerned = perturbations_.record(time, first_symbol, changed);
+  const auto concerned = perturbations_.record(time, first_symbol, changed, lifts_with(changed, first_symbol));
   for (const std::size_t k : concerned.combinations) {
     const auto& combination = rules_.combinations()[k];
-    perturbations_.extend_column(k, lifts_.gain(combination.made, combination.rule + 1, first_symbol));
+    const Terms<R, Symbol> gain = lifts_.gain(combination.made, combination.rule + 1, first_symbol);
+    perturbations_.extend_column(k, gain);
+    for (const TermType& term : gain) {
+      dependents_.gain_boundary(term.index, combination.made);
+    }
   }
   for (const Symbol x : concerned.small) {
     if (rules_.removed_by(x) != no_rule) {
@@ -96,6 +130,7 @@ void Rewriter<R>::undo(const Mark& mark) {
   perturbations_.undo(mark.perturbations, mark.rules.rules);
   settling_.undo(mark.core);
   rules_.undo(mark.rules);
+  dependents_.undo(mark.rules);
   memos_.undo(mark.memos);
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/right/dependents.hpp"
 #include "engine/right/effort.hpp"
 #include "engine/right/lifts.hpp"
 #include "engine/right/memos.hpp"
@@ -21,6 +22,7 @@ namespace sesame::engine {
 ///
 ///   Rules           symbols, and the rules that write one in later ones, as they were made
 ///   Perturbations   what rules have gained since by de-identifications
+///   Dependents      where one can be felt
 ///   Lifts           h and g, by the rules as they were made
 ///   Memos           f, by memoised results of the rules
 ///   Settling        dS: eliminations, and over Z the core of what has no unit
@@ -44,7 +46,7 @@ class Rewriter {
   /// Takes note that the boundaries of some old generators have gained terms in generators that were appended since
   /// `time`, the first of them `first`: a de-identification. The boundaries of those must not have changed.
   /// Cost: when the changed generators are in no rule, their number. Else that of the lifts of the small generators
-  /// whose degree is that of a changed one, as far as rules made after the oldest changed one are concerned.
+  /// that may have one of them, as far as rules made after the oldest changed one are concerned, and of finding these.
   void perturb(RuleId time, GeneratorId first, std::span<const GeneratorId> changed);
   /// Takes small generators out of S, with their boundaries: what they generate is no longer part of the object. They
   /// stay what chains of B that have them are rewritten to.
@@ -85,6 +87,8 @@ class Rewriter {
   [[nodiscard]] int degree(Symbol x) const { return rules_.degree(x); }
   /// The generator of B that a symbol is, or one of those that it is a combination of.
   [[nodiscard]] GeneratorId generator_in(Symbol x) const { return rules_.generator_in(x); }
+  /// The small generator of which one of B is that one; no_symbol when there is none.
+  [[nodiscard]] Symbol small_of(GeneratorId generator) const { return rules_.small_of(generator); }
   /// Calls visit(a, b) for each elimination, with the two generators of B. Requires: the ring is a field, so that every
   /// symbol is a generator.
   template <class Visit>
@@ -115,14 +119,18 @@ class Rewriter {
   void undo(const Mark& mark);
 
  private:
+  [[nodiscard]] typename Perturbations<R>::Reached lifts_with(std::span<const GeneratorId> changed, Symbol first);
+
   const sparse::ColumnStore<R, GeneratorId>& boundary_;
   Effort effort_;
   Rules<R> rules_;
   Perturbations<R> perturbations_;
+  Dependents<R> dependents_;
   Lifts<R> lifts_;
   Memos<R> memos_;
   Settling<R> settling_;
-  Terms<R, Symbol> column_;  ///< scratch
+  std::uint64_t looked_at_ = 0;  ///< small symbols, for want of `dependents_`
+  Terms<R, Symbol> column_;      ///< scratch
   std::uint64_t breaks_ = 0;
 };
 

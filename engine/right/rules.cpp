@@ -76,6 +76,18 @@ GeneratorId Rules<R>::generator_in(Symbol x) const {
 }
 
 template <Ring R>
+Symbol Rules<R>::small_of(GeneratorId generator) const {
+  Symbol x = symbol_of(generator);
+  for (RuleId rule = removed_by(x); rule != no_rule; rule = removed_by(x)) {
+    if (rules_[rule].b != no_symbol) {
+      return no_symbol;
+    }
+    x = value(rule).back().index;  // the symbol that was made is the youngest
+  }
+  return is_small(x) ? x : no_symbol;
+}
+
+template <Ring R>
 std::vector<Symbol> Rules<R>::small(int degree) const {
   std::vector<Symbol> symbols;
   if (degree >= 0 && static_cast<std::size_t>(degree) < first_.size()) {

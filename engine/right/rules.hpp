@@ -74,11 +74,19 @@ class Rules {
   [[nodiscard]] RuleId removed_by(Symbol x) const { return removed_by_[x]; }
   /// Whether there is a rule that writes x in other symbols.
   [[nodiscard]] bool is_rewritten(Symbol x) const { return removed_by_[x] != no_rule && rules_[removed_by_[x]].a == x; }
+  /// Whether it is a generator of S.
+  [[nodiscard]] bool is_small(Symbol x) const {
+    const Symbol before = neighbours_[x].before;
+    return removed_by_[x] == no_rule &&
+           (before == no_symbol ? first_[static_cast<std::size_t>(degree_[x])] : neighbours_[before].after) == x;
+  }
   /// The time at which a symbol was made.
   [[nodiscard]] RuleId born(Symbol x) const { return born_[x]; }
   [[nodiscard]] Symbol symbol_of(GeneratorId generator) const { return symbol_of_[generator]; }
   /// The generator of B that a symbol is, or one of those that it is a combination of.
   [[nodiscard]] GeneratorId generator_in(Symbol x) const;
+  /// The small symbol that a generator has become by changes of basis; no_symbol: it was eliminated or consumed.
+  [[nodiscard]] Symbol small_of(GeneratorId generator) const;
   /// What a symbol is a combination of; nullptr when it is a generator of B.
   [[nodiscard]] const Combination* combination(Symbol x) const {
     return is_combination(x) ? &combinations_[generator_[x] & ~combination_bit] : nullptr;

@@ -1,7 +1,7 @@
 #include "engine/right/lifts.hpp"
 
 #include "tests/support/catch.hpp"
-#include "tests/support/rewriting.hpp"
+#include "tests/support/random_reduction.hpp"
 
 using namespace sesame;
 using namespace sesame::tests;
@@ -12,76 +12,6 @@ using engine::Perturbations;
 using engine::RuleId;
 using engine::Rules;
 using engine::Symbol;
-
-namespace {
-
-/// A reduction whose rules are made at random: any unit is eliminated, bases are changed now and then.
-template <Ring R>
-struct RandomReduction {
-  RandomReduction(const R& k, unsigned seed) : ring{k}, random{seed} {}
-
-  R ring;
-  Random random;
-  GrowingComplex<R> b{ring};
-  Rules<R> rules{ring};
-  Perturbations<R> perturbations{ring, rules};
-  Effort effort;
-  Lifts<R> lifts{ring, b.boundary, rules, perturbations, effort};
-
-  [[nodiscard]] ChainOfS<R> f(const ChainOfB<R>& chain) const {
-    return rewritten(ring, rules, in_symbols(ring, rules, chain));
-  }
-  ChainOfB<R> g(const ChainOfS<R>& symbols) { return lifts.lift(symbols); }
-  ChainOfB<R> h(const ChainOfB<R>& chain) { return lifts.lift({}, lifts.trace(chain)); }
-  ChainOfS<R> small_boundary(Symbol x) { return f(b.d(g({{x, ring.one()}}))); }
-
-  void grow_to(const ChainComplex<R>& complex) {
-    const GrowingComplex<R> all = in_random_order(random, complex);
-    for (GeneratorId x = 0; x < all.size(); ++x) {
-      append(all.degrees[x], all.boundary.column(x));
-      if (random.one_in(4)) {
-        change_any_basis(all.degrees[x]);
-      }
-    }
-  }
-  void append(int degree, const ChainOfB<R>& boundary) {
-    b.append(degree, boundary);
-    const Symbol x = rules.append_generator(degree);
-    const ChainOfS<R> image = f(boundary);
-    std::vector<Symbol> units;
-    for (const auto& term : image) {
-      if (ring.is_unit(term.coefficient)) {
-        units.push_back(term.index);
-      }
-    }
-    if (!units.empty()) {
-      rules.eliminate(units[static_cast<std::size_t>(random.in(0, static_cast<int>(units.size()) - 1))], x, image);
-    }
-  }
-  void change_any_basis(int degree) {
-    const std::vector<Symbol> small = rules.small(degree);
-    if (small.size() > 1) {
-      const auto q = ring.from(std::int64_t{random.in(1, 3)});
-      const Symbol x = small.front(), y = small.back();
-      rules.change_basis(x, q, y, sum_of(ring, small_boundary(x), ring.negate(q), small_boundary(y)));
-    }
-  }
-  [[nodiscard]] std::vector<Symbol> small() const {
-    std::vector<Symbol> all;
-    for (int p = 0; p < 5; ++p) {
-      const std::vector<Symbol> of_degree = rules.small(p);
-      all.insert(all.end(), of_degree.begin(), of_degree.end());
-    }
-    return all;
-  }
-  std::string broken_law() {
-    return tests::broken_law(
-        b, small(), [this](const ChainOfB<R>& v) { return f(v); }, [this](const ChainOfS<R>& v) { return g(v); },
-        [this](const ChainOfB<R>& v) { return h(v); }, [this](Symbol x) { return small_boundary(x); });
-  }
-};
-
-}  // namespace
 
 TEMPLATE_TEST_CASE("Lifts: with rewriting rule by rule they are a reduction", "[engine][law]", Integers, Z2, Zp) {
   using R = TestType;
@@ -108,8 +38,9 @@ TEST_CASE("Lifts: a triangle's edges are traced by the rules that eliminated its
   GrowingComplex<Integers> b{ring};
   Rules<Integers> rules{ring};
   Perturbations<Integers> perturbations{ring, rules};
+  engine::Dependents<Integers> dependents{b.boundary, rules, perturbations};
   Effort effort;
-  Lifts<Integers> lifts{ring, b.boundary, rules, perturbations, effort};
+  Lifts<Integers> lifts{ring, b.boundary, rules, perturbations, dependents, effort};
   for (int k = 0; k < 3; ++k) {
     b.append(0, {});
     rules.append_generator(0);

@@ -23,8 +23,9 @@ struct Rewriting {
   sparse::ColumnStore<R, engine::GeneratorId> boundary{ring, 0, 0};
   Rules<R> rules{ring};
   Perturbations<R> perturbations{ring, rules};
+  engine::Dependents<R> dependents{boundary, rules, perturbations};
   Effort effort;
-  Lifts<R> lifts{ring, boundary, rules, perturbations, effort};
+  Lifts<R> lifts{ring, boundary, rules, perturbations, dependents, effort};
   Memos<R> memos{ring, rules, perturbations, lifts, effort};
 
   ChainOfS<R> rewrite(const ChainOfS<R>& symbols) {
