@@ -51,6 +51,9 @@ TEMPLATE_TEST_CASE("Dependents: no lift that has a generator is missed, through 
   std::vector<Mark> marks;
   for (int step = 0; step < 60; ++step) {
     const GeneratorId next = live.b.size();
+    if (all.size() == 0) {
+      break;
+    }
     if (next == all.size() || (!marks.empty() && live.random.one_in(4))) {
       const auto back = static_cast<std::size_t>(live.random.in(0, static_cast<int>(marks.size()) - 1));
       live.rules.undo(marks[back].rules);
