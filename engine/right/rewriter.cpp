@@ -34,27 +34,32 @@ void Rewriter<R>::append(int degree) {
 template <Ring R>
 typename Perturbations<R>::Reached Rewriter<R>::lifts_with(std::span<const GeneratorId> changed, Symbol first) {
   constexpr std::uint64_t terms_of_a_lift = 16;  // that are read for a small symbol, at least
-  std::vector<bool> is_counted(small_counts().size());
+  constexpr std::uint64_t few = 4;               // small symbols: not worth a search
+  static_assert(ops::largest_dimension + 1 < 64);
+  std::uint64_t degrees = 0;  // a bit each
   std::uint64_t candidates = 0;
   for (const GeneratorId generator : changed) {
-    const auto degree = static_cast<std::size_t>(rules_.degree(rules_.symbol_of(generator)));
-    candidates += is_counted[degree] ? 0 : small_counts()[degree];
-    is_counted[degree] = true;
+    const int degree = rules_.degree(rules_.symbol_of(generator));
+    candidates += (degrees >> degree & 1U) != 0 ? 0 : small_counts()[static_cast<std::size_t>(degree)];
+    degrees |= std::uint64_t{1} << degree;
   }
-  if (!dependents_.is_kept()) {
-    looked_at_ += candidates;
-    if (terms_of_a_lift * looked_at_ < dependents_.size_of_backlog()) {
-      return std::nullopt;
+  if (dependents_.is_kept()) {
+    for (const GeneratorId generator : changed) {
+      boundary_.for_each_in_column(generator, [&](const sparse::Term<R, GeneratorId>& term) {
+        if (const Symbol z = rules_.symbol_of(term.index); z >= first) {
+          dependents_.gain_boundary(z, rules_.symbol_of(generator));
+        }
+      });
     }
   }
-  dependents_.catch_up();
-  for (const GeneratorId generator : changed) {
-    boundary_.for_each_in_column(generator, [&](const sparse::Term<R, GeneratorId>& term) {
-      if (const Symbol z = rules_.symbol_of(term.index); z >= first) {
-        dependents_.gain_boundary(z, rules_.symbol_of(generator));
-      }
-    });
+  if (candidates <= few) {
+    return std::nullopt;
   }
+  looked_at_ += candidates;
+  if (!dependents_.is_kept() && terms_of_a_lift * looked_at_ < dependents_.size_of_backlog()) {
+    return std::nullopt;
+  }
+  dependents_.catch_up();
   return dependents_.lifts_with(changed, terms_of_a_lift * (candidates + 1));
 }
 
