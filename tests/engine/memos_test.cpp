@@ -159,7 +159,7 @@ TEST_CASE("Memos: work that a budget cuts off is forgotten, and what comes after
   Rewriting<Integers> live{Integers{}};
   make_chain(live, 100);
   const auto mark = live.mark();
-  live.effort.set_budget(GENERATE(0, 1, 50, 150, 250));
+  live.effort.set_budget(GENERATE(0U, 1U, 50U, 150U, 250U));
   CHECK_THROWS_AS(live.rewrite({{0, 1}, {50, 1}}), engine::OverBudget);
   live.memos.drop_work();
   live.effort.set_budget(UINT64_MAX);
