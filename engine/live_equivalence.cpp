@@ -6,6 +6,7 @@
 #include "engine/audit.hpp"
 #include "engine/left/new_family.hpp"
 #include "engine/left/small_of_body.hpp"
+#include "ops/cells/cell_order.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::engine {
@@ -13,14 +14,6 @@ namespace sesame::engine {
 using sparse::expects;
 
 namespace {
-
-/// By dimension and age: an order that no query changes.
-void sort_cells(const Structure& structure, std::vector<CellId>& cells) {
-  std::sort(cells.begin(), cells.end(), [&structure](CellId a, CellId b) {
-    const int p = structure.dimension(a), q = structure.dimension(b);
-    return p != q ? p < q : structure.lazy().is_older(structure.forest().oldest(a), structure.forest().oldest(b));
-  });
-}
 
 /// The cells of the object, lazy ones written out.
 std::vector<CellId> cells_of_object(const Structure& structure) {
@@ -30,7 +23,7 @@ std::vector<CellId> cells_of_object(const Structure& structure) {
   for (const std::vector<CellId>& of_degree : basis.generators()) {
     cells.insert(cells.end(), of_degree.begin(), of_degree.end());
   }
-  sort_cells(structure, cells);
+  ops::sort_by_dimension_and_age(structure, cells);
   return cells;
 }
 
@@ -77,7 +70,7 @@ std::vector<CellId> LiveEquivalence<R>::current_cells() const {
   for (CellId c = window_.begin().created; c < structure_.cells().size(); ++c) {
     add(c);
   }
-  sort_cells(structure_, cells);
+  ops::sort_by_dimension_and_age(structure_, cells);
   return cells;
 }
 

@@ -19,11 +19,10 @@ namespace sesame::sparse {
 /// 2. *Determinant of B.* The denominator d of the solution of B x = b divides the largest invariant factor of B, hence
 ///    delta = |det B| / d is a whole number; floating-point bounds of |det B| that leave one such number prove it.
 ///    Where they do not, the determinant is found modulo enough primes for Hadamard's bound.
-/// 3. *Primes that do not divide delta.* There the cokernel of B is cyclic, of the order c that d has without the
-/// primes
-///    of delta, and x generates what is dual to it, the fractions x modulo Z^k with B x integral. Those which are
-///    integral on the further rows as well are the torsion of the columns of B: x times the order of their values
-///    there. The further columns are the boundaries of Y, and kill a subgroup of it, whose order is the common
+/// 3. *Primes that do not divide delta.* There the cokernel of B is cyclic, of the order c that d has without
+///    the primes of delta, and x generates what is dual to it, the fractions x modulo Z^k with B x integral. Those
+///    which are integral on the further rows as well are the torsion of the columns of B: x times the order of their
+///    values there. The further columns are the boundaries of Y, and kill a subgroup of it, whose order is the common
 ///    denominator of Y.
 /// 4. *Primes p of delta.* The torsion divides the power p^e in det B, so an elimination modulo p^(e+1) tells its
 ///    p-part.

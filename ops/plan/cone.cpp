@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "ops/cells/cell_order.hpp"
 #include "ops/cells/name_text.hpp"
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
@@ -91,11 +92,7 @@ Result<std::vector<CellId>> coned_cells(const std::optional<std::vector<BodyId>>
     }
     coned = std::move(*listed);
   }
-  std::sort(coned.begin(), coned.end(), [&](CellId a, CellId b) {
-    const int p = structure.dimension(a);
-    const int q = structure.dimension(b);
-    return p != q ? p < q : structure.lazy().is_older(structure.forest().oldest(a), structure.forest().oldest(b));
-  });
+  sort_by_dimension_and_age(structure, coned);
   return coned;
 }
 
@@ -234,8 +231,7 @@ Status plan_written_cones(std::span<const std::string> apexes, const std::vector
   return Done{};
 }
 
-// -------------------------------------------------------------------------------------------------- cones that are
-// lazy
+// ------------------------------------------------------------------------------------------------ cones that are lazy
 
 Status plan_lazy_cone(const std::string& apex, const std::vector<BodyId>& bodies, const Structure& structure,
                       Plan& plan) {
