@@ -94,14 +94,16 @@ class Run {
 
   Outcome begin_log(ops::Header header, const sparse::AnyRing& ring) {
     header.ring = sparse::ring_name(ring);
-    return write_to_log(ops::to_text(header));
+    return write_to_log(header);
   }
 
-  Outcome write_to_log(const std::string& line) {
+  /// A header or an operation.
+  template <class Said>
+  Outcome write_to_log(const Said& said) {
     if (options_.log == nullptr) {
       return Outcome::done;
     }
-    *options_.log << line << '\n' << std::flush;
+    *options_.log << ops::to_text(said) << '\n' << std::flush;
     return *options_.log ? Outcome::done : Outcome::wrong_usage;
   }
 
@@ -171,7 +173,7 @@ class Run {
     }
     ++steps_;
     already_ += report->already;
-    if (const Outcome logged = write_to_log(ops::to_text(engine.log().back())); logged != Outcome::done) {
+    if (const Outcome logged = write_to_log(engine.log().back()); logged != Outcome::done) {
       return logged;
     }
     const bool is_due = options_.every > 0 && steps_ % options_.every == 0 &&

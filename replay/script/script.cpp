@@ -70,7 +70,7 @@ Result<std::optional<ops::Operation>> ScriptReader::next() {
   if (!*line) {
     return std::optional<ops::Operation>{};
   }
-  Result<ops::Operation> operation = ops::parse_operation(**line);
+  Result<ops::Operation> operation = reader_.read(**line);
   if (!operation) {
     return Error{operation.error().code, place() + operation.error().what};
   }

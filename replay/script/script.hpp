@@ -9,6 +9,7 @@
 #include <string>
 
 #include "ops/vocabulary/operation.hpp"
+#include "ops/vocabulary/operation_reader.hpp"
 #include "replay/text/line_source.hpp"
 #include "sparse/result.hpp"
 
@@ -35,6 +36,7 @@ class ScriptReader {
   Result<std::optional<std::string_view>> next_object();
 
   LineSource lines_;
+  ops::OperationReader reader_;
 };
 
 /// The number of operations in a script, its object lines but the header, or `most` when there are more.

@@ -1,0 +1,353 @@
+#include "ops/vocabulary/operation_reader.hpp"
+
+#include <simdjson.h>
+
+#include <string>
+#include <utility>
+
+namespace sesame::ops {
+namespace {
+
+namespace json = simdjson::ondemand;
+
+/// What is wrong with a line, or only rare in one: somebody else is to read it.
+struct LeftToOthers {};
+
+template <class T>
+T got(simdjson::simdjson_result<T> result) {
+  T value;
+  if (std::move(result).get(value) != simdjson::SUCCESS) {
+    throw LeftToOthers{};
+  }
+  return value;
+}
+
+void require(bool condition) {
+  if (!condition) {
+    throw LeftToOthers{};
+  }
+}
+
+/// Calls take(item) for each of a list.
+template <class Take>
+void each(json::value value, Take take) {
+  for (auto item : got(value.get_array())) {
+    take(got(std::move(item)));
+  }
+}
+
+/// Calls take(name, value) for each field of an object; take says which field it was, and no field comes twice.
+template <class Take>
+void each_field(json::object object, Take take) {
+  unsigned met = 0;
+  for (auto entry : object) {
+    json::field field = got(std::move(entry));
+    const std::string_view name = got(field.unescaped_key());
+    const unsigned bit = 1U << take(name, field.value());
+    require((met & bit) == 0);
+    met |= bit;
+  }
+}
+
+std::string text(json::value value) { return std::string{got(value.get_string())}; }
+
+/// From `least` on, and no dimension out of reach: see Fields::small.
+int small(json::value value, int least) {
+  const std::int64_t n = got(value.get_int64());
+  require(n >= least && n <= 1'000'000);
+  return static_cast<int>(n);
+}
+
+/// An integer is read as one, so that -0 is 0, as a number is everywhere else.
+double number(json::value value) {
+  return got(value.is_integer()) ? static_cast<double>(got(value.get_int64())) : got(value.get_double());
+}
+
+Point point(json::value value) {
+  Point p{};
+  std::size_t k = 0;
+  each(value, [&](json::value coordinate) {
+    require(k < p.size());
+    p.at(k++) = number(coordinate);
+  });
+  require(k >= 2);
+  return p;
+}
+
+std::vector<std::string> texts(json::value value) {
+  std::vector<std::string> list;
+  each(value, [&](json::value item) { list.push_back(text(item)); });
+  return list;
+}
+
+/// Calls read(name, value) for each field of an operation but the first, its "op"; it answers its number, from 1 on.
+template <class Read>
+void each_field_but_op(json::object object, Read read) {
+  each_field(object, [&](std::string_view name, json::value value) { return name == "op" ? 0U : read(name, value); });
+}
+
+MakeSimplex read_simplex(json::object object) {
+  MakeSimplex op;
+  op.dimension = -1;
+  bool is_named = false;
+  each_field_but_op(object, [&](std::string_view name, json::value value) -> unsigned {
+    if (name == "name") {
+      op.name = text(value);
+      is_named = true;
+      return 1;
+    }
+    if (name == "dim") {
+      op.dimension = small(value, 0);
+      return 2;
+    }
+    require(name == "at");
+    each(value, [&](json::value item) { op.at.push_back(point(item)); });
+    require(!op.at.empty());
+    return 3;
+  });
+  require(is_named && op.dimension >= 0);
+  require(op.at.empty() || op.at.size() == static_cast<std::size_t>(op.dimension) + 1);
+  return op;
+}
+
+MakeComplex::Cell read_cell(json::value item) {
+  MakeComplex::Cell cell;
+  bool is_named = false;
+  each_field(got(item.get_object()), [&](std::string_view name, json::value value) -> unsigned {
+    if (name == "id") {
+      cell.id = text(value);
+      is_named = true;
+      return 0;
+    }
+    if (name == "type") {
+      CellType& type = cell.type.emplace();
+      each(value, [&](json::value a) { type.push_back(small(a, 1)); });
+      return 1;
+    }
+    if (name == "faces") {
+      cell.faces = texts(value);
+      return 2;
+    }
+    require(name == "at");
+    cell.at = point(value);
+    return 3;
+  });
+  require(is_named && (!cell.at || cell.faces.empty()));
+  return cell;
+}
+
+MakeComplex read_complex(json::object object) {
+  MakeComplex op;
+  unsigned met = 0;
+  each_field_but_op(object, [&](std::string_view name, json::value value) -> unsigned {
+    ++met;
+    if (name == "name") {
+      op.name = text(value);
+      return 1;
+    }
+    require(name == "cells");
+    each(value, [&](json::value item) { op.cells.push_back(read_cell(item)); });
+    return 2;
+  });
+  require(met == 2);
+  return op;
+}
+
+/// [2,0,1] for a simplex, a list of such lists for a simploid: one for each component.
+Identify::Map vertex_map(json::value value) {
+  Identify::Map map;
+  bool is_one_component = false;
+  each(value, [&](json::value item) {
+    const bool is_list = got(item.type()) == json::json_type::array;
+    if (map.empty() && !is_list) {
+      is_one_component = true;
+      map.emplace_back();
+    }
+    require(is_list != is_one_component);
+    if (is_list) {
+      std::vector<int>& component = map.emplace_back();
+      each(item, [&](json::value vertex) { component.push_back(small(vertex, 0)); });
+    } else {
+      map.back().push_back(small(item, 0));
+    }
+  });
+  require(!map.empty());
+  return map;
+}
+
+Identify read_identify(json::object object) {
+  Identify op;
+  bool has_pairs = false;
+  each_field_but_op(object, [&](std::string_view name, json::value value) -> unsigned {
+    require(name == "pairs");
+    has_pairs = true;
+    each(value, [&](json::value item) {
+      std::pair<std::string, std::string> pair;
+      unsigned parts = 0;
+      each(item, [&](json::value part) {
+        require(parts < 3);
+        if (parts == 2) {
+          op.maps.emplace(op.pairs.size(), vertex_map(part));
+        } else {
+          (parts == 0 ? pair.first : pair.second) = text(part);
+        }
+        ++parts;
+      });
+      require(parts >= 2);
+      op.pairs.push_back(std::move(pair));
+    });
+    return 1;
+  });
+  require(has_pairs);
+  return op;
+}
+
+Deidentify::Split read_split(json::object object) {
+  Deidentify::Split split;
+  unsigned met = 0;
+  each_field(object, [&](std::string_view name, json::value value) -> unsigned {
+    ++met;
+    if (name == "cell") {
+      split.cell = text(value);
+      return 0;
+    }
+    if (name == "as") {
+      split.copy = text(value);
+      return 1;
+    }
+    require(name == "moves");
+    each(value, [&](json::value item) {
+      std::pair<std::string, std::int64_t> move;
+      unsigned parts = 0;
+      each(item, [&](json::value part) {
+        require(parts < 2);
+        if (parts++ == 0) {
+          move.first = text(part);
+        } else {
+          move.second = small(part, 0);
+        }
+      });
+      require(parts == 2);
+      split.moves.push_back(std::move(move));
+    });
+    return 2;
+  });
+  require(met == 3);
+  return split;
+}
+
+Deidentify read_deidentify(json::object object) {
+  Deidentify op;
+  bool has_splits = false;
+  each_field_but_op(object, [&](std::string_view name, json::value value) -> unsigned {
+    require(name == "split");
+    has_splits = true;
+    each(value, [&](json::value item) { op.splits.push_back(read_split(got(item.get_object()))); });
+    return 1;
+  });
+  require(has_splits);
+  return op;
+}
+
+std::string label(json::value value) {
+  return got(value.type()) == json::json_type::number ? std::to_string(got(value.get_uint64())) : text(value);
+}
+
+Insert read_insert(json::object object) {
+  Insert op;
+  const auto simplex = [&](json::value value) {
+    std::vector<std::string>& labels = op.simplices.emplace_back();
+    each(value, [&](json::value item) { labels.push_back(label(item)); });
+  };
+  bool is_one = false, is_list = false;
+  std::optional<bool> exist_ok;
+  each_field_but_op(object, [&](std::string_view name, json::value value) -> unsigned {
+    if (name == "simplex") {
+      is_one = true;
+      simplex(value);
+      return 1;
+    }
+    if (name == "simplices") {
+      is_list = true;
+      each(value, simplex);
+      return 2;
+    }
+    require(name == "exist_ok");
+    exist_ok = got(value.get_bool());
+    return 3;
+  });
+  require(is_one != is_list);
+  op.exist_ok = exist_ok.value_or(is_list);
+  return op;
+}
+
+Collapse read_collapse(json::object object) {
+  Collapse op;
+  unsigned met = 0;
+  each_field_but_op(object, [&](std::string_view name, json::value value) -> unsigned {
+    ++met;
+    const bool is_from = name == "from";
+    require(is_from || name == "to");
+    (is_from ? op.from : op.to) = label(value);
+    return is_from ? 1 : 2;
+  });
+  require(met == 2);
+  return op;
+}
+
+Operation read_operation(json::object object) {
+  const std::string_view op = got(got(object.find_field("op")).get_string());
+  (void)got(object.reset());
+  if (op == "simplex") {
+    return read_simplex(object);
+  }
+  if (op == "identify") {
+    return read_identify(object);
+  }
+  if (op == "insert") {
+    return read_insert(object);
+  }
+  if (op == "collapse") {
+    return read_collapse(object);
+  }
+  if (op == "deidentify") {
+    return read_deidentify(object);
+  }
+  require(op == "complex");
+  return read_complex(object);
+}
+
+}  // namespace
+
+struct OperationReader::Text {
+  simdjson::ondemand::parser parser;
+  std::string line;  ///< a copy with the room behind it that the parser wants
+};
+
+OperationReader::OperationReader() : text_{std::make_unique<Text>()} {}
+OperationReader::OperationReader(OperationReader&&) noexcept = default;
+OperationReader& OperationReader::operator=(OperationReader&&) noexcept = default;
+OperationReader::~OperationReader() = default;
+
+std::optional<Operation> OperationReader::read_common(std::string_view line) {
+  std::string& copy = text_->line;
+  copy.reserve(line.size() + simdjson::SIMDJSON_PADDING);
+  copy.assign(line);
+  try {
+    json::document document = got(text_->parser.iterate(copy.data(), copy.size(), copy.capacity()));
+    Operation operation = read_operation(got(document.get_object()));
+    require(document.current_location().error() == simdjson::OUT_OF_BOUNDS);  // nothing behind the object
+    return operation;
+  } catch (const LeftToOthers&) {
+    return std::nullopt;
+  }
+}
+
+Result<Operation> OperationReader::read(std::string_view line) {
+  if (std::optional<Operation> operation = read_common(line)) {
+    return *std::move(operation);
+  }
+  return parse_operation(line);
+}
+
+}  // namespace sesame::ops
