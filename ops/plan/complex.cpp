@@ -2,14 +2,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <functional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/step_names.hpp"
+#include "sparse/hash_index.hpp"
 
 namespace sesame::ops {
 namespace {
@@ -53,12 +54,20 @@ class ComplexPlanner {
                      fmt::format("cell {} of complex \"{}\" needs an id without white space or control characters",
                                  k + 1, operation_.name)};
       }
-      if (!index_.emplace(id, k).second) {
+      const std::uint64_t hash = hash_of(id);
+      if (find(id, hash) != none) {
         return Error{Errc::bad_input,
                      fmt::format("complex \"{}\" lists cell \"{}\" twice: ids must differ", operation_.name, id)};
       }
+      index_.insert(hash, k);
     }
     return Done{};
+  }
+
+  static std::uint64_t hash_of(std::string_view id) { return std::hash<std::string_view>{}(id); }
+  /// The number of the cell with an id, or none.
+  [[nodiscard]] std::uint32_t find(std::string_view id, std::uint64_t hash) const {
+    return index_.find(hash, [&](std::uint32_t k) { return operation_.cells[k].id == id; });
   }
 
   /// Places cell k after its faces. A face's type is checked before the face is placed: types lose a dimension with
@@ -95,17 +104,17 @@ class ComplexPlanner {
   /// Face f of cell k, placed.
   Result<CellId> place_face(std::uint32_t k, std::size_t f) {
     const std::string& id = operation_.cells[k].faces[f];
-    const auto at = index_.find(id);
-    if (at == index_.end()) {
+    const std::uint32_t face = find(id, hash_of(id));
+    if (face == none) {
       return Error{Errc::unknown_name, fmt::format("{} names a face \"{}\" that is not listed there", title(k), id)};
     }
-    if (Status s = check_face_type(k, f, at->second); !s) {
+    if (Status s = check_face_type(k, f, face); !s) {
       return s.error();
     }
-    if (Status s = place(at->second); !s) {
+    if (Status s = place(face); !s) {
       return s.error();
     }
-    return placed_[at->second];
+    return placed_[face];
   }
 
   /// The type of cell k as listed. Errors: a number of faces that no such cell has; a type out of all proportion.
@@ -181,7 +190,7 @@ class ComplexPlanner {
   CellId base_;
   const Limits& limits_;
   Plan& plan_;
-  std::unordered_map<std::string_view, std::uint32_t> index_;
+  sparse::HashIndex index_;       // of the listed cells, by id
   std::vector<CellId> placed_;    // per listed cell: its id in the plan
   std::vector<TypeId> declared_;  // per listed cell: its type
 };
