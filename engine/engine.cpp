@@ -188,7 +188,7 @@ Result<StepReport> Engine::construct(const ops::Operation& operation) {
   remember();
   workspace_.carry_out();
   report.events = journal.counts_since(begin);
-  report.rebased = equivalences_.extend();
+  report.rebased = equivalences_.extend(report.events[ops::EventKind::move]);
   report.after = ops::now(structure());
   const std::uint64_t after = total(cells());
   switch (report.kind) {
@@ -363,7 +363,7 @@ ops::Moment Engine::before_step(std::uint64_t n) const {
 }
 
 std::optional<std::string> Engine::first_defect() {
-  const std::vector<ops::Workspace::Step>& steps = workspace_.steps();
+  const sparse::GrowingArray<ops::Workspace::Step>& steps = workspace_.steps();
   return steps.empty() ? equivalences_.now().first_defect(ops::StepKind::nothing, {})
                        : equivalences_.now().first_defect(steps.back().kind, workspace_.before(steps.size() - 1));
 }

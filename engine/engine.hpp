@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "ops/plan/step_sequence.hpp"
 #include "ops/plan/workspace.hpp"
 #include "ops/vocabulary/operation.hpp"
+#include "sparse/growing_array.hpp"
 #include "sparse/result.hpp"
 #include "sparse/ring.hpp"
 
@@ -82,7 +84,7 @@ class Engine {
   /// The number of steps that can be undone: those applied, undos and the undone not counted.
   [[nodiscard]] std::uint64_t undoable() const { return workspace_.steps().size(); }
   /// Every operation that was applied, undos included, in order.
-  [[nodiscard]] const std::vector<ops::Operation>& log() const { return log_; }
+  [[nodiscard]] const std::deque<ops::Operation>& log() const { return log_; }
   void observe(Observer observer) { observers_.push_back(std::move(observer)); }
 
   // ---- state
@@ -156,8 +158,8 @@ class Engine {
   sparse::AnyRing ring_;
   ops::Workspace workspace_;
   Equivalences equivalences_;
-  std::vector<ops::Operation> log_;
-  std::vector<std::uint64_t> numbers_;  ///< in the log, from 1, of the steps that can be undone
+  std::deque<ops::Operation> log_;
+  sparse::GrowingArray<std::uint64_t> numbers_;  ///< in the log, from 1, of the steps that can be undone
   std::vector<Observer> observers_;
   bool is_broken_ = false;  ///< a step began and has not come to its end
 };

@@ -44,23 +44,26 @@ Equivalences::Equivalences(const sparse::AnyRing& ring, const ops::Structure& st
   parts_.push_back({make_tracker(ring, structure), 0, 0});
 }
 
-bool Equivalences::extend() {
-  const std::uint64_t splits_allowed = policy_.least_splits + cells_of(structure_.counts()) / policy_.cells_per_split;
+bool Equivalences::extend(std::uint64_t moves) {
+  const std::uint64_t cells = cells_of(structure_.counts());
+  const bool is_done_at_once =
+      moves > 0 && cells <= policy_.cells_begun_at_once + policy_.cells_per_move * std::min(moves, many);
+  const std::uint64_t splits_allowed = is_done_at_once ? 0 : policy_.least_splits + cells / policy_.cells_per_split;
   const std::uint64_t budget = budget_of(structure_.counts(), policy_);
-  const bool is_within_budget = now().extend(budget);
   const std::uint64_t copies = now().copies();
+  const bool is_within_budget = is_done_at_once || now().extend(budget);
   if (is_within_budget && (copies == 0 || copies < splits_allowed)) {
     return false;
   }
   const auto start = Clock::now();
   std::unique_ptr<HomologyTracker> next = now().afresh();
-  parts_.back().cells = cells_of(structure_.counts());
+  parts_.back().cells = cells;
   cells_kept_ += parts_.back().cells;
   begin_part(std::move(next));
   give_up_oldest();
   if (rebase_log().should_log(spdlog::level::info)) {
     const std::chrono::duration<double, std::micro> took = Clock::now() - start;
-    rebase_log().info("begun afresh from {} cells, as {}; took {:.1f} us", cells_of(structure_.counts()),
+    rebase_log().info("begun afresh from {} cells, as {}; took {:.1f} us", cells,
                       is_within_budget ? fmt::format("{} cells were split since the last time", copies)
                                        : fmt::format("the step would have read more than {} terms", budget),
                       took.count());

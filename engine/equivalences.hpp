@@ -15,7 +15,11 @@ namespace sesame::engine {
 struct RebasePolicy {
   // After so many splits since the last time: this many, and one more for so many cells of the object.
   std::uint64_t least_splits = 4;
-  std::uint64_t cells_per_split = 12;
+  std::uint64_t cells_per_split = 50;
+  // Whenever cells are split in an object of at most so many, and so many for each incidence that the step moves: that
+  // takes no longer than taking the split in.
+  std::uint64_t cells_begun_at_once = 64;
+  std::uint64_t cells_per_move = 20;
   // When a step after a split would cost more terms than this, and so many for each face of a cell of the object: about
   // what reducing it takes.
   std::uint64_t least_terms = 4096;
@@ -26,7 +30,7 @@ struct RebasePolicy {
   std::uint64_t objects_kept = 8;
 
   /// Never: every step is taken in by the equivalence of the whole history, whatever that costs.
-  [[nodiscard]] static RebasePolicy never() { return {UINT64_MAX / 2, 1, UINT64_MAX / 2, 1, 0, 0}; }
+  [[nodiscard]] static RebasePolicy never() { return {UINT64_MAX / 2, 1, 0, 0, UINT64_MAX / 2, 1, 0, 0}; }
 };
 
 /// A stack of trackers of one structure: the last describes the present, the others are as they were when the next took
@@ -37,7 +41,8 @@ struct RebasePolicy {
 /// So a *rebase* begins a tracker that knows only the present object:
 ///
 ///   when a step would cost more than reducing the object afresh, in terms that are read (its budget);
-///   when there have been so many splits since the last rebase that one more costs little beside them.
+///   when there have been so many splits since the last rebase that one more costs little beside them;
+///   at each split while the object is small, or not much larger than what the split moves.
 ///
 /// So a step costs at most O(object), and splits cost on average what they would near the beginning of a history. While
 /// there are no splits there is never a rebase.
@@ -51,9 +56,9 @@ class Equivalences {
   [[nodiscard]] HomologyTracker& now() { return *parts_.back().tracker; }
   [[nodiscard]] const HomologyTracker& now() const { return *parts_.back().tracker; }
 
-  /// Takes in what one step has changed; the moment before it is the last mark. True when that was a rebase:
-  /// representatives of classes may be others since.
-  bool extend();
+  /// Takes in what one step has changed; the moment before it is the last mark. `moves`: the incidences that it moved.
+  /// True when that was a rebase: representatives of classes may be others since.
+  bool extend(std::uint64_t moves);
   void push_mark();
   /// Goes back over the last `marks` marks, through any number of rebases; the structure has been truncated to that
   /// moment. Requires: there are so many.

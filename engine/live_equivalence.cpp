@@ -40,6 +40,7 @@ LiveEquivalence<R>::LiveEquivalence(R ring, Window window)
       chains_{ring, structure_, big_.maps(), rewriter_},
       classes_{ring, big_, rewriter_, chains_},
       position_{window_.start()} {
+  rewriter_.reserve(big_.size());
   for (GeneratorId generator = 0; generator < big_.size(); ++generator) {
     rewriter_.append(big_.degree(generator));
   }
@@ -60,6 +61,7 @@ std::vector<CellId> LiveEquivalence<R>::current_cells() const {
     return cells_of_object(structure_);
   }
   std::vector<CellId> cells;
+  cells.reserve(window_.cells().size() + (structure_.cells().size() - window_.begin().created));
   // Not all that were ever made: those that the window began with and those made in it.
   const auto add = [&](CellId c) {
     if (structure_.is_current(c)) {

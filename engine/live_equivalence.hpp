@@ -2,6 +2,7 @@
 /// The live form of the homological equivalence C <= B => S over one ring.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -74,7 +75,7 @@ class LiveEquivalence final : public HomologyTracker {
   Chains<R> chains_;
   Classes<R> classes_;
   ops::Journal::Position position_;  ///< of the journal: what has been taken in
-  std::vector<Mark> marks_;
+  std::deque<Mark> marks_;
 };
 
 /// A live equivalence over a ring chosen at run time.

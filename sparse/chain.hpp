@@ -30,6 +30,9 @@ struct Term {
   friend bool operator==(const Term&, const Term&) = default;
 };
 
+template <Ring R, class Id>
+inline constexpr bool is_relocatable<Term<R, Id>> = is_relocatable<typename R::Element>;
+
 /// Terms sorted by index, without repeats and without zero coefficients: the *normal form* of a sparse vector.
 template <Ring R, class Id = Index>
 using Terms = std::vector<Term<R, Id>>;

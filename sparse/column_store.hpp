@@ -11,6 +11,7 @@
 
 #include "sparse/chain.hpp"
 #include "sparse/entry_pool.hpp"
+#include "sparse/growing_array.hpp"
 
 namespace sesame::sparse {
 
@@ -76,6 +77,11 @@ class ColumnStore {
   /// Multiplies all entries. Requires: not by zero.
   void scale(const Element& a);
 
+  /// Makes room for columns and entries that are to be appended to an empty store. Says nothing but how fast that is.
+  void reserve(std::size_t columns, std::size_t entries) {
+    dense_.reserve(columns);
+    pool_.reserve(entries);
+  }
   /// Appends a stored column on the right. Cost O(|terms|), amortised over the directory of columns.
   void append_column(std::span<const TermType> terms);
   /// Appends columns that are not stored on the right. Cost O(1).
@@ -138,7 +144,7 @@ class ColumnStore {
   Index rows_;
   Index columns_;
   // The directory: columns below dense_.size() are in dense_, those from there on in hashed_ when they are stored.
-  std::vector<Column> dense_;
+  GrowingArray<Column> dense_;
   std::unordered_map<Id, Column> hashed_;
   std::vector<Link> links_;
   std::uint32_t free_link_ = no_link;  ///< links out of use form a list

@@ -200,7 +200,7 @@ void ColumnStore<R, Id>::settle_directory() {
         hashed_.emplace(Id{j}, dense_[j]);
       }
     }
-    std::vector<Column>{}.swap(dense_);
+    GrowingArray<Column>{}.swap(dense_);
   } else if (dense_.capacity() / 4 > dense_.size() + 16) {
     dense_.shrink_to_fit();
   }

@@ -39,6 +39,11 @@ class EntryPool {
     return position;
   }
 
+  /// The next block has room for so many entries, if that is no more than blocks have.
+  void reserve(std::size_t entries) {
+    least_block_ = static_cast<std::uint32_t>(std::clamp<std::size_t>(entries, least_block_, block_size));
+  }
+
   /// Gives a run back. The room of the youngest run is free at once; that of others counts as `wasted` until the pool
   /// is dropped. Cost O(count) for elements that own memory, otherwise O(1).
   void release(Position position, std::uint32_t count) {
@@ -62,6 +67,7 @@ class EntryPool {
     bases_.swap(other.bases_);
     blocks_.swap(other.blocks_);
     std::swap(wasted_, other.wasted_);
+    std::swap(least_block_, other.least_block_);
   }
 
  private:
@@ -78,7 +84,7 @@ class EntryPool {
   };
 
   void add_block(std::uint32_t count) {
-    const std::uint32_t grown = blocks_.empty() ? first_block_size : std::min(block_size, 2 * blocks_.back().capacity);
+    const std::uint32_t grown = blocks_.empty() ? least_block_ : std::min(block_size, 2 * blocks_.back().capacity);
     const std::uint32_t capacity = std::max(grown, count);
     const std::size_t numbers = (std::size_t{capacity} + block_size - 1) / block_size;
     expects(bases_.size() + numbers <= max_blocks, "EntryPool: a matrix holds fewer than 2^32 entries");
@@ -94,6 +100,7 @@ class EntryPool {
   std::vector<Entry*> bases_;  ///< per block number
   std::vector<Block> blocks_;
   std::size_t wasted_ = 0;
+  std::uint32_t least_block_ = first_block_size;
 };
 
 }  // namespace sesame::sparse

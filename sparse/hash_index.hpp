@@ -2,8 +2,11 @@
 /// A hash table from keys that are kept elsewhere to 32-bit numbers.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace sesame::sparse {
@@ -17,7 +20,8 @@ namespace sesame::sparse {
 }
 
 /// Numbers below 2^32 - 1, each under a 64-bit hash. Two numbers may have one hash: the caller compares the keys.
-/// Open addressing with linear probing; one word an entry, and no marks of what was erased.
+/// Open addressing with linear probing; one word an entry, and no marks of what was erased. From many numbers on there
+/// are many tables, of which one grows at a time: no insertion waits for all of them to be moved.
 /// Cost of every operation: O(1) expected, for hashes whose upper halves are spread (nobody chose the keys for theirs
 /// not to be).
 class HashIndex {
@@ -29,12 +33,13 @@ class HashIndex {
   /// The number under a hash for which is_it(number) holds, or `nothing`.
   template <class IsIt>
   [[nodiscard]] std::uint32_t find(std::uint64_t hash, IsIt&& is_it) const {
-    if (entries_.empty()) {
+    const Table& table = table_of(hash);
+    if (table.entries.empty()) {
       return nothing;
     }
     const std::uint64_t tag = hash & tag_mask;
-    for (std::size_t at = home(hash);; at = (at + 1) & mask_) {
-      const std::uint64_t entry = entries_[at];
+    for (std::size_t at = table.home(hash);; at = (at + 1) & table.mask) {
+      const std::uint64_t entry = table.entries[at];
       if (entry == empty) {
         return nothing;
       }
@@ -44,60 +49,103 @@ class HashIndex {
     }
   }
 
+  /// Makes room for so many numbers, so that none of them has a table grow, unless there are many.
+  void reserve(std::size_t numbers) {
+    if (tables_.empty() && numbers > only_.size) {
+      only_.rebuild(room_for(std::min(numbers, most_in_one_table)));
+    }
+  }
+
   /// Requires: the number is not there under this hash.
   void insert(std::uint64_t hash, std::uint32_t number) {
-    if (2 * (size_ + 1) > entries_.size()) {
-      grow();
+    if (tables_.empty() && size_ == most_in_one_table) {
+      divide();
     }
-    place((hash & tag_mask) | number);
+    table_of(hash).insert((hash & tag_mask) | number);
     ++size_;
   }
 
   /// Requires: the number is there under this hash.
   void erase(std::uint64_t hash, std::uint32_t number) {
+    Table& table = table_of(hash);
+    std::vector<std::uint64_t>& entries = table.entries;
     const std::uint64_t wanted = (hash & tag_mask) | number;
-    std::size_t hole = home(hash);
-    while (entries_[hole] != wanted) {
-      hole = (hole + 1) & mask_;
+    std::size_t hole = table.home(hash);
+    while (entries[hole] != wanted) {
+      hole = (hole + 1) & table.mask;
     }
     // Entries after the hole move into it unless that would put them before their home.
-    for (std::size_t at = (hole + 1) & mask_; entries_[at] != empty; at = (at + 1) & mask_) {
-      if (((at - home(entries_[at])) & mask_) >= ((at - hole) & mask_)) {
-        entries_[hole] = entries_[at];
+    for (std::size_t at = (hole + 1) & table.mask; entries[at] != empty; at = (at + 1) & table.mask) {
+      if (((at - table.home(entries[at])) & table.mask) >= ((at - hole) & table.mask)) {
+        entries[hole] = entries[at];
         hole = at;
       }
     }
-    entries_[hole] = empty;
+    entries[hole] = empty;
+    --table.size;
     --size_;
   }
 
  private:
   static constexpr std::uint64_t tag_mask = 0xffffffff00000000U;
   static constexpr std::uint64_t empty = UINT64_MAX;
+  static constexpr std::size_t least_entries = 16;
+  static constexpr unsigned table_bits = 8;
+  static constexpr std::size_t most_in_one_table = std::size_t{1} << 16;
 
-  [[nodiscard]] std::size_t home(std::uint64_t hash) const { return (hash >> 32) & mask_; }
+  struct Table {
+    std::vector<std::uint64_t> entries;  ///< upper half of the hash, number
+    std::size_t mask = 0;
+    std::size_t size = 0;
 
-  void place(std::uint64_t entry) {
-    std::size_t at = home(entry);
-    while (entries_[at] != empty) {
-      at = (at + 1) & mask_;
+    [[nodiscard]] std::size_t home(std::uint64_t hash) const { return (hash >> 32) & mask; }
+    void place(std::uint64_t entry) {
+      std::size_t at = home(entry);
+      while (entries[at] != empty) {
+        at = (at + 1) & mask;
+      }
+      entries[at] = entry;
     }
-    entries_[at] = entry;
-  }
+    void insert(std::uint64_t entry) {
+      if (2 * (size + 1) > entries.size()) {
+        rebuild(std::max(least_entries, 2 * entries.size()));
+      }
+      place(entry);
+      ++size;
+    }
+    /// Requires: a power of two, and room for all.
+    void rebuild(std::size_t slots) {
+      std::vector<std::uint64_t> old(slots, empty);
+      old.swap(entries);
+      mask = slots - 1;
+      for (const std::uint64_t entry : old) {
+        if (entry != empty) {
+          place(entry);
+        }
+      }
+    }
+  };
 
-  void grow() {
-    std::vector<std::uint64_t> old(entries_.empty() ? 16 : 2 * entries_.size(), empty);
-    old.swap(entries_);
-    mask_ = entries_.size() - 1;
-    for (const std::uint64_t entry : old) {
+  [[nodiscard]] static std::size_t room_for(std::size_t numbers) {
+    return std::max(least_entries, std::bit_ceil(2 * numbers));
+  }
+  [[nodiscard]] const Table& table_of(std::uint64_t hash) const {
+    return tables_.empty() ? only_ : tables_[hash >> (64U - table_bits)];
+  }
+  [[nodiscard]] Table& table_of(std::uint64_t hash) { return const_cast<Table&>(std::as_const(*this).table_of(hash)); }
+
+  /// From one table to many.
+  void divide() {
+    tables_.resize(std::size_t{1} << table_bits);
+    for (const Table all = std::exchange(only_, {}); const std::uint64_t entry : all.entries) {
       if (entry != empty) {
-        place(entry);
+        table_of(entry).insert(entry);
       }
     }
   }
 
-  std::vector<std::uint64_t> entries_;  ///< upper half of the hash, number
-  std::size_t mask_ = 0;
+  Table only_;                 ///< as long as there are no others
+  std::vector<Table> tables_;  ///< by the highest bits of the hash
   std::size_t size_ = 0;
 };
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "sparse/contract.hpp"
+#include "sparse/growing_array.hpp"
 
 namespace sesame::sparse {
 
@@ -136,6 +137,10 @@ class Integer {
 
   std::int64_t word_ = 0;
 };
+
+/// Its word or the address that it has are all there is.
+template <>
+inline constexpr bool is_relocatable<Integer> = true;
 
 [[nodiscard]] Integer abs(const Integer& a);
 

@@ -71,6 +71,9 @@ class Rational {
   Integer denominator_ = 1;
 };
 
+template <>
+inline constexpr bool is_relocatable<Rational> = true;
+
 [[nodiscard]] Rational abs(const Rational& a);
 
 }  // namespace sesame::sparse

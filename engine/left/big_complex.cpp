@@ -17,6 +17,8 @@ BigComplex<R>::BigComplex(R ring, const Window& window)
       families_{ring, window, shifts_},
       maps_{ring, window, generators_, shifts_, families_},
       boundary_(ring, 0, 0) {
+  generators_.reserve(window_.cells().size());
+  boundary_.reserve(window_.cells().size(), 2 * window_.cells().size());
   for (const CellId cell : window_.cells()) {
     begin_column();
     window_.for_each_first_face(cell, [this](CellId face, int sign) {

@@ -7,6 +7,7 @@
 
 #include "engine/left/window.hpp"
 #include "engine/right/symbol.hpp"
+#include "sparse/growing_array.hpp"
 
 namespace sesame::engine {
 
@@ -57,6 +58,11 @@ class Generators {
   [[nodiscard]] CellId cells() const { return window_.begin().created + of_cell_.size(); }
   [[nodiscard]] LinkId links() const { return window_.begin().links + of_link_.size(); }
 
+  /// Makes room for the cells of the window's beginning.
+  void reserve(std::size_t count) {
+    origin_.reserve(count);
+    kind_and_degree_.reserve(count);
+  }
   /// The next cell of the window's beginning; the next node that a step made; the next removal; a generator of a
   /// family. All return the generator.
   GeneratorId append_first(CellId cell) { return append(Kind::cell, cell, structure_.dimension(cell)); }
@@ -91,9 +97,9 @@ class Generators {
 
   const Window& window_;
   const Structure& structure_;
-  std::vector<std::uint32_t> origin_;  ///< per generator: a cell, a link, or a family
-  std::vector<std::uint8_t> kind_and_degree_;
-  std::vector<GeneratorId> of_cell_, of_link_;  ///< of those made in the window
+  sparse::GrowingArray<std::uint32_t> origin_;  ///< per generator: a cell, a link, or a family
+  sparse::GrowingArray<std::uint8_t> kind_and_degree_;
+  sparse::GrowingArray<GeneratorId> of_cell_, of_link_;  ///< of those made in the window
   std::vector<std::uint32_t> counts_;
 };
 

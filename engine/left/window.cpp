@@ -9,6 +9,12 @@ namespace sesame::engine {
 Window::Window(const Structure& structure, std::vector<CellId> cells)
     : structure_{&structure}, begin_{structure.now()}, start_{structure.journal().end()}, cells_{std::move(cells)} {
   places_.reserve(cells_.size());
+  std::size_t faces_in_all = 0;
+  for (const CellId cell : cells_) {
+    faces_in_all += structure.faces().of(cell).size();
+  }
+  faces_.reserve(faces_in_all);
+  signs_.reserve(faces_in_all);
   first_face_.reserve(cells_.size() + 1);
   first_face_.push_back(0);
   first_coface_.assign(cells_.size() + 1, 0);
@@ -20,13 +26,13 @@ Window::Window(const Structure& structure, std::vector<CellId> cells)
       faces_.push_back(face);
       signs_.push_back(static_cast<std::int8_t>(sign));
       if (face != ops::none) {
-        const auto place = places_.find(face);
-        sparse::expects(place != places_.end(), "each cell comes after its faces");
-        ++first_coface_[place->second + 1];
+        const std::uint32_t place = find_place(face);
+        sparse::expects(place != ops::none, "each cell comes after its faces");
+        ++first_coface_[place + 1];
       }
     }
     first_face_.push_back(static_cast<std::uint32_t>(faces_.size()));
-    places_.emplace(cell, at);
+    places_.insert(hash_of(cell), at);
   }
   std::partial_sum(first_coface_.begin(), first_coface_.end(), first_coface_.begin());
   cofaces_.resize(first_coface_.back());
@@ -34,7 +40,7 @@ Window::Window(const Structure& structure, std::vector<CellId> cells)
   for (std::uint32_t at = 0; at < cells_.size(); ++at) {
     for (std::uint32_t k = first_face_[at]; k < first_face_[at + 1]; ++k) {
       if (faces_[k] != ops::none) {
-        cofaces_[next[places_.at(faces_[k])]++] = {cells_[at], k - first_face_[at]};
+        cofaces_[next[place(faces_[k])]++] = {cells_[at], k - first_face_[at]};
       }
     }
   }

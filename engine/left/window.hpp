@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "ops/cells/structure.hpp"
+#include "sparse/hash_index.hpp"
 
 namespace sesame::engine {
 
@@ -38,8 +38,8 @@ class Window {
   /// The cells that the object had at the beginning, as far as it was not empty.
   [[nodiscard]] const std::vector<CellId>& cells() const { return cells_; }
   /// The place of one of them in that list.
-  [[nodiscard]] std::uint32_t place(CellId first_cell) const { return places_.at(first_cell); }
-  [[nodiscard]] bool is_cell_of_beginning(CellId c) const { return places_.contains(c); }
+  [[nodiscard]] std::uint32_t place(CellId first_cell) const { return find_place(first_cell); }
+  [[nodiscard]] bool is_cell_of_beginning(CellId c) const { return find_place(c) != ops::none; }
   /// Whether a node that the window knows was there at the beginning.
   [[nodiscard]] bool is_first(CellId c) const { return begin_.knew(c); }
 
@@ -127,11 +127,16 @@ class Window {
   [[nodiscard]] bool is_lazy(CellId c) const { return !is_first(c) && structure_->lazy().is_lazy(c); }
 
  private:
+  static std::uint64_t hash_of(CellId c) { return sparse::spread_bits(c); }
+  [[nodiscard]] std::uint32_t find_place(CellId c) const {
+    return places_.find(hash_of(c), [&](std::uint32_t at) { return cells_[at] == c; });
+  }
+
   const Structure* structure_;
   ops::Moment begin_;
   ops::Journal::Position start_ = 0;
   std::vector<CellId> cells_;
-  std::unordered_map<CellId, std::uint32_t> places_;
+  sparse::HashIndex places_;  ///< in `cells_`, by cell
   // Per cell of the beginning, by place: its faces, `none` for a degenerate one; and who has it as a face.
   std::vector<std::uint32_t> first_face_;
   std::vector<CellId> faces_;

@@ -1,6 +1,7 @@
 #include "engine/right/memos.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace sesame::engine {
 
@@ -49,18 +50,16 @@ void Memos<R>::bring_up_to_date(RuleId rule) {
   }
 }
 
-/// The memo of a rule, to be written: as it was, it is remembered for undo.
+/// The terms of the memo of a rule, to be written: as it was, it is remembered for undo.
 template <Ring R>
-typename Memos<R>::Memo& Memos<R>::writable(RuleId rule) {
+Terms<R, Symbol>& Memos<R>::writable(RuleId rule) {
   Memo& memo = memos_[rule];
-  if (memo.epoch != epoch_) {
-    before_.emplace_back(rule, std::move(memo));
-    memo = Memo{};
-    memo.perturbed = before_.back().second.perturbed;
-    memo.epoch = epoch_;
+  if (memo.written == nullptr || memo.written->epoch != epoch_) {
+    auto fresh = std::make_unique<typename Memo::Written>();
+    fresh->epoch = epoch_;
+    before_.emplace_back(rule, Memo{0, memo.perturbed, std::exchange(memo.written, std::move(fresh))});
   }
-  memo.written = true;
-  return memo;
+  return memo.written->terms;
 }
 
 template <Ring R>
@@ -68,19 +67,19 @@ void Memos<R>::update(RuleId rule) {
   for (const auto& [x, coefficient] : terms(rule)) {
     add_rewritten(x, coefficient);
   }
-  sum_.finish(writable(rule).terms);
+  sum_.finish(writable(rule));
 }
 
 /// What a memo says of rules that have been perturbed since is void: it begins again from the value of its own rule.
 template <Ring R>
 void Memos<R>::refresh(RuleId rule) {
   lifts_.take_in(rule);
-  if (memos_[rule].written || !perturbations_.gain(rule).empty()) {
+  if (memos_[rule].written != nullptr || !perturbations_.gain(rule).empty()) {
     Terms<R, Symbol> value;
     perturbations_.for_each_in_value(rule, [&value](Symbol x, const Element& coefficient) {
       value.push_back({x, coefficient});
     });
-    writable(rule).terms = std::move(value);
+    writable(rule) = std::move(value);
   }
   memos_[rule].perturbed = perturbations_.last(rule);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -12,6 +13,30 @@
 #include "engine/right/perturbations.hpp"
 #include "engine/right/rules.hpp"
 #include "sparse/accumulator.hpp"
+#include "sparse/growing_array.hpp"
+
+namespace sesame::engine {
+
+/// What is kept of a rule that was read. Without anything written, its value stands.
+template <Ring R>
+struct RewritingMemo {
+  struct Written {
+    Terms<R, Symbol> terms;
+    std::uint32_t epoch = 0;  ///< in which that was
+  };
+  std::uint64_t checked = 0;    ///< the version at which it was known to be in small symbols only
+  std::uint64_t perturbed = 0;  ///< the serial number of the last perturbation that it takes into account
+  std::unique_ptr<Written> written;
+};
+
+}  // namespace sesame::engine
+
+namespace sesame::sparse {
+
+template <Ring R>
+inline constexpr bool is_relocatable<engine::RewritingMemo<R>> = true;
+
+}  // namespace sesame::sparse
 
 namespace sesame::engine {
 
@@ -47,6 +72,8 @@ class Memos {
     sum_.finish(out);
   }
 
+  /// Makes room for rules.
+  void reserve(std::size_t rules) { memos_.reserve(rules); }
   /// The number of memos kept for undo.
   [[nodiscard]] std::size_t size() const { return before_.size(); }
   /// From now on memos that are written are kept as they are at this moment.
@@ -58,23 +85,18 @@ class Memos {
   void drop_work() { sum_.clear(); }
 
  private:
-  struct Memo {
-    Terms<R, Symbol> terms;
-    std::uint64_t checked = 0;    ///< the version at which it was known to be in small symbols only
-    std::uint64_t perturbed = 0;  ///< the serial number of the last perturbation that it takes into account
-    std::uint32_t epoch = 0;      ///< in which it was last written
-    bool written = false;         ///< else the value of the rule stands
-  };
+  using Memo = RewritingMemo<R>;
 
   /// Two equal ones mean that no memo that was up to date has stopped to be.
   [[nodiscard]] std::uint64_t version() const { return rules_.version() + perturbations_.version(); }
   [[nodiscard]] std::span<const TermType> terms(RuleId rule) const {
-    return memos_[rule].written ? std::span<const TermType>{memos_[rule].terms} : rules_.value(rule);
+    return memos_[rule].written != nullptr ? std::span<const TermType>{memos_[rule].written->terms}
+                                           : rules_.value(rule);
   }
   void bring_up_to_date(RuleId rule);
   void refresh(RuleId rule);
   void update(RuleId rule);
-  Memo& writable(RuleId rule);
+  Terms<R, Symbol>& writable(RuleId rule);
   /// Requires: the memo of the rule that removed x, if there is one, is up to date.
   void add_rewritten(Symbol x, const Element& coefficient) {
     const RuleId rule = rules_.removed_by(x);
@@ -95,7 +117,7 @@ class Memos {
   const Perturbations<R>& perturbations_;
   Lifts<R>& lifts_;
   Effort& effort_;
-  std::vector<Memo> memos_;                      ///< per rule; of the latest, which nobody has read yet, there are none
+  sparse::GrowingArray<Memo> memos_;             ///< per rule; of the latest, which nobody has read yet, there are none
   std::vector<std::pair<RuleId, Memo>> before_;  ///< memos as they were, for undo: each once per epoch
   std::uint32_t epoch_ = 1;
   sparse::Accumulator<R, Symbol> sum_;

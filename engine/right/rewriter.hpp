@@ -39,6 +39,11 @@ class Rewriter {
   Rewriter(const Rewriter&) = delete;
   Rewriter& operator=(const Rewriter&) = delete;
 
+  /// Makes room for generators of B.
+  void reserve(std::size_t generators) {
+    rules_.reserve(generators);
+    memos_.reserve(generators / 2);
+  }
   /// Takes the next generator of B: rewrites its boundary, and eliminates or keeps it.
   /// Cost: the length of the vectors that are rewritten.
   void append(int degree);

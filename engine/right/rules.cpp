@@ -7,6 +7,18 @@ namespace sesame::engine {
 // ---------------------------------------------------------------------------------------------------------- symbols
 
 template <Ring R>
+void Rules<R>::reserve(std::size_t generators) {
+  removed_by_.reserve(generators);
+  degree_.reserve(generators);
+  generator_.reserve(generators);
+  born_.reserve(generators);
+  neighbours_.reserve(generators);
+  symbol_of_.reserve(generators);
+  rules_.reserve(generators / 2);
+  values_.reserve(generators);
+}
+
+template <Ring R>
 Symbol Rules<R>::append_generator(int degree) {
   const auto generator = static_cast<std::uint32_t>(symbol_of_.size());
   const Symbol x = add_symbol(degree, generator);
@@ -126,7 +138,7 @@ void Rules<R>::pop() {
   }
   relink(rule.a);
   removed_by_[rule.a] = no_rule;
-  values_.erase(values_.begin() + static_cast<std::ptrdiff_t>(rule.value_begin), values_.end());
+  values_.truncate(rule.value_begin);
   rules_.pop_back();
 }
 

@@ -7,6 +7,28 @@
 #include <vector>
 
 #include "engine/right/symbol.hpp"
+#include "sparse/growing_array.hpp"
+
+namespace sesame::engine {
+
+/// A rule without its value, which is elsewhere.
+template <class Element>
+struct RewritingRule {
+  Symbol a;
+  Symbol b;         ///< no_symbol for a change of basis and for a symbol that was consumed
+  Element inverse;  ///< e^-1; unused without b
+  std::size_t value_begin;
+  std::uint32_t value_size;
+};
+
+}  // namespace sesame::engine
+
+namespace sesame::sparse {
+
+template <class Element>
+inline constexpr bool is_relocatable<engine::RewritingRule<Element>> = is_relocatable<Element>;
+
+}  // namespace sesame::sparse
 
 namespace sesame::engine {
 
@@ -29,13 +51,7 @@ class Rules {
   using Element = typename R::Element;
   using TermType = sparse::Term<R, Symbol>;
 
-  struct Rule {
-    Symbol a;
-    Symbol b;         ///< no_symbol for a change of basis and for a symbol that was consumed
-    Element inverse;  ///< e^-1; unused without b
-    std::size_t value_begin;
-    std::uint32_t value_size;
-  };
+  using Rule = RewritingRule<Element>;
   /// The change of basis `made` = x - q y by a rule; `column` is the boundary of `made` in symbols that were small
   /// then.
   struct Combination {
@@ -48,6 +64,8 @@ class Rules {
 
   explicit Rules(R ring) : ring_{ring} {}
 
+  /// Makes room for generators of B.
+  void reserve(std::size_t generators);
   /// The symbol of the next generator of B.
   Symbol append_generator(int degree);
   /// Eliminates a and b, where d b = `column` has a unit at a. Requires: all of them are small.
@@ -137,19 +155,20 @@ class Rules {
 
   R ring_;
   // Per symbol.
-  std::vector<RuleId> removed_by_;
-  std::vector<std::uint8_t> degree_;
-  std::vector<std::uint32_t> generator_;  ///< of B, or combination_bit | index in combinations_
-  std::vector<RuleId> born_;
-  std::vector<Neighbours> neighbours_;  ///< small symbols of a degree: a doubly linked list, undone in reverse order
+  sparse::GrowingArray<RuleId> removed_by_;
+  sparse::GrowingArray<std::uint8_t> degree_;
+  sparse::GrowingArray<std::uint32_t> generator_;  ///< of B, or combination_bit | index in combinations_
+  sparse::GrowingArray<RuleId> born_;
+  sparse::GrowingArray<Neighbours>
+      neighbours_;  ///< small symbols of a degree: a doubly linked list, undone in reverse order
   // Per degree.
   std::vector<Symbol> first_, last_;
   std::vector<std::uint32_t> small_counts_;
 
-  std::vector<Symbol> symbol_of_;  ///< per generator of B
+  sparse::GrowingArray<Symbol> symbol_of_;  ///< per generator of B
   std::vector<Combination> combinations_;
-  std::vector<Rule> rules_;
-  std::vector<TermType> values_;  ///< of all rules, one after the other
+  sparse::GrowingArray<Rule> rules_;
+  sparse::GrowingArray<TermType> values_;  ///< of all rules, one after the other
   std::uint64_t version_ = 1, terms_made_ = 0;
 };
 

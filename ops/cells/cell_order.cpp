@@ -5,10 +5,19 @@
 namespace sesame::ops {
 
 void sort_by_dimension_and_age(const Structure& structure, std::vector<CellId>& cells) {
-  std::sort(cells.begin(), cells.end(), [&structure](CellId a, CellId b) {
-    const int p = structure.dimension(a), q = structure.dimension(b);
-    return p != q ? p < q : structure.lazy().is_older(structure.forest().oldest(a), structure.forest().oldest(b));
+  struct Aged {
+    int dimension;
+    CellId oldest, cell;
+  };
+  std::vector<Aged> aged;
+  aged.reserve(cells.size());
+  for (const CellId c : cells) {
+    aged.push_back({structure.dimension(c), structure.forest().oldest(c), c});
+  }
+  std::sort(aged.begin(), aged.end(), [&structure](const Aged& a, const Aged& b) {
+    return a.dimension != b.dimension ? a.dimension < b.dimension : structure.lazy().is_older(a.oldest, b.oldest);
   });
+  std::transform(aged.begin(), aged.end(), cells.begin(), [](const Aged& a) { return a.cell; });
 }
 
 }  // namespace sesame::ops

@@ -100,12 +100,12 @@ class CellStore {
   TypeTable& types_;
   const FaceSource* lazy_faces_ = nullptr;
   PerNode<TypeId> type_;
-  std::vector<std::uint64_t> first_face_{0};  ///< per node of a step and one more: where its faces begin
-  std::vector<CellId> faces_;
-  std::vector<std::uint32_t> next_incidence_;  ///< per entry of `faces_`: the one before with the same face
-  PerNode<std::uint32_t> first_incidence_;     ///< the entry of `faces_` that named the node last
-  std::vector<std::uint32_t> name_;            ///< of those that steps made
-  std::vector<std::uint32_t> lazy_;            ///< of those that were asked for
+  sparse::GrowingArray<std::uint64_t> first_face_{0};  ///< per node of a step and one more: where its faces begin
+  sparse::GrowingArray<CellId> faces_;
+  sparse::GrowingArray<std::uint32_t> next_incidence_;  ///< per entry of `faces_`: the one before with the same face
+  PerNode<std::uint32_t> first_incidence_;              ///< the entry of `faces_` that named the node last
+  sparse::GrowingArray<std::uint32_t> name_;            ///< of those that steps made
+  std::vector<std::uint32_t> lazy_;                     ///< of those that were asked for
   PerNode<BodyId> body_;
   std::unordered_map<std::uint64_t, OrderId> face_orders_;  ///< by entry of `faces_`, where not the same
 };

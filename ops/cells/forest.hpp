@@ -108,11 +108,11 @@ class Forest {
   PerNode<std::uint32_t> size_;
   PerNode<LinkId> link_of_;
   PerNode<LinkId> last_child_;  ///< the last link that ends at the node
-  std::vector<Link> links_;
+  sparse::GrowingArray<Link> links_;
   std::vector<bool> reverses_;                  ///< per link
   std::uint32_t reversals_ = 0;                 ///< links that do
   std::unordered_map<LinkId, OrderId> orders_;  ///< of links in another order
-  std::vector<LinkId> first_links_;             ///< of the steps that made some
+  sparse::GrowingArray<LinkId> first_links_;    ///< of the steps that made some
   std::unordered_map<CellId, Value> squashed_;  ///< what a node that became degenerate is
   std::unordered_map<CellId, std::vector<CellId>> squashed_onto_;
 };

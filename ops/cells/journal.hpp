@@ -6,7 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+
+#include "sparse/growing_array.hpp"
 
 namespace sesame::ops {
 
@@ -115,7 +116,7 @@ class Journal {
   };
   static_assert(event_kinds <= 1U << (32 - count_bits));
 
-  std::vector<Packed> runs_;
+  sparse::GrowingArray<Packed> runs_;
   Position end_ = 0;
 };
 

@@ -5,9 +5,9 @@
 #include <array>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 #include "ops/ids.hpp"
+#include "sparse/growing_array.hpp"
 
 namespace sesame::ops {
 
@@ -29,7 +29,7 @@ class PerNode {
  private:
   [[nodiscard]] static std::size_t kind(CellId node) { return std::uint32_t{node} >> 31U; }
 
-  std::array<std::vector<T>, 2> of_;
+  std::array<sparse::GrowingArray<T>, 2> of_;
 };
 
 }  // namespace sesame::ops

@@ -1,12 +1,15 @@
 // Insertions into abstract simplicial complexes.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <compare>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ops/plan/new_cells.hpp"
@@ -16,44 +19,41 @@
 namespace sesame::ops {
 namespace {
 
-bool comes_before(const std::string& a, const std::string& b) { return std::is_lt(compare_labels(a, b)); }
+bool comes_before(std::string_view a, std::string_view b) { return std::is_lt(compare_labels(a, b)); }
 
+/// What there is one of for each vertex of a simplex: of small simplices without an allocation.
+template <class T>
+using PerVertex = boost::container::small_vector<T, 6>;
 /// A simplex: the positions of its vertices among the labels of an insertion, ascending.
-using Positions = std::vector<std::uint32_t>;
+using Positions = PerVertex<std::uint32_t>;
 
-Positions without(const Positions& simplex, std::size_t k) {
-  Positions face = simplex;
+template <class T>
+PerVertex<T> without(const PerVertex<T>& simplex, std::size_t k) {
+  PerVertex<T> face = simplex;
   face.erase(face.begin() + static_cast<std::ptrdiff_t>(k));
   return face;
 }
 
-template <class T>
-std::vector<T> chosen(const std::vector<T>& all, const Positions& positions) {
-  std::vector<T> some;
-  some.reserve(positions.size());
-  for (const std::uint32_t position : positions) {
-    some.push_back(all[position]);
-  }
-  return some;
-}
+std::span<const VertexId> as_span(const PerVertex<VertexId>& vertices) { return {vertices.data(), vertices.size()}; }
+
+/// A label of the simplices to insert, with what it denotes.
+struct Label {
+  std::string_view text;
+  VertexId vertex;  ///< or the number that it will have
+};
 
 /// Works out which of some simplices and of their faces are missing, and lays them out.
 class InsertPlanner {
  public:
   /// `labels` are those of all simplices, sorted, none twice.
-  InsertPlanner(const Structure& structure, std::vector<std::string> labels)
-      : structure_{structure}, labels_{std::move(labels)} {
-    vertices_.reserve(labels_.size());
-    for (VertexId next{structure_.abstract().labels()}; const std::string& label : labels_) {
-      const LabelId known = structure_.abstract().label(label);
-      vertices_.push_back(known == none ? next++ : structure_.abstract().vertex(known));
-    }
-  }
+  InsertPlanner(const Structure& structure, std::vector<Label> labels)
+      : structure_{structure}, labels_{std::move(labels)} {}
 
   [[nodiscard]] Positions positions(const std::vector<std::string>& simplex) const {
     Positions positions;
     for (const std::string& label : simplex) {
-      const auto at = std::lower_bound(labels_.begin(), labels_.end(), label, comes_before);
+      const auto at = std::lower_bound(labels_.begin(), labels_.end(), label,
+                                       [](const Label& a, std::string_view b) { return comes_before(a.text, b); });
       positions.push_back(static_cast<std::uint32_t>(at - labels_.begin()));
     }
     std::sort(positions.begin(), positions.end());
@@ -89,7 +89,9 @@ class InsertPlanner {
 
   [[nodiscard]] bool has_nothing_to_do() const { return count_ == 0; }
   [[nodiscard]] std::string name(const Positions& simplex) const {
-    return fmt::format("{{{}}}", fmt::join(chosen(labels_, simplex), ","));
+    std::string text;
+    write_name(simplex, text);
+    return text;
   }
   /// The name of a missing cell that is in use; empty when there is none.
   [[nodiscard]] std::string taken_name() const {
@@ -111,28 +113,43 @@ class InsertPlanner {
     for (auto& simplices : missing_) {
       for (auto& [simplex, cell] : simplices) {
         cell = next++;
-        const std::vector<VertexId> vertices = chosen(vertices_, simplex);
+        const PerVertex<VertexId> vertices = vertices_of(simplex);
         const std::size_t first_face = plan.faces.size();
         if (simplex.size() > 1) {
           write_faces(simplex, vertices, plan);
         }
         change.vertices.insert(change.vertices.end(), vertices.begin(), vertices.end());
-        plan.names += name(simplex);
+        write_name(simplex, plan.names);
         add_cell(structure_.types().simplex(static_cast<int>(simplex.size()) - 1), first_face, plan);
       }
     }
     for (const auto& [vertex, cell] : missing_[0]) {
-      change.labels.push_back(labels_[vertex[0]]);
+      change.labels.emplace_back(labels_[vertex[0]].text);
     }
     write_bodies(plan);
   }
 
  private:
+  [[nodiscard]] PerVertex<VertexId> vertices_of(const Positions& simplex) const {
+    PerVertex<VertexId> vertices;
+    for (const std::uint32_t position : simplex) {
+      vertices.push_back(labels_[position].vertex);
+    }
+    return vertices;
+  }
+  /// {a,b,...}
+  void write_name(const Positions& simplex, std::string& out) const {
+    char before = '{';
+    for (const std::uint32_t position : simplex) {
+      out.append(1, std::exchange(before, ',')).append(labels_[position].text);
+    }
+    out += '}';
+  }
   [[nodiscard]] bool is_new(VertexId vertex) const { return vertex >= structure_.abstract().labels(); }
   [[nodiscard]] bool is_missing(const Positions& simplex) const {
-    const std::vector<VertexId> vertices = chosen(vertices_, simplex);
+    const PerVertex<VertexId> vertices = vertices_of(simplex);
     return std::any_of(vertices.begin(), vertices.end(), [this](VertexId v) { return is_new(v); }) ||
-           structure_.abstract().find(vertices) == none;
+           structure_.abstract().find(as_span(vertices)) == none;
   }
 
   /// The new cells join the bodies of the vertices that they have and make these one, or make a body.
@@ -153,28 +170,26 @@ class InsertPlanner {
     }
   }
 
-  void write_faces(const Positions& simplex, const std::vector<VertexId>& vertices, Plan& plan) const {
+  void write_faces(const Positions& simplex, const PerVertex<VertexId>& vertices, Plan& plan) const {
     const auto& missing = missing_[simplex.size() - 2];
     for (std::size_t k = 0; k < simplex.size(); ++k) {
       if (const auto face = missing.find(without(simplex, k)); face != missing.end()) {
         add_face({face->second}, plan);
         continue;
       }
-      std::vector<VertexId> order = vertices;
-      order.erase(order.begin() + static_cast<std::ptrdiff_t>(k));
-      const CellId cell = structure_.abstract().find(order);
-      add_face({cell, structure_.maps().order(places_in(structure_.abstract().vertices(cell), order))}, plan);
+      const PerVertex<VertexId> order = without(vertices, k);
+      const CellId cell = structure_.abstract().find(as_span(order));
+      add_face({cell, structure_.maps().order(places_in(structure_.abstract().vertices(cell), as_span(order)))}, plan);
     }
   }
 
   const Structure& structure_;
-  std::vector<std::string> labels_;
-  std::vector<VertexId> vertices_;                    ///< that the labels denote, or numbers to come
+  std::vector<Label> labels_;
   std::vector<std::map<Positions, CellId>> missing_;  ///< by dimension; with the cells that they will be
   std::int64_t count_ = 0;                            ///< of all of them
 };
 
-Status check_simplex(std::vector<std::string> simplex, const Limits& limits) {
+Status check_simplex(const std::vector<std::string>& simplex, const Limits& limits) {
   if (simplex.empty()) {
     return Error{Errc::bad_input,
                  "a simplex has at least one vertex: it should be a list of labels, such as [\"a\",\"b\"]"};
@@ -190,31 +205,37 @@ Status check_simplex(std::vector<std::string> simplex, const Limits& limits) {
   if (Status s = check_size({std::max(1, static_cast<int>(simplex.size()) - 1)}, limits); !s) {
     return s;
   }
-  std::sort(simplex.begin(), simplex.end());
-  if (const auto twice = std::adjacent_find(simplex.begin(), simplex.end()); twice != simplex.end()) {
+  PerVertex<std::string_view> labels(simplex.begin(), simplex.end());
+  std::sort(labels.begin(), labels.end());
+  if (const auto twice = std::adjacent_find(labels.begin(), labels.end()); twice != labels.end()) {
     return Error{Errc::bad_input,
                  fmt::format("the label \"{}\" stands twice in the simplex: labels must differ", *twice)};
   }
   return Done{};
 }
 
-/// The labels of all simplices, sorted, none twice. Errors: for a list that is no simplex, and for a label of a vertex
-/// that no insertion may touch.
-Result<std::vector<std::string>> labels_of(const Insert& operation, const Structure& structure, const Limits& limits) {
-  std::vector<std::string> labels;
+/// The labels of all simplices, sorted, none twice, as views of the operation. Errors: for a list that is no simplex,
+/// and for a label of a vertex that no insertion may touch.
+Result<std::vector<Label>> labels_of(const Insert& operation, const Structure& structure, const Limits& limits) {
+  std::vector<Label> labels;
   for (const std::vector<std::string>& simplex : operation.simplices) {
     if (Status s = check_simplex(simplex, limits); !s) {
       return s.error();
     }
-    labels.insert(labels.end(), simplex.begin(), simplex.end());
+    for (const std::string& label : simplex) {
+      labels.push_back({label, none});
+    }
   }
-  std::sort(labels.begin(), labels.end(), comes_before);
-  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
-  for (const std::string& label : labels) {
-    const LabelId known = structure.abstract().label(label);
+  std::sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return comes_before(a.text, b.text); });
+  const auto last =
+      std::unique(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.text == b.text; });
+  labels.erase(last, labels.end());
+  for (VertexId next{structure.abstract().labels()}; Label & label : labels) {
+    const LabelId known = structure.abstract().label(label.text);
     if (const auto body = known == none ? Result<BodyId>{none} : abstract_body(known, structure); !body) {
       return body.error();
     }
+    label.vertex = known == none ? next++ : structure.abstract().vertex(known);
   }
   return labels;
 }
@@ -222,7 +243,7 @@ Result<std::vector<std::string>> labels_of(const Insert& operation, const Struct
 }  // namespace
 
 Status plan_insertion(const Insert& operation, const Structure& structure, const Limits& limits, Plan& plan) {
-  Result<std::vector<std::string>> labels = labels_of(operation, structure, limits);
+  Result<std::vector<Label>> labels = labels_of(operation, structure, limits);
   if (!labels) {
     return labels.error();
   }

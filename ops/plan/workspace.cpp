@@ -47,9 +47,9 @@ Status Workspace::take_back(std::uint64_t steps) {
     return Error{Errc::refused, fmt::format("cannot undo {} steps: only {} can be undone", steps, steps_.size())};
   }
   if (steps > 0) {
-    const auto first = steps_.end() - static_cast<std::ptrdiff_t>(steps);
-    structure_.truncate(first->begin);
-    steps_.erase(first, steps_.end());
+    const std::size_t first = steps_.size() - steps;
+    structure_.truncate(steps_[first].begin);
+    steps_.truncate(first);
   }
   return Done{};
 }

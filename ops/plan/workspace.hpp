@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "ops/cells/structure.hpp"
 #include "ops/plan/planner.hpp"
 #include "ops/vocabulary/operation.hpp"
+#include "sparse/growing_array.hpp"
 #include "sparse/result.hpp"
 
 namespace sesame::ops {
@@ -41,7 +41,7 @@ class Workspace {
   /// A step that does nothing to the object.
   void pass() { steps_.push_back({structure_.journal().end(), StepKind::nothing}); }
 
-  [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
+  [[nodiscard]] const sparse::GrowingArray<Step>& steps() const { return steps_; }
   /// The moment before the step with this number, from 0. Cost: what has happened since.
   [[nodiscard]] Moment before(std::size_t step) const { return structure_.moment_at(steps_[step].begin); }
   /// The moment after it. Cost: likewise.
@@ -58,7 +58,7 @@ class Workspace {
   Structure structure_;
   Planner planner_;
   Plan plan_;
-  std::vector<Step> steps_;
+  sparse::GrowingArray<Step> steps_;
 };
 
 }  // namespace sesame::ops

@@ -217,7 +217,7 @@ TEST_CASE("mapping tori of the torus have H_1 = Z + coker(M - 1)", "[engine]") {
   const bool simplicial = GENERATE(false, true);
   for (const auto& [word, matrix] : monodromies) {
     CAPTURE(ring, torus_as_product, simplicial, word);
-    Engine engine(ring_named(ring));
+    Engine engine(ring_named(ring), {}, taking_splits_in);
     const Cylinder cylinder = make_cylinder(engine, torus_as_product, simplicial);
     const LayeredTorus top = Layers(engine, cylinder.top).add(word);
     REQUIRE(top.basis == matrix);
@@ -236,7 +236,7 @@ TEST_CASE("a mapping torus may be a factor, have a cone, and a suspension", "[en
   const bool simplicial = GENERATE(false, true);
   for (const std::size_t k : {3U, 6U, 12U, 14U}) {
     CAPTURE(lazy_cones, simplicial, monodromies[k].word);
-    Engine engine(ring_named("Z"), limits(lazy_cones));
+    Engine engine(ring_named("Z"), limits(lazy_cones), taking_splits_in);
     const Cylinder cylinder = make_cylinder(engine, true, simplicial);
     carry_out(engine, glue(cylinder.bottom, Layers(engine, cylinder.top).add(monodromies[k].word)));
     const Groups groups = mapping_torus_groups(monodromies[k].matrix);
@@ -261,7 +261,7 @@ TEST_CASE("a mapping torus cut along its fibre is a cylinder again", "[engine]")
   const bool simplicial = GENERATE(false, true);
   for (const auto& [word, matrix] : monodromies) {
     CAPTURE(ring, simplicial, word);
-    Engine engine(ring_named(ring));
+    Engine engine(ring_named(ring), {}, taking_splits_in);
     const Cylinder cylinder = make_cylinder(engine, false, simplicial);
     const LayeredTorus top = Layers(engine, cylinder.top).add(word);
     const auto counts = counts_of(engine, "P");
@@ -290,7 +290,7 @@ TEST_CASE("the Klein bottle is the mapping torus of a reflection of the circle",
   const bool simplicial = GENERATE(false, true);
   const bool reflected = GENERATE(false, true);
   CAPTURE(ring, simplicial, reflected);
-  Engine engine(ring_named(ring));
+  Engine engine(ring_named(ring), {}, taking_splits_in);
   // Two edges from v to w: the reflection swaps them.
   carry_out(engine,
             ops::MakeComplex{
@@ -313,7 +313,7 @@ TEST_CASE("mapping tori of spheres know the degree of the antipodal map", "[engi
   const bool simplicial = GENERATE(false, true);
   const bool antipodal = GENERATE(false, true);
   CAPTURE(n, ring, simplicial, antipodal);
-  Engine engine(ring_named(ring));
+  Engine engine(ring_named(ring), {}, taking_splits_in);
   carry_out(engine, cross_polytope(n));
   CHECK(live_groups(engine) == groups_of_sphere(n));
   build(engine, edge("I"));
@@ -352,7 +352,7 @@ TEST_CASE("two solid tori make a lens space, a sphere, or the product of a spher
   const bool lazy_cones = GENERATE(false, true);
   for (const auto& [word, matrix] : monodromies) {
     CAPTURE(ring, lazy_cones, word);
-    Engine engine(ring_named(ring), limits(lazy_cones));
+    Engine engine(ring_named(ring), limits(lazy_cones), taking_splits_in);
     // A solid torus is a disc, the cone over the circle x, times the circle y; x bounds in it.
     const auto solid = [&](const std::string& name) {
       build(engine, circle("x" + name));

@@ -83,7 +83,7 @@ TEMPLATE_TEST_CASE("the live form is the pipeline of exact sequences, step by st
   const auto ring = test_ring<TestType>();
   const unsigned seed = GENERATE(range(0U, 20U));
   CAPTURE(seed);
-  Engine engine{AnyRing{ring}};
+  Engine engine(AnyRing{ring}, {}, taking_splits_in);
   Pipeline<TestType> pipeline(ring);
   RandomSteps random(seed, {.most_cells = 50, .simploids = true, .cones = true});
   for (int k = 0; k < 24; ++k) {
@@ -115,7 +115,7 @@ TEMPLATE_TEST_CASE("the class of a cell's boundary chain is the same by the pipe
   const auto ring = test_ring<TestType>();
   const unsigned seed = GENERATE(range(100U, 120U));
   CAPTURE(seed);
-  Engine engine{AnyRing{ring}};
+  Engine engine(AnyRing{ring}, {}, taking_splits_in);
   Pipeline<TestType> pipeline(ring);
   RandomSteps random(seed, {.most_cells = 50, .simploids = true, .cones = true});
   for (int k = 0; k < 24; ++k) {

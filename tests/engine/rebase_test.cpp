@@ -15,10 +15,10 @@ namespace {
 using engine::RebasePolicy;
 
 /// After each step that splits; and whenever a step after a split costs anything.
-constexpr RebasePolicy after_each_split{1, UINT64_MAX, UINT64_MAX / 4096, 0, UINT64_MAX, 0};
-constexpr RebasePolicy without_budget{UINT64_MAX / 2, 1, 0, 0, UINT64_MAX, 0};
+constexpr RebasePolicy after_each_split{1, UINT64_MAX, 0, 0, UINT64_MAX / 4096, 0, UINT64_MAX, 0};
+constexpr RebasePolicy without_budget{UINT64_MAX / 2, 1, 0, 0, 0, 0, UINT64_MAX, 0};
 /// The same, and no more is kept for undo than must be.
-constexpr RebasePolicy forgetful{1, UINT64_MAX, UINT64_MAX / 4096, 0, 0, 0};
+constexpr RebasePolicy forgetful{1, UINT64_MAX, 0, 0, UINT64_MAX / 4096, 0, 0, 0};
 
 void check_graph(Engine& engine, const std::vector<std::int64_t>& betti) {
   const engine::Homology homology = engine.homology();

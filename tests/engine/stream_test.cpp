@@ -17,7 +17,7 @@ struct Tally {
 };
 
 void run_stream(unsigned seed, const std::string& ring, int steps, const StreamShape& shape, Tally& tally) {
-  Engine engine(ring_named(ring));
+  Engine engine(ring_named(ring), {}, taking_splits_in);
   RandomSteps random(seed, shape);
   for (int k = 0; k < steps; ++k) {
     const ops::Operation op = random.next(engine.structure());
@@ -96,7 +96,7 @@ TEST_CASE("the small complex of a field is its homology, and the big one grows b
           "[engine][stream]") {
   const unsigned seed = GENERATE(range(60U, 64U));
   CAPTURE(seed);
-  Engine engine(ring_named("Z/2"));
+  Engine engine(ring_named("Z/2"), {}, taking_splits_in);
   RandomSteps random(seed);
   for (int k = 0; k < 50; ++k) {
     carry_out(engine, random.next(engine.structure()));
@@ -115,7 +115,7 @@ TEST_CASE("the small complex of a field is its homology, and the big one grows b
 TEST_CASE("the small complex has no generator above the dimension of the object", "[engine][stream]") {
   const unsigned seed = GENERATE(range(300U, 340U));
   CAPTURE(seed);
-  Engine engine;
+  Engine engine({}, {}, taking_splits_in);
   RandomSteps random(seed, {.most_cells = 80, .simploids = true, .cones = true});
   for (int k = 0; k < 40; ++k) {
     carry_out(engine, random.next(engine.structure()));
@@ -146,7 +146,7 @@ TEST_CASE("random relations give the group that their Smith form says, whatever 
   std::vector<Integer> orders = sparse::invariant_factors(matrix_of(Integers{}, static_cast<Index>(loops), columns));
   const std::size_t rank = orders.size();
   orders.resize(static_cast<std::size_t>(loops));  // the rest is free: order 0
-  Engine engine;
+  Engine engine({}, {}, taking_splits_in);
   carry_out(engine, complex.take());
   CHECK(live_groups(engine)[0] == group(1));
   const engine::Homology homology = engine.homology();

@@ -295,7 +295,7 @@ std::vector<ops::Operation> standard_cells(Random& random, int count) {
 
 TEST_CASE("a torus cut along its two circles is a square again", "[engine]") {
   const std::string ring = GENERATE("Z", "Z/2", "Z/3");
-  Engine engine(ring_named(ring));
+  Engine engine(ring_named(ring), {}, taking_splits_in);
   build(engine, torus_of_square("q"));
   CHECK(live_groups(engine) == Groups{group(1), group(2), group(1)});
   // Slots of the square: q.0-1 of 1x, of 0x, then of x1, of x0. Slots of an edge: its end, its start.
@@ -325,7 +325,7 @@ TEST_CASE("a closed surface cut along its loops is a polygon again", "[engine]")
   const std::string ring = GENERATE("Z", "Z/2", "Z/3");
   const int sides = 4 * genus;
   CAPTURE(genus, ring);
-  Engine engine(ring_named(ring));
+  Engine engine(ring_named(ring), {}, taking_splits_in);
   carry_out(engine, polygon(sides));
   const auto counts = counts_of(engine, "K");
   carry_out(engine, identify(sides_to_glue(sides)));
@@ -376,7 +376,7 @@ TEST_CASE("a random complex is torn apart to isolated standard cells, with the r
   const std::string ring = GENERATE("Z", "Z/2", "Z/3");
   CAPTURE(seed, ring);
   Random random(seed);
-  Engine engine(ring_named(ring));
+  Engine engine(ring_named(ring), {}, taking_splits_in);
   for (const ops::Operation& step : standard_cells(random, 7)) {
     carry_out(engine, step);
   }
@@ -422,7 +422,7 @@ TEST_CASE("cells of products and cones are cut off from the rest, with the right
   const bool simplicial = GENERATE(false, true);
   const bool lazy_cones = GENERATE(false, true);
   CAPTURE(simplicial, lazy_cones);
-  Engine engine(ring_named("Z"), limits(lazy_cones));
+  Engine engine(ring_named("Z"), limits(lazy_cones), taking_splits_in);
   build(engine, plane_of_three_cells("A"));
   build(engine, circle("B"));
   carry_out(engine, product("P", "A", "B", simplicial));
@@ -488,7 +488,7 @@ TEST_CASE("the cofaces of a cell are what a search through all faces finds, what
 TEST_CASE("an edge from the apex of a cone does not leave it alone", "[engine]") {
   const bool lazy_cones = GENERATE(false, true);
   CAPTURE(lazy_cones);
-  Engine engine(ring_named("Z"), limits(lazy_cones));
+  Engine engine(ring_named("Z"), limits(lazy_cones), taking_splits_in);
   build(engine, point("a"));
   carry_out(engine, cone_over_body("v", "a"));
   carry_out(engine, cone_over_body("w", "a"));
@@ -505,7 +505,7 @@ TEST_CASE("an edge that faces are degenerate over does not leave its end alone",
   const bool is_factor = GENERATE(false, true);
   const bool simplicial = GENERATE(false, true);
   CAPTURE(is_factor, simplicial);
-  Engine engine;
+  Engine engine({}, {}, taking_splits_in);
   carry_out(engine, ops::MakeSimplex{"t", 3, {}});
   for (const std::string cell : {"t.0-1", "t.1-2", "t.0-1-2", "t.0-1-3", "t.0-2-3", "t.1-2-3"}) {
     carry_out(engine, ops::Degenerate{cell, {}, 0});
@@ -529,12 +529,12 @@ TEST_CASE("gluings are taken back in any order, and what is left is the quotient
   CAPTURE(seed, ring);
   Random random(seed);
   const std::vector<ops::Operation> start = standard_cells(random, 6);
-  Engine engine(ring_named(ring));
+  Engine engine(ring_named(ring), {}, taking_splits_in);
   for (const ops::Operation& step : start) {
     carry_out(engine, step);
   }
   const auto is_the_quotient = [&](const Gluings& gluings) {
-    Engine other(engine.ring());
+    Engine other(engine.ring(), {}, taking_splits_in);
     for (const ops::Operation& step : start) {
       carry_out(other, step);
     }
@@ -561,7 +561,7 @@ TEST_CASE("gluings are taken back in any order, and what is left is the quotient
     is_the_quotient(gluings);
   }
   CHECK(live_groups(engine) == Groups{group(static_cast<Index>(start.size()))});
-  const std::vector<ops::Operation> log = engine.log();
+  const std::deque<ops::Operation> log = engine.log();
   const std::string torn = dump(engine);
   const std::uint64_t steps = engine.undoable() - all_glued;
   carry_out(engine, ops::Undo{steps});
@@ -580,7 +580,7 @@ TEST_CASE("splitting a glued pair costs its generating loops at most, not the ob
   for (const int n : {6, 12, 24, 48, 96, 150}) {
     CAPTURE(n);
     const Grid grid{n, lazy};
-    Engine engine(ring_named(ring));
+    Engine engine(ring_named(ring), {}, taking_splits_in);
     grid.make(engine);
     const std::uint64_t building = total(engine.work());
     carry_out(engine, identify({{grid.vertex(1, 1), grid.vertex(n / 2, n / 3)}}));
@@ -606,7 +606,7 @@ TEST_CASE("splitting a glued pair costs its generating loops at most, not the ob
 
 TEST_CASE("one place is glued and unglued as often as one likes", "[engine]") {
   const std::string ring = GENERATE("Z", "Z/2");
-  Engine engine(ring_named(ring));
+  Engine engine(ring_named(ring), {}, taking_splits_in);
   build(engine,
         std::vector<std::string>{R"({"op":"simplex","name":"a","dim":2})", R"({"op":"simplex","name":"b","dim":2})",
                                  R"({"op":"identify","pairs":[["a.0-1","b.0-1"]]})"});

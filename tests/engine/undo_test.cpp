@@ -9,7 +9,7 @@ namespace {
 
 /// What a fresh engine says after these operations.
 std::string dump_of(const AnyRing& ring, const std::vector<ops::Operation>& operations) {
-  Engine engine(ring);
+  Engine engine(ring, {}, taking_splits_in);
   for (const ops::Operation& op : operations) {
     carry_out(engine, op);
   }
@@ -50,7 +50,7 @@ TEST_CASE("after undo the engine is a fresh one that was given what is left", "[
   const unsigned seed = GENERATE(range(0U, 30U));
   const std::string ring = GENERATE("Z", "Z/2", "Z/3");
   CAPTURE(seed, ring);
-  Engine engine(ring_named(ring));
+  Engine engine(ring_named(ring), {}, taking_splits_in);
   RandomSteps random(seed, {.most_cells = 35, .simploids = true, .cones = true});
   std::vector<ops::Operation> left;
   for (int k = 0; k < 40; ++k) {
@@ -85,7 +85,7 @@ TEST_CASE("after undo the engine is a fresh one that was given what is left", "[
 TEST_CASE("undoing one step at a time passes through every earlier state", "[engine][stream]") {
   const unsigned seed = GENERATE(range(30U, 50U));
   CAPTURE(seed);
-  Engine engine;
+  Engine engine({}, {}, taking_splits_in);
   RandomSteps random(seed, {.most_cells = 35, .simploids = true, .cones = true});
   std::vector<std::string> states;
   for (int k = 0; k < 25; ++k) {
@@ -104,7 +104,7 @@ TEST_CASE("undoing one step at a time passes through every earlier state", "[eng
 TEST_CASE("laws hold after undo and in what is built upon it", "[engine][stream]") {
   const unsigned seed = GENERATE(range(50U, 64U));
   CAPTURE(seed);
-  Engine engine;
+  Engine engine({}, {}, taking_splits_in);
   RandomSteps random(seed, {.most_cells = 35, .simploids = true, .cones = true});
   for (int round = 0; round < 5; ++round) {
     for (int k = 0; k < 8; ++k) {
@@ -119,7 +119,7 @@ TEST_CASE("laws hold after undo and in what is built upon it", "[engine][stream]
 TEST_CASE("the same log gives the same answers to the byte, and replays itself", "[engine][stream]") {
   const unsigned seed = GENERATE(range(70U, 74U));
   CAPTURE(seed);
-  Engine engine;
+  Engine engine({}, {}, taking_splits_in);
   RandomSteps random(seed, {.most_cells = 40, .simploids = true, .cones = true});
   for (int k = 0; k < 30; ++k) {
     look_around(engine, random.random());
@@ -130,7 +130,7 @@ TEST_CASE("the same log gives the same answers to the byte, and replays itself",
     }
   }
   // Through text, undos included.
-  Engine again;
+  Engine again({}, {}, taking_splits_in);
   for (const ops::Operation& op : engine.log()) {
     carry_out(again, ops::to_text(op));
   }
@@ -195,7 +195,7 @@ TEST_CASE("a refused operation leaves everything as it was", "[engine]") {
 }
 
 TEST_CASE("a plan is worked out without doing it", "[engine]") {
-  Engine engine;
+  Engine engine({}, {}, taking_splits_in);
   build(engine, {R"({"op":"simplex","name":"t","dim":2})", R"({"op":"simplex","name":"u","dim":2})"});
   const std::string before = dump(engine);
   const auto plan = engine.plan(operation(R"({"op":"identify","pairs":[["t.0-1","u.0-1"]]})"));
@@ -211,7 +211,7 @@ TEST_CASE("a plan is worked out without doing it", "[engine]") {
 TEST_CASE("torsion classes that were glued and taken apart can be glued again", "[engine]") {
   const auto [one, other] = GENERATE(values<std::pair<int, int>>({{4, 6}, {6, 4}, {6, 10}, {12, 18}, {9, 4}, {8, 8}}));
   CAPTURE(one, other);
-  Engine engine;
+  Engine engine({}, {}, taking_splits_in);
   carry_out(engine, multiples_of_a_loop("a", one, true));
   carry_out(engine, multiples_of_a_loop("b", other, true));
   const std::string apart = dump(engine);

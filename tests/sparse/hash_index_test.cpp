@@ -40,6 +40,40 @@ TEST_CASE("HashIndex: finds what a map from keys finds, whatever was erased", "[
   }
 }
 
+TEST_CASE("HashIndex: many numbers are in many tables, also under hashes that are hardly spread", "[sparse][twin]") {
+  constexpr std::uint32_t numbers = 150'000;
+  const std::uint64_t hashes = GENERATE(UINT64_MAX, std::uint64_t{20'000});
+  const auto hash_of = [&](std::uint32_t number) {
+    return spread_bits(number % hashes) >> (hashes == UINT64_MAX ? 0 : 9);
+  };
+  const bool is_reserved = GENERATE(false, true);
+  HashIndex index;
+  if (is_reserved) {
+    index.reserve(numbers);
+  }
+  const auto is_there = [&](std::uint32_t number) {
+    return index.find(hash_of(number), [&](std::uint32_t each) { return each == number; }) == number;
+  };
+  for (std::uint32_t number = 0; number < numbers; ++number) {
+    index.insert(hash_of(number), number);
+  }
+  REQUIRE(index.size() == numbers);
+  std::uint32_t found = 0;
+  for (std::uint32_t number = 0; number < numbers; ++number) {
+    found += is_there(number) ? 1 : 0;
+  }
+  CHECK(found == numbers);
+  for (std::uint32_t number = 0; number < numbers; number += 2) {
+    index.erase(hash_of(number), number);
+  }
+  CHECK(index.size() == numbers / 2);
+  found = 0;
+  for (std::uint32_t number = 0; number < numbers; ++number) {
+    found += is_there(number) == (number % 2 == 1) ? 1 : 0;
+  }
+  CHECK(found == numbers);
+}
+
 TEST_CASE("HashIndex: an empty one holds nothing, and holds nothing again when all is erased", "[sparse]") {
   HashIndex index;
   const auto any = [](std::uint32_t) { return true; };

@@ -21,6 +21,9 @@ using reductions::AbelianGroup;
 using sparse::AnyRing;
 using sparse::Integer;
 
+/// For engines that are to take splits in: as objects of tests are small, they would be begun afresh at each.
+inline constexpr engine::RebasePolicy taking_splits_in{.cells_begun_at_once = 0, .cells_per_move = 0};
+
 /// The ring of a name that is known to be right.
 inline AnyRing ring_named(const std::string& name) { return sparse::parse_ring(name).value(); }
 

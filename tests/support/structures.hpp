@@ -47,7 +47,7 @@ class Workshop {
   const ops::Structure& structure() const { return workspace_.structure(); }
   const ops::Planner& planner() const { return workspace_.planner(); }
   const ops::Plan& last_plan() const { return workspace_.planned(); }
-  const std::vector<ops::Workspace::Step>& steps() const { return workspace_.steps(); }
+  const sparse::GrowingArray<ops::Workspace::Step>& steps() const { return workspace_.steps(); }
 
   Status plan(const ops::Operation& op) { return workspace_.plan(op); }
   void carry_out() { workspace_.carry_out(); }

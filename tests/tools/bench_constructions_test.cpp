@@ -257,6 +257,30 @@ TEST_CASE("a graph that is edited has the homology that counting says, at every 
   CHECK(kinds.size() == (with_undo ? 4 : 3));
 }
 
+TEST_CASE("a graph that is contracted has the homology that counting says, at every step", "[bench]") {
+  const std::uint64_t seed = GENERATE(1U, 2U);
+  tools::GraphContraction contraction(6, seed);
+  Engine engine(ring_named("Z"));
+  std::set<std::string_view> kinds;
+  for (int step = 0; step < 800; ++step) {
+    const ops::Operation operation = contraction.next();
+    CAPTURE(seed, step, ops::to_text(operation));
+    carry_out(engine, operation);
+    kinds.insert(ops::keyword(operation));
+    Counts cells{contraction.vertices(), contraction.edges()};
+    if (contraction.edges() == 0) {
+      cells.pop_back();
+    }
+    REQUIRE(cells_of(engine) == cells);
+    const std::int64_t pieces = contraction.components();
+    const std::int64_t loops = std::int64_t{contraction.edges()} - contraction.vertices() + pieces;
+    std::vector<std::int64_t> betti{pieces, loops};
+    betti.resize(cells.size());
+    REQUIRE(engine.homology().betti == betti);
+  }
+  CHECK(kinds.size() == 2);
+}
+
 TEST_CASE("triangles with one vertex are free when all that was glued is split apart", "[bench]") {
   const std::uint64_t seed = GENERATE(1U, 2U, 3U);
   const Operations operations = tools::glued_triangles(5, seed);
@@ -268,6 +292,9 @@ TEST_CASE("an editing session is determined by its seed", "[bench]") {
   const auto session = [](std::uint64_t seed) { return text_of(tools::edited_graph({20, true, seed}, 800)); };
   CHECK(session(1) == session(1));
   CHECK(session(1) != session(2));
+  const auto contracted = [](std::uint64_t seed) { return text_of(tools::contracted_graph({9, seed}, 300)); };
+  CHECK(contracted(1) == contracted(1));
+  CHECK(contracted(1) != contracted(2));
   CHECK(text_of(tools::glued_triangles(4, 1)) == text_of(tools::glued_triangles(4, 1)));
   CHECK(text_of(tools::glued_triangles(4, 1)) != text_of(tools::glued_triangles(4, 2)));
 }

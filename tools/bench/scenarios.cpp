@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "tools/bench/constructions.hpp"
-#include "tools/bench/sessions.hpp"
+#include "tools/bench/editing_scenarios.hpp"
 #include "tools/bench/surface_count.hpp"
 #include "tools/bench/torsion_scenarios.hpp"
 
@@ -66,22 +66,6 @@ Follow glued_in_turn(std::int64_t places) {
     }
     return (k - 3 * places) % 2 == 0 ? Answer{{places, 1}} : Answer{{places}};
   });
-}
-
-Follow edited(std::uint32_t edges, bool with_undo) {
-  return [=](Size) -> AnswerAfter {
-    const auto editing = std::make_shared<GraphEditing>(edges, with_undo, 1);
-    // Counting costs as much as there are edges: for many of them, after some of the steps only.
-    const std::size_t every = std::max<std::size_t>(1, edges / 1000);
-    return [=](std::size_t step) -> std::optional<Answer> {
-      editing->next();
-      if (step % every != 0) {
-        return std::nullopt;
-      }
-      const std::int64_t pieces = editing->components();
-      return Answer{{pieces, std::int64_t{editing->edges()} - editing->vertices() + pieces}};
-    };
-  };
 }
 
 /// While circles are made and multiplied: circle, circle, product, circle, product, ...
@@ -240,37 +224,6 @@ void add_repetitions(std::vector<Scenario>& list) {
       [](Size n) { return replayed_backwards(menger_sponge(static_cast<int>(n))); }, always({}));
 }
 
-void add_sessions(std::vector<Scenario>& list) {
-  const Adder add(list, "editing", true);
-  const auto graph = [&add](const char* name, const char* what, std::uint32_t edges, bool with_undo, Size usual,
-                            Size quick) {
-    add(
-        name, what, {"steps", usual, quick},
-        [=](Size n) {
-          return edited_graph({edges, with_undo, 1}, n);
-        },
-        [=](Size n) {
-          const AnswerAfter follow = edited(edges, with_undo)(n);
-          std::optional<Answer> last;
-          for (std::size_t step = 0; step < n; ++step) {
-            last = follow(step);
-          }
-          return last;
-        },
-        edited(edges, with_undo));
-  };
-  graph("graph-30", "30 edges, whose vertices are glued and split at random", 30, false, 20'000, 120);
-  graph("graph-30-undo", "the same, and hundreds of steps are undone at times", 30, true, 20'000, 120);
-  graph("graph-300", "300 edges, whose vertices are glued and split at random", 300, false, 20'000, 600);
-  graph("graph-300-undo", "the same, and hundreds of steps are undone at times", 300, true, 20'000, 900);
-  add(
-      "glued-triangles", "triangles with one vertex; their sides are glued and split at random, then all split apart",
-      {"triangles", 32, 6}, [](Size n) { return glued_triangles(small(n), 1); },
-      [](Size n) {
-        return Answer{{1, 2 * whole(n)}};
-      });
-}
-
 void add_other_constructions(std::vector<Scenario>& list) {
   const Adder add(list, "complexes, cones, products", false);
   // With so many triangles there is no H_1, with overwhelming probability (R. Meshulam and N. Wallach, 2009).
@@ -421,7 +374,7 @@ const std::vector<Scenario>& scenarios() {
     add_surfaces(list);
     add_solids(list);
     add_repetitions(list);
-    add_sessions(list);
+    add_editing(list);
     add_other_constructions(list);
     add_torsion(list);
     add_generators(list);

@@ -150,6 +150,87 @@ Operations edited_graph(GraphEditing editing, std::uint64_t steps) {
   return operations;
 }
 
+// ---- contractions
+
+ops::Operation GraphContraction::insert_vertex() {
+  present_.push_back(static_cast<std::uint32_t>(adjacent_.size()));
+  adjacent_.emplace_back();
+  return ops::Insert{{{std::to_string(present_.back())}}};
+}
+
+/// The vertex at a place becomes another one.
+ops::Operation GraphContraction::collapse(std::size_t from, std::uint32_t to) {
+  const std::uint32_t gone = present_[from];
+  present_[from] = present_.back();
+  present_.pop_back();
+  for (const std::uint32_t neighbour : std::exchange(adjacent_[gone], {})) {
+    adjacent_[neighbour].erase(gone);
+    if (neighbour == to || !adjacent_[to].insert(neighbour).second) {
+      --edges_;
+    } else {
+      adjacent_[neighbour].insert(to);
+    }
+  }
+  return ops::Collapse{std::to_string(gone), std::to_string(to)};
+}
+
+ops::Operation GraphContraction::next() {
+  if (adjacent_.size() < vertices_at_first_) {
+    return insert_vertex();
+  }
+  while (true) {
+    const std::size_t at = draws_.below(present_.size());
+    const std::uint32_t a = present_[at], b = present_[draws_.below(present_.size())];
+    const std::uint32_t kind = draws_.below(20);
+    if (kind == 0 || vertices() < 3) {
+      return insert_vertex();
+    }
+    if (a == b || (kind > 2 && adjacent_[a].contains(b))) {
+      continue;
+    }
+    if (kind <= 2) {
+      return collapse(at, b);
+    }
+    adjacent_[a].insert(b);
+    adjacent_[b].insert(a);
+    ++edges_;
+    return ops::Insert{{{std::to_string(a), std::to_string(b)}}};
+  }
+}
+
+std::uint32_t GraphContraction::components() const {
+  std::vector<bool> met(adjacent_.size());
+  std::vector<std::uint32_t> pending;
+  std::uint32_t components = 0;
+  for (const std::uint32_t first : present_) {
+    if (met[first]) {
+      continue;
+    }
+    ++components;
+    met[first] = true;
+    pending.push_back(first);
+    while (!pending.empty()) {
+      const std::uint32_t vertex = pending.back();
+      pending.pop_back();
+      for (const std::uint32_t neighbour : adjacent_[vertex]) {
+        if (!met[neighbour]) {
+          met[neighbour] = true;
+          pending.push_back(neighbour);
+        }
+      }
+    }
+  }
+  return components;
+}
+
+Operations contracted_graph(GraphContraction contraction, std::uint64_t steps) {
+  Operations operations;
+  while (operations.size() < steps) {
+    operations.push_back(contraction.next());
+  }
+  return operations;
+}
+
 // ---- triangles
 
 Operations glued_triangles(std::uint32_t triangles, std::uint64_t seed) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,32 @@ class GraphEditing {
 
 /// Some steps of it.
 [[nodiscard]] Operations edited_graph(GraphEditing editing, std::uint64_t steps);
+
+/// An abstract graph under work: its vertices are inserted; then steps without end, nine in ten of which insert an edge
+/// or, at times, a vertex, and the tenth collapses a random vertex into another.
+class GraphContraction {
+ public:
+  GraphContraction(std::uint32_t vertices, std::uint64_t seed) : vertices_at_first_{vertices}, draws_{seed} {}
+
+  ops::Operation next();
+  [[nodiscard]] std::uint32_t vertices() const { return static_cast<std::uint32_t>(present_.size()); }
+  [[nodiscard]] std::uint32_t edges() const { return edges_; }
+  /// Cost: the graph.
+  [[nodiscard]] std::uint32_t components() const;
+
+ private:
+  ops::Operation insert_vertex();
+  ops::Operation collapse(std::size_t from, std::uint32_t to);
+
+  std::uint32_t vertices_at_first_;
+  Draws draws_;
+  std::vector<std::uint32_t> present_;             ///< vertices, in any order
+  std::vector<std::set<std::uint32_t>> adjacent_;  ///< per vertex that there ever was
+  std::uint32_t edges_ = 0;
+};
+
+/// Some steps of it.
+[[nodiscard]] Operations contracted_graph(GraphContraction contraction, std::uint64_t steps);
 
 /// `triangles` triangles whose vertices are all made one; 10 `triangles` random gluings and splits of their sides; then
 /// all that is glued is split apart. In the end H = Z, Z^(2 triangles).

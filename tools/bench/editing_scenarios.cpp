@@ -1,0 +1,100 @@
+#include "tools/bench/editing_scenarios.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "tools/bench/sessions.hpp"
+
+namespace sesame::tools {
+namespace {
+
+using Size = std::uint64_t;
+
+/// Of a graph under work, by counting, which costs as much as it is large.
+template <class Session>
+Answer groups_of_graph(const Session& session) {
+  const std::int64_t pieces = session.components();
+  return {{pieces, std::int64_t{session.edges()} - session.vertices() + pieces}};
+}
+
+template <class Session>
+std::function<std::optional<Answer>(Size)> after_session(const Session& from_start) {
+  return [=](Size steps) {
+    Session session = from_start;
+    for (Size step = 0; step < steps; ++step) {
+      session.next();
+    }
+    return groups_of_graph(session);
+  };
+}
+
+/// After some of the steps only.
+template <class Session>
+std::function<AnswerAfter(Size)> followed(const Session& from_start, std::size_t every) {
+  return [=](Size) -> AnswerAfter {
+    const auto session = std::make_shared<Session>(from_start);
+    return [=](std::size_t step) -> std::optional<Answer> {
+      session->next();
+      return step % every == 0 ? std::optional{groups_of_graph(*session)} : std::nullopt;
+    };
+  };
+}
+
+struct Sizes {
+  Size usual, quick;
+};
+
+template <class Session>
+Scenario scenario(const char* name, const char* what, Sizes steps, const Session& session,
+                  std::function<Operations(Size)> make, std::size_t followed_every) {
+  return {name,
+          "editing",
+          what,
+          "steps",
+          steps.usual,
+          steps.quick,
+          Construction{std::move(make), followed(session, followed_every)},
+          after_session(session),
+          "Z",
+          true};
+}
+
+Scenario edited(const char* name, const char* what, std::uint32_t edges, bool with_undo, Sizes steps) {
+  const GraphEditing editing(edges, with_undo, 1);
+  return scenario(
+      name, what, steps, editing, [editing](Size n) { return edited_graph(editing, n); },
+      std::max<std::size_t>(1, edges / 1000));
+}
+
+}  // namespace
+
+void add_editing(std::vector<Scenario>& list) {
+  list.push_back(
+      edited("graph-30", "30 edges, whose vertices are glued and split at random", 30, false, {20'000, 120}));
+  list.push_back(
+      edited("graph-30-undo", "the same, and hundreds of steps are undone at times", 30, true, {20'000, 120}));
+  list.push_back(
+      edited("graph-60", "60 edges, whose vertices are glued and split at random", 60, false, {20'000, 200}));
+  list.push_back(
+      edited("graph-300", "300 edges, whose vertices are glued and split at random", 300, false, {20'000, 600}));
+  list.push_back(
+      edited("graph-300-undo", "the same, and hundreds of steps are undone at times", 300, true, {20'000, 900}));
+  list.push_back(
+      edited("graph-3000", "3000 edges, whose vertices are glued and split at random", 3000, false, {20'000, 0}));
+  const GraphContraction contraction(2000, 1);
+  list.push_back(scenario(
+      "contracted-graph", "edges inserted between 2000 vertices, and one step in ten a collapse of one",
+      {20'000, 2'200}, contraction, [contraction](Size n) { return contracted_graph(contraction, n); }, 100));
+  list.push_back({"glued-triangles", "editing",
+                  "triangles with one vertex; their sides are glued and split at random, then all split apart",
+                  "triangles", 32, 6,
+                  Construction{[](Size n) { return glued_triangles(static_cast<std::uint32_t>(n), 1); }},
+                  [](Size n) {
+                    return Answer{{1, 2 * static_cast<std::int64_t>(n)}};
+                  },
+                  "Z", true});
+}
+
+}  // namespace sesame::tools
