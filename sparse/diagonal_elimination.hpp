@@ -315,7 +315,7 @@ class DiagonalElimination {
       }
     }
     std::move(a, column.end(), std::back_inserter(sum_));
-    column.assign(std::move_iterator(sum_.begin()), std::move_iterator(sum_.end()));
+    column.swap(sum_);
     queue(to);
   }
 
