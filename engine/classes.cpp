@@ -23,8 +23,9 @@ Homology Classes<R>::homology(std::size_t dimensions) {
 
 template <Ring R>
 void Classes<R>::visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit) {
+  KnownTraces<R> known;
   const auto write_out = [&](int p, const Terms<R, Symbol>& symbols, CellChain& chain, std::uint64_t& terms) {
-    const Terms<R, GeneratorId> lift = rewriter_.lift(symbols);
+    const Terms<R, GeneratorId> lift = rewriter_.lift(symbols, {}, &known);
     terms = most_terms == uncountable ? 0 : big_.maps().terms_of_f(lift);
     if (terms > most_terms) {
       chain.degree = p;

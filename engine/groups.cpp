@@ -11,6 +11,7 @@
 
 #include "engine/log.hpp"
 #include "sparse/contract.hpp"
+#include "sparse/smith.hpp"
 
 namespace sesame::engine {
 
@@ -104,9 +105,13 @@ Group<R> Groups<R>::of(int degree) const {
     }
     return columns;
   };
-  const auto smith_of_nothing = [&] { return sparse::smith_form(Matrix<R>(ring_, 0, 0)); };
-  Group<R> group{{}, {}, columns_of(degree), smith_of_nothing(), columns_of(degree + 1), smith_of_nothing()};
-  group.kernel = sparse::smith_form(core_matrix(group.lower));
+  const std::vector<Symbol> lower = columns_of(degree);
+  Group<R> group{{},
+                 {},
+                 lower,
+                 sparse::Kernel<R>(core_matrix(lower)),
+                 columns_of(degree + 1),
+                 sparse::Cokernel<R>(Matrix<R>(ring_, 0, 0))};
   std::set<Symbol> met;
   for (const Symbol x : group.columns) {
     for (const Term<R, Symbol>& term : *core.find(x)) {
@@ -118,13 +123,12 @@ Group<R> Groups<R>::of(int degree) const {
       (met.contains(x) ? group.bound : group.free).push_back(x);
     }
   }
-  const std::size_t cycles = group.bound.size() + group.lower.size() - group.kernel.factors.size();
-  Matrix<R> boundaries(ring_, static_cast<Index>(cycles), 0);
+  Matrix<R> boundaries(ring_, static_cast<Index>(group.bound.size()) + group.kernel.size(), 0);
   for (const Symbol x : group.columns) {
     boundaries.append_column(group.coordinates(ring_, *core.find(x)));
   }
-  group.smith = sparse::smith_form(boundaries);
-  step_log().debug("H_{} was computed with its basis: {} free classes, Smith forms of {} and {} columns", degree,
+  group.quotient = sparse::Cokernel<R>(boundaries);
+  step_log().debug("H_{} was computed with its basis: {} free classes, eliminations of {} and {} columns", degree,
                    group.free.size(), group.lower.size(), group.columns.size());
   return group;
 }
@@ -132,16 +136,18 @@ Group<R> Groups<R>::of(int degree) const {
 template <Ring R>
 Terms<R, Symbol> Group<R>::in_symbols(const R& ring, const Terms<R>& coordinates) const {
   RawTerms<R, Symbol> out;
-  const auto rank = static_cast<Index>(kernel.factors.size());
+  Terms<R> on_kernel;
   for (const Term<R>& term : coordinates) {
     if (term.index < bound.size()) {
       out.push_back({bound[term.index], term.coefficient});
-      continue;
+    } else {
+      on_kernel.push_back({term.index - static_cast<Index>(bound.size()), term.coefficient});
     }
-    const Index column = rank + term.index - static_cast<Index>(bound.size());
-    kernel.right.for_each_in_column(column, [&](const Term<R>& part) {
-      out.push_back({lower[part.index], ring.multiply(term.coefficient, part.coefficient)});
-    });
+  }
+  if (!on_kernel.empty()) {
+    for (Term<R>& term : kernel.combination(on_kernel)) {
+      out.push_back({lower[term.index], std::move(term.coefficient)});
+    }
   }
   return std::move(out).normal(ring);
 }
@@ -163,10 +169,8 @@ Terms<R> Group<R>::coordinates(const R& ring, const Terms<R, Symbol>& cycle) con
       on_lower.push_back({*row, term.coefficient});
     }
   }
-  const auto rank = static_cast<Index>(kernel.factors.size());
-  for (const Term<R>& term : kernel.right_inverse.apply(on_lower)) {
-    expects(term.index >= rank, "the image of a cycle is a cycle of the small complex");
-    out.push_back({static_cast<Index>(bound.size()) + term.index - rank, term.coefficient});
+  for (Term<R>& term : kernel.coordinates(on_lower)) {
+    out.push_back({static_cast<Index>(bound.size()) + term.index, std::move(term.coefficient)});
   }
   return std::move(out).normal(ring);
 }
@@ -182,20 +186,16 @@ Terms<R, Symbol> Group<R>::in_columns(Terms<R> terms) const {
   return out;
 }
 
-/// The k-th generator that the Smith form has.
+/// The generator of the k-th summand of the quotient.
 template <Ring R>
 GroupGenerator<R> Group<R>::on_cycles(const R& ring, Index k) const {
-  GroupGenerator<R> generator{0, in_symbols(ring, smith.left_inverse.column(k)), {}};
-  if (k < smith.factors.size()) {
-    generator.order = ring.to_integer(smith.factors[k]);
-    generator.bounding = in_columns(smith.right.column(k));
-  }
-  return generator;
+  auto found = quotient.generator(k);
+  return {ring.to_integer(found.order), in_symbols(ring, found.vector), in_columns(std::move(found.bounding))};
 }
 
 template <Ring R>
 typename Group<R>::Class Group<R>::class_of(const R& ring, const Terms<R, Symbol>& cycle) const {
-  // 1. The coordinates: on the basis of the Smith form for what meets the core, on the free generators else.
+  // In the quotient for what meets the core, on the free generators else.
   Terms<R, Symbol> in_core;
   std::vector<Rational> on_free(free.size());
   for (const Term<R, Symbol>& term : cycle) {
@@ -206,27 +206,13 @@ typename Group<R>::Class Group<R>::class_of(const R& ring, const Terms<R, Symbol
       in_core.push_back(term);
     }
   }
-  std::vector<typename R::Element> dense(cycles(), ring.zero());
-  for (const Term<R>& term : smith.left.apply(coordinates(ring, in_core))) {
-    dense[term.index] = term.coefficient;
-  }
-  // 2. What is left of them modulo the orders, and what bounds the rest.
+  auto found = quotient.class_of(coordinates(ring, in_core));
   Class result;
-  Terms<R> bounding;
-  for (std::size_t k = 0; k < dense.size(); ++k) {
-    if (k >= smith.factors.size()) {
-      result.coefficients.push_back(to_rational(ring, dense[k]));
-      continue;
-    }
-    const auto& order = smith.factors[k];
-    const auto quotient = ring.quotient(dense[k], order);
-    sparse::add_multiple<R>(ring, bounding, quotient, smith.right.column(static_cast<Index>(k)));
-    if (!ring.is_unit(order)) {
-      result.coefficients.push_back(ring.to_integer(ring.subtract(dense[k], ring.multiply(quotient, order))));
-    }
+  for (const auto& coefficient : found.coefficients) {
+    result.coefficients.push_back(to_rational(ring, coefficient));
   }
   result.coefficients.insert(result.coefficients.end(), on_free.begin(), on_free.end());
-  result.bounding = in_columns(std::move(bounding));
+  result.bounding = in_columns(std::move(found.bounding));
   return result;
 }
 

@@ -7,9 +7,10 @@
 
 #include "engine/live_torsion.hpp"
 #include "engine/right/rewriter.hpp"
+#include "sparse/cokernel.hpp"
 #include "sparse/integer.hpp"
+#include "sparse/kernel.hpp"
 #include "sparse/rational.hpp"
-#include "sparse/smith.hpp"
 
 namespace sesame::engine {
 
@@ -28,14 +29,14 @@ struct GroupGenerator {
 /// 1 what is a boundary.
 template <Ring R>
 struct Group {
-  std::vector<Symbol> free;     ///< generators of S without boundary that are in no column above
-  std::vector<Symbol> bound;    ///< generators of S without boundary that are
-  std::vector<Symbol> lower;    ///< generators of S with a boundary
-  sparse::SmithForm<R> kernel;  ///< of d on `lower`: the columns of `right` from the rank on are its cycles
-  std::vector<Symbol> columns;  ///< the core's columns of the degree above
-  sparse::SmithForm<R> smith;   ///< of those, as written in the basis of cycles: `bound`, then the cycles of `lower`
+  std::vector<Symbol> free;      ///< generators of S without boundary that are in no column above
+  std::vector<Symbol> bound;     ///< generators of S without boundary that are
+  std::vector<Symbol> lower;     ///< generators of S with a boundary
+  sparse::Kernel<R> kernel;      ///< of d on `lower`
+  std::vector<Symbol> columns;   ///< the core's columns of the degree above
+  sparse::Cokernel<R> quotient;  ///< of those, as written in the basis of cycles: `bound`, then that of the kernel
 
-  [[nodiscard]] Index cycles() const { return smith.left.rows(); }
+  [[nodiscard]] Index cycles() const { return quotient.size(); }
   /// A combination of the basis of cycles, in symbols.
   [[nodiscard]] Terms<R, Symbol> in_symbols(const R& ring, const Terms<R>& coordinates) const;
   /// The coordinates of a cycle of S that has no part on `free`. Requires: it is a cycle.
@@ -45,8 +46,8 @@ struct Group {
   /// order, then the free ones. Each is worked out when it is its turn.
   template <class Visit>
   void for_each_generator(const R& ring, Visit visit) const {
-    for (Index k = 0; k < cycles(); ++k) {
-      if ((k >= smith.factors.size() || !ring.is_unit(smith.factors[k])) && !visit(on_cycles(ring, k))) {
+    for (Index k = 0; k < quotient.summands(); ++k) {
+      if (!visit(on_cycles(ring, k))) {
         return;
       }
     }
@@ -83,7 +84,7 @@ class Groups {
   /// Cost: O(1) as long as the core has not changed; else what is new, see LiveTorsion; where too much is, a Smith form
   /// of the core for each degree, without transforms.
   [[nodiscard]] const Torsion& torsion();
-  /// Cost: the small generators of a degree, and Smith forms of the core's columns of two, with transforms.
+  /// Cost: the small generators of a degree, and eliminations of the core's columns of two, see Kernel and Cokernel.
   [[nodiscard]] Group<R> of(int degree) const;
 
  private:

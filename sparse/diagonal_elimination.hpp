@@ -1,9 +1,10 @@
 /// \file
-/// The elimination behind the Smith form. Part of smith.cpp, which alone includes it.
+/// The elimination behind Smith forms, kernels and cokernels. Part of their .cpp files, which alone include it.
 #pragma once
 
 #include <algorithm>
 #include <concepts>
+#include <cstdint>
 #include <functional>
 #include <iterator>
 #include <optional>
@@ -12,46 +13,9 @@
 #include <vector>
 
 #include "sparse/matrix.hpp"
+#include "sparse/transform.hpp"
 
 namespace sesame::sparse {
-
-template <Ring R>
-using Lines = std::vector<Terms<R>>;
-
-template <Ring R>
-Lines<R> unit_lines(const R& ring, Index n) {
-  Lines<R> lines(n);
-  for (Index i = 0; i < n; ++i) {
-    lines[i] = {{i, ring.one()}};
-  }
-  return lines;
-}
-
-template <Ring R>
-void scale(const R& ring, Terms<R>& terms, const typename R::Element& a) {
-  for (Term<R>& term : terms) {
-    term.coefficient = ring.multiply(term.coefficient, a);
-  }
-}
-
-/// A change of basis and its inverse: of one, the lines that an operation adds to; of the other, those it adds from.
-template <Ring R>
-struct Transform {
-  Lines<R> forward;  ///< rows of left, or columns of right
-  Lines<R> inverse;  ///< columns of left_inverse, or rows of right_inverse
-
-  /// forward[k] += a forward[pivot] for each k a of `multiples`; and the inverse accordingly.
-  void add(const R& ring, Index pivot, const Terms<R>& multiples) {
-    RawTerms<R> gathered;  // what inverse[pivot] gains, added up at once
-    for (const auto& [k, a] : multiples) {
-      add_multiple<R>(ring, forward[k], a, forward[pivot]);
-      for (const Term<R>& term : inverse[k]) {
-        gathered.push_back({term.index, ring.multiply(ring.negate(a), term.coefficient)});
-      }
-    }
-    add_multiple<R>(ring, inverse[pivot], ring.one(), std::move(gathered).normal(ring));
-  }
-};
 
 template <Ring R>
 struct Pivot {
@@ -60,21 +24,56 @@ struct Pivot {
   typename R::Element value;
 };
 
-/// Absolute value as the size of an element, for choosing pivots: all units are equal.
+/// The part of a matrix that an elimination has left: it has none of the rows and columns of the pivots.
 template <Ring R>
-Integer size_of(const R& ring, const typename R::Element& a) {
-  return ring.is_unit(a) ? Integer{1} : abs(ring.to_integer(a));
-}
+struct Residue {
+  std::vector<Index> rows, columns;  ///< in the whole matrix; none is zero
+  Lines<R> entries;                  ///< by columns, rows counted among its own
+};
+
+/// Absolute value as the size of an element, for choosing pivots: all units are equal. Mostly it is a machine word.
+template <Ring R>
+class Size {
+ public:
+  Size(const R& ring, const typename R::Element& a) {
+    if (ring.is_unit(a)) {
+      word_ = 1;
+      return;
+    }
+    const Integer value = ring.to_integer(a);
+    if (const auto word = value.to_int64(); word && *word > INT64_MIN) {
+      word_ = static_cast<std::uint64_t>(*word < 0 ? -*word : *word);
+    } else {
+      large_ = abs(value);
+    }
+  }
+  friend bool operator<(const Size& a, const Size& b) {
+    return a.word_ != b.word_ ? a.word_ < b.word_ : a.word_ == large && a.large_ < b.large_;
+  }
+  friend bool operator==(const Size& a, const Size& b) = default;
+
+ private:
+  static constexpr std::uint64_t large = UINT64_MAX;
+
+  std::uint64_t word_ = large;
+  Integer large_;
+};
 
 /// Diagonalises a sparse matrix by column operations that clear the row of a pivot; once that row is clear, the row
 /// operations that clear its column touch nothing else. Entries are kept by columns; rows only know where to look.
-template <Ring R>
+template <Ring R, class Left = NoTransform, class Right = NoTransform>
 class DiagonalElimination {
  public:
   using Element = typename R::Element;
 
-  DiagonalElimination(const Matrix<R>& matrix, bool with_transforms)
-      : ring_{matrix.ring()}, columns_(matrix.columns()), rows_(matrix.rows()), row_sizes_(matrix.rows()) {
+  /// `left` and `right` are told of the operations, see NoTransform.
+  explicit DiagonalElimination(const Matrix<R>& matrix, Left left = {}, Right right = {})
+      : ring_{matrix.ring()},
+        columns_(matrix.columns()),
+        rows_(matrix.rows()),
+        row_sizes_(matrix.rows()),
+        left_{std::move(left)},
+        right_{std::move(right)} {
     for (Index j = 0; j < matrix.columns(); ++j) {
       columns_[j] = matrix.column(j);
       for (const Term<R>& entry : columns_[j]) {
@@ -83,43 +82,63 @@ class DiagonalElimination {
       }
       queue(j);
     }
-    if (with_transforms) {
-      left_ = {unit_lines(ring_, matrix.rows()), unit_lines(ring_, matrix.rows())};
-      right_ = {unit_lines(ring_, matrix.columns()), unit_lines(ring_, matrix.columns())};
-    }
-    with_transforms_ = with_transforms;
   }
 
-  /// All pivots, in the order found. The matrix is zero apart from them.
+  /// All pivots that are left, in the order found. The matrix is zero apart from them.
   std::vector<Pivot<R>> run() {
     std::vector<Pivot<R>> pivots;
-    while (take_pivot(pivots)) {
+    while (take_pivot(next_pivot(), pivots)) {
     }
     return pivots;
   }
   /// The same, until coefficients begin to grow: then there is a `rest`.
   std::vector<Pivot<R>> run_while_small() {
     std::vector<Pivot<R>> pivots;
-    while (!has_grown_ && take_pivot(pivots)) {
+    while (!has_grown_ && take_pivot(next_pivot(), pivots)) {
     }
     return pivots;
   }
-  /// The columns that are not zero yet; they have none of the rows of the pivots.
-  [[nodiscard]] Lines<R> rest() const {
-    Lines<R> rest;
-    std::copy_if(columns_.begin(), columns_.end(), std::back_inserter(rest),
-                 [](const Terms<R>& column) { return !column.empty(); });
-    return rest;
+  /// The same, until there is no unit any more.
+  std::vector<Pivot<R>> run_while_small_units() {
+    std::vector<Pivot<R>> pivots;
+    while (!has_grown_ && take_pivot(next_unit(), pivots)) {
+    }
+    return pivots;
+  }
+  [[nodiscard]] Residue<R> residue() const {
+    Residue<R> residue;
+    std::vector<Index> number(rows_.size(), 0);  // of its rows: from 1 on
+    for (const Terms<R>& column : columns_) {
+      for (const Term<R>& entry : column) {
+        number[entry.index] = 1;
+      }
+    }
+    for (Index i = 0; i < rows_.size(); ++i) {
+      if (number[i] != 0) {
+        residue.rows.push_back(i);
+        number[i] = static_cast<Index>(residue.rows.size());
+      }
+    }
+    for (Index j = 0; j < columns_.size(); ++j) {
+      if (!columns_[j].empty()) {
+        residue.columns.push_back(j);
+        residue.entries.push_back(columns_[j]);
+        for (Term<R>& entry : residue.entries.back()) {
+          entry.index = number[entry.index] - 1;
+        }
+      }
+    }
+    return residue;
   }
 
-  Transform<R>& left() { return left_; }
-  Transform<R>& right() { return right_; }
+  [[nodiscard]] const R& ring() const { return ring_; }
+  Left& left() { return left_; }
+  Right& right() { return right_; }
 
  private:
   using Candidate = std::pair<std::size_t, Index>;  // column size, column
 
-  bool take_pivot(std::vector<Pivot<R>>& pivots) {
-    auto pivot = next_pivot();
+  bool take_pivot(std::optional<Pivot<R>> pivot, std::vector<Pivot<R>>& pivots) {
     if (!pivot) {
       return false;
     }
@@ -137,9 +156,15 @@ class DiagonalElimination {
     }
   }
 
-  /// A unit with little fill-in: in one of the shortest columns, in its shortest row. Without units left, an entry of
-  /// least absolute value. A column is looked at again only after it has changed.
+  /// A unit, or, without units left, an entry of least absolute value.
   std::optional<Pivot<R>> next_pivot() {
+    auto unit = next_unit();
+    return unit ? unit : least_entry();
+  }
+
+  /// A unit with little fill-in: in one of the shortest columns, in its shortest row. A column is looked at again only
+  /// after it has changed.
+  std::optional<Pivot<R>> next_unit() {
     while (!queue_.empty()) {
       const auto [size, j] = queue_.top();
       queue_.pop();
@@ -157,25 +182,30 @@ class DiagonalElimination {
         return Pivot<R>{best->index, j, best->coefficient};
       }
     }
-    return least_entry();
+    return std::nullopt;
   }
 
   std::optional<Pivot<R>> least_entry() const {
-    std::optional<Pivot<R>> best;
-    Integer best_size;
+    const Term<R>* best = nullptr;
+    Index best_column = 0;
+    std::optional<Size<R>> best_size;
     std::size_t best_fill = 0;
     for (Index j = 0; j < columns_.size(); ++j) {
       for (const Term<R>& entry : columns_[j]) {
-        const Integer size = size_of(ring_, entry.coefficient);
+        Size<R> size(ring_, entry.coefficient);
+        if (best_size && *best_size < size) {
+          continue;
+        }
         const std::size_t fill = (columns_[j].size() - 1) * (row_sizes_[entry.index] - 1);
-        if (!best || size < best_size || (size == best_size && fill < best_fill)) {
-          best = Pivot<R>{entry.index, j, entry.coefficient};
-          best_size = size;
+        if (!best_size || size < *best_size || fill < best_fill) {
+          best = &entry;
+          best_column = j;
+          best_size = std::move(size);
           best_fill = fill;
         }
       }
     }
-    return best;
+    return best == nullptr ? std::nullopt : std::optional{Pivot<R>{best->index, best_column, best->coefficient}};
   }
 
   /// Brings the pivot to stand alone in its row and column. Whenever a remainder is left, it is smaller than the
@@ -223,9 +253,7 @@ class DiagonalElimination {
         keep_least(least, {pivot.row, k, *rest});
       }
     }
-    if (with_transforms_) {
-      right_.add(ring_, pivot.column, multiples);
-    }
+    right_.add(ring_, pivot.column, multiples, ring_.is_unit(pivot.value));
     return least;
   }
 
@@ -251,14 +279,12 @@ class DiagonalElimination {
       }
     }
     columns_[pivot.column] = std::move(cleared);
-    if (with_transforms_) {
-      left_.add(ring_, pivot.row, multiples);
-    }
+    left_.add(ring_, pivot.row, multiples, ring_.is_unit(pivot.value));
     return least;
   }
 
   void keep_least(std::optional<Pivot<R>>& least, Pivot<R> candidate) const {
-    if (!least || size_of(ring_, candidate.value) < size_of(ring_, least->value)) {
+    if (!least || Size<R>(ring_, candidate.value) < Size<R>(ring_, least->value)) {
       least = std::move(candidate);
     }
   }
@@ -289,7 +315,7 @@ class DiagonalElimination {
       }
     }
     std::move(a, column.end(), std::back_inserter(sum_));
-    column.assign(std::move_iterator(sum_.begin()), std::move_iterator(sum_.end()));
+    column.swap(sum_);
     queue(to);
   }
 
@@ -314,21 +340,17 @@ class DiagonalElimination {
       return;
     }
     pivot.value = ring_.multiply(pivot.value, unit);
-    if (with_transforms_) {
-      scale(ring_, right_.forward[pivot.column], unit);
-      scale(ring_, right_.inverse[pivot.column], ring_.inverse(unit));
-    }
+    right_.scale(ring_, pivot.column, unit);
   }
 
   R ring_;
-  bool with_transforms_ = false;
   bool has_grown_ = false;  ///< some coefficient, at some time
   Lines<R> columns_;
   std::vector<std::vector<Index>> rows_;  ///< columns that meet the row: perhaps repeated, perhaps no longer
   std::vector<std::size_t> row_sizes_;    ///< the exact number of entries of the row
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
-  Transform<R> left_;
-  Transform<R> right_;
+  Left left_;
+  Right right_;
   Terms<R> sum_;  ///< scratch
 };
 

@@ -1,5 +1,5 @@
 /// \file
-/// FLINT's numbers and matrices, with an owner. Part of padic_smith.cpp, which alone includes it.
+/// FLINT's numbers and matrices, with an owner. Part of the p-adic .cpp files, which alone include it.
 #pragma once
 
 #include <flint/fmpz.h>
@@ -34,8 +34,13 @@ class Block {
   Block(std::size_t rows, std::size_t columns) {
     fmpz_mat_init(matrix_, static_cast<slong>(rows), static_cast<slong>(columns));
   }
+  Block(Block&& other) noexcept {
+    fmpz_mat_init(matrix_, 0, 0);
+    fmpz_mat_swap(matrix_, other.matrix_);
+  }
   Block(const Block&) = delete;
   Block& operator=(const Block&) = delete;
+  Block& operator=(Block&&) = delete;
   ~Block() { fmpz_mat_clear(matrix_); }
   operator fmpz_mat_struct*() { return matrix_; }              // NOLINT(google-explicit-constructor)
   operator const fmpz_mat_struct*() const { return matrix_; }  // NOLINT(google-explicit-constructor)

@@ -85,22 +85,42 @@ Trace<R> Lifts<R>::trace_of_boundary(Symbol x, RuleId before) {
   });
 }
 
+/// The trace of the boundary of x by the rules made before a time: the known one, or else `made`.
+template <Ring R>
+std::span<const typename Trace<R>::value_type> Lifts<R>::find_trace(Symbol x, RuleId time, KnownTraces<R>* known,
+                                                                    Trace<R>& made) {
+  // At the end of time, or at that of the rule whose b it is; a small one has no such rule.
+  const bool may_be_known = known != nullptr && (time == rules_.size() || rules_.removed_by(x) == time);
+  if (may_be_known) {
+    if (const auto found = known->find(x)) {
+      return *found;
+    }
+  }
+  made = trace_of_boundary(x, time);
+  if (may_be_known) {
+    known->keep(x, made);
+  }
+  return made;
+}
+
 template <Ring R>
 void Lifts<R>::drop_work() {
   for (sparse::Accumulator<R, Symbol>& traced : traced_) {
     traced.clear();
   }
   traces_running_ = 0;
+  while (pending_.take()) {
+  }
 }
 
 // ------------------------------------------------------------------------------------------------------------ lifts
 
 /// One step of writing a * V_time(x) in generators of B and in lifts of earlier times: `add(time, y, coefficient)` is
-/// told of those of a combination, `add_rule(rule, coefficient)` of those of the symbols b of rules.
+/// told of those of a combination, `add_rule(rule, factor, coefficient)` of those of the symbols b of rules, a product.
 template <Ring R>
 template <class Add, class AddRule>
 void Lifts<R>::expand(RuleId time, Symbol x, const Element& a, RawTerms<R, GeneratorId>& generators, Add add,
-                      AddRule add_rule) {
+                      AddRule add_rule, KnownTraces<R>* known) {
   if (const auto* combination = rules_.combination(x)) {
     add(combination->rule, combination->x, a);
     add(combination->rule, combination->y, ring_.negate(ring_.multiply(a, combination->q)));
@@ -108,34 +128,50 @@ void Lifts<R>::expand(RuleId time, Symbol x, const Element& a, RawTerms<R, Gener
     generators.push_back({rules_.generator_in(x), a});
   }
   const Element minus = ring_.negate(a);
-  for (const auto& [rule, factor] : trace_of_boundary(x, time)) {
-    add_rule(rule, ring_.multiply(minus, factor));
+  Trace<R> made;
+  for (const auto& [rule, factor] : find_trace(x, time, known, made)) {
+    add_rule(rule, minus, factor);
   }
 }
 
 template <Ring R>
-Terms<R, GeneratorId> Lifts<R>::lift(std::span<const TermType> chain_of_s, const Trace<R>& trace) {
-  // What is still to be expanded: V_t(x) with its coefficient, the latest t first. Expanding one leads to earlier ones
-  // only, so equal ones have been added up by the time their turn comes.
-  std::map<std::pair<RuleId, Symbol>, Element, std::greater<>> pending;
+Terms<R, GeneratorId> Lifts<R>::lift(std::span<const TermType> chain_of_s, const Trace<R>& trace,
+                                     KnownTraces<R>* known) {
+  // What is still to be expanded, V_t(x) with its coefficient, the latest t first: the b's of rules in `pending_`, the
+  // others, which are few, here. Expanding one leads to earlier ones only, so equal ones have been added up by the time
+  // their turn comes. No b of a rule has the time of another one.
+  std::map<std::pair<RuleId, Symbol>, Element, std::greater<>> others;
   const auto add = [&](RuleId time, Symbol x, const Element& coefficient) {
-    ring_.add_product(pending.try_emplace({time, x}, ring_.zero()).first->second, coefficient, ring_.one());
+    ring_.add_product(others.try_emplace({time, x}, ring_.zero()).first->second, coefficient, ring_.one());
   };
-  const auto add_rule = [&](RuleId rule, const Element& coefficient) { add(rule, rules_[rule].b, coefficient); };
+  const auto add_rule = [&](RuleId rule, const Element& factor, const Element& coefficient) {
+    pending_.add_product(rule, factor, coefficient);
+  };
   for (const TermType& term : chain_of_s) {
     add(rules_.size(), term.index, term.coefficient);
   }
   for (const auto& [rule, coefficient] : trace) {
-    add_rule(rule, coefficient);
+    add_rule(rule, ring_.one(), coefficient);
   }
   RawTerms<R, GeneratorId> chain;
-  while (!pending.empty()) {
-    const auto node = pending.extract(pending.begin());
-    if (!ring_.is_zero(node.mapped())) {
-      expand(node.key().first, node.key().second, node.mapped(), chain, add, add_rule);
+  while (true) {
+    const std::optional<sparse::Term<R>> next = pending_.take();
+    const RuleId rule{next ? next->index : 0};
+    if (!others.empty() && others.begin()->first.first >= rule) {
+      if (next) {
+        add_rule(rule, ring_.one(), next->coefficient);
+      }
+      const auto node = others.extract(others.begin());
+      if (!ring_.is_zero(node.mapped())) {
+        expand(node.key().first, node.key().second, node.mapped(), chain, add, add_rule, known);
+      }
+      continue;
     }
+    if (!next) {
+      return std::move(chain).normal(ring_);
+    }
+    expand(rule, rules_[rule].b, next->coefficient, chain, add, add_rule, known);
   }
-  return std::move(chain).normal(ring_);
 }
 
 template <Ring R>
@@ -147,7 +183,9 @@ typename Lifts<R>::Expansion Lifts<R>::expansion(Symbol x, RuleId time) {
     pending.pop_back();
     expand(
         t, y, coefficient, v.generators, [&](RuleId at, Symbol z, const Element& a) { pending.emplace_back(at, z, a); },
-        [&](RuleId rule, const Element& a) { v.trace.emplace_back(rule, ring_.negate(a)); });
+        [&](RuleId rule, const Element& a, const Element& b) {
+          v.trace.emplace_back(rule, ring_.negate(ring_.multiply(a, b)));
+        });
   }
   return v;
 }

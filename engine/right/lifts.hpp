@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -14,12 +15,51 @@
 #include "engine/right/rules.hpp"
 #include "sparse/accumulator.hpp"
 #include "sparse/column_store.hpp"
+#include "sparse/descending_sum.hpp"
 
 namespace sesame::engine {
 
 /// Coefficients of a rewriting by rule: what the homotopy h is made of.
 template <Ring R>
 using Trace = std::vector<std::pair<RuleId, typename R::Element>>;
+
+/// The traces that lifts have needed, for whoever lifts many chains: which share most of them. They are those of the
+/// boundaries of small symbols now, and of the b's of rules at the times of these. Valid until anything happens to the
+/// equivalence.
+template <Ring R>
+class KnownTraces {
+ public:
+  using TraceTerm = typename Trace<R>::value_type;
+
+  /// What is known of a symbol; nothing: it is not known.
+  [[nodiscard]] std::optional<std::span<const TraceTerm>> find(Symbol x) const {
+    if (x >= places_.size() || places_[x].size == unknown) {
+      return std::nullopt;
+    }
+    return std::span{terms_.data() + places_[x].begin, places_[x].size};
+  }
+  /// Keeps the trace of a symbol, as long as there is room. Requires: it is not known.
+  void keep(Symbol x, const Trace<R>& trace) {
+    if (terms_.size() + trace.size() > most_terms) {
+      return;
+    }
+    if (x >= places_.size()) {
+      places_.resize(x + std::size_t{1});
+    }
+    places_[x] = {static_cast<std::uint32_t>(terms_.size()), static_cast<std::uint32_t>(trace.size())};
+    terms_.insert(terms_.end(), trace.begin(), trace.end());
+  }
+
+ private:
+  static constexpr std::size_t most_terms = std::size_t{1} << 22U;
+  static constexpr std::uint32_t unknown = UINT32_MAX;
+  struct Place {
+    std::uint32_t begin = 0, size = unknown;
+  };
+
+  std::vector<Place> places_;  ///< per symbol
+  std::vector<TraceTerm> terms_;
+};
 
 /// Traces and lifts, by the rules as they were made. The *trace* of a chain v has for each elimination (a, b) with unit
 /// e that rewriting v uses e^-1 times the coefficient under which a was rewritten; the *lift* of a symbol x at time t
@@ -49,13 +89,15 @@ class Lifts {
         rules_{rules},
         perturbations_{perturbations},
         dependents_{dependents},
-        effort_{effort} {}
+        effort_{effort},
+        pending_{ring} {}
 
   /// h, as a trace, of a chain of B. Cost: the rules that apply, each once, times the logarithm of their number.
   [[nodiscard]] Trace<R> trace(std::span<const TermOfB> chain_of_b);
   /// g of a chain of S (in symbols) plus sum trace[a] V(b_a): a chain of B in normal form.
-  /// Cost: each rule involved is expanded once.
-  [[nodiscard]] Terms<R, GeneratorId> lift(std::span<const TermType> chain_of_s, const Trace<R>& trace = {});
+  /// Cost: each rule involved is expanded once; one that is `known` by its trace only.
+  [[nodiscard]] Terms<R, GeneratorId> lift(std::span<const TermType> chain_of_s, const Trace<R>& trace = {},
+                                           KnownTraces<R>* known = nullptr);
 
   /// delta(V_time(x)) of the perturbations with new symbols from `first` on, in these; in normal form.
   /// Cost: the rules under x are brought up to date, else that of the lift.
@@ -76,9 +118,11 @@ class Lifts {
   template <class Begin>
   Trace<R> run_trace(RuleId before, Begin begin);
   Trace<R> trace_of_boundary(Symbol x, RuleId before);
+  std::span<const typename Trace<R>::value_type> find_trace(Symbol x, RuleId time, KnownTraces<R>* known,
+                                                            Trace<R>& made);
   template <class Add, class AddRule>
   void expand(RuleId time, Symbol x, const Element& coefficient, RawTerms<R, GeneratorId>& generators, Add add,
-              AddRule add_rule);
+              AddRule add_rule, KnownTraces<R>* known = nullptr);
   [[nodiscard]] Expansion expansion(Symbol x, RuleId time);
   [[nodiscard]] Terms<R, Symbol> gain_of(const Expansion& v, Symbol first);
 
@@ -91,6 +135,7 @@ class Lifts {
   /// One for each trace that is running: taking in may start another.
   std::deque<sparse::Accumulator<R, Symbol>> traced_;
   std::size_t traces_running_ = 0;
+  sparse::DescendingSum<R> pending_;  ///< of a lift: the b's of rules that are still to be expanded
 };
 
 }  // namespace sesame::engine

@@ -62,9 +62,10 @@ class Rewriter {
   /// h, as a trace, of a chain of B. Cost: the rules that apply, each once, times the logarithm of their number.
   [[nodiscard]] Trace<R> trace(std::span<const TermOfB> chain_of_b) { return lifts_.trace(chain_of_b); }
   /// g of a chain of S (in symbols) plus sum trace[a] V(b_a): a chain of B in normal form.
-  /// Cost: each rule involved is expanded once.
-  [[nodiscard]] Terms<R, GeneratorId> lift(std::span<const TermType> chain_of_s, const Trace<R>& trace = {}) {
-    return lifts_.lift(chain_of_s, trace);
+  /// Cost: each rule involved is expanded once; one that is `known` by its trace only.
+  [[nodiscard]] Terms<R, GeneratorId> lift(std::span<const TermType> chain_of_s, const Trace<R>& trace = {},
+                                           KnownTraces<R>* known = nullptr) {
+    return lifts_.lift(chain_of_s, trace, known);
   }
 
   /// From now on work may cost this much, in terms that are read, each as often as its coefficient has words; what

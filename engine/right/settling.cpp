@@ -1,6 +1,7 @@
 #include "engine/right/settling.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <iterator>
 
 #include "sparse/integer.hpp"
@@ -33,8 +34,13 @@ Integer largest(const R& ring, const Terms<R, Symbol>& column) {
 
 template <Ring R>
 bool is_larger_than(int bound, const R& ring, const Terms<R, Symbol>& column) {
-  return std::any_of(column.begin(), column.end(),
-                     [&](const sparse::Term<R, Symbol>& term) { return size_of(ring, term) > bound; });
+  return std::any_of(column.begin(), column.end(), [&](const sparse::Term<R, Symbol>& term) {
+    if constexpr (std::same_as<typename R::Element, Integer>) {
+      return term.coefficient > bound || term.coefficient < -bound;
+    } else {
+      return size_of(ring, term) > bound;
+    }
+  });
 }
 
 template <Ring R>
@@ -43,17 +49,45 @@ bool has_unit(const R& ring, const Terms<R, Symbol>& column) {
                      [&](const sparse::Term<R, Symbol>& term) { return ring.is_unit(term.coefficient); });
 }
 
-/// Whether the entries of a column have no common divisor.
+/// Whether the entries of a column, none of which is a unit, have no common divisor.
 template <Ring R>
 bool is_coprime(const R& ring, const Terms<R, Symbol>& column) {
-  if (has_unit(ring, column)) {
-    return true;
-  }
   Integer divisor = 0;
   for (auto term = column.begin(); term != column.end() && divisor != 1; ++term) {
     divisor = sparse::gcd(divisor, ring.to_integer(term->coefficient));
   }
   return divisor == 1;
+}
+
+/// A column with `value` in the place of one of its rows.
+template <Ring R>
+Terms<R, Symbol> substituted(const R& ring, const Terms<R, Symbol>& column, Symbol row,
+                             std::span<const sparse::Term<R, Symbol>> value) {
+  const typename R::Element& factor = sparse::find_term<R>(column, row)->coefficient;
+  Terms<R, Symbol> sum;
+  sum.reserve(column.size() + value.size());
+  auto more = value.begin();
+  const auto add_more_before = [&](auto is_before) {
+    for (; more != value.end() && is_before(more->index); ++more) {
+      sum.push_back({more->index, ring.multiply(factor, more->coefficient)});
+    }
+  };
+  for (const sparse::Term<R, Symbol>& term : column) {
+    add_more_before([&](Symbol x) { return x < term.index; });
+    const bool is_in_both = more != value.end() && more->index == term.index;
+    if (term.index == row) {
+      continue;  // where the value has it, too, that comes next
+    }
+    sum.push_back(term);
+    if (is_in_both) {
+      ring.add_product(sum.back().coefficient, factor, (more++)->coefficient);
+      if (ring.is_zero(sum.back().coefficient)) {
+        sum.pop_back();
+      }
+    }
+  }
+  add_more_before([](Symbol) { return true; });
+  return sum;
 }
 
 /// Whether a coefficient has become larger than it was, and larger than small.
@@ -130,11 +164,7 @@ void Settling<R>::eliminate(Symbol a, Symbol b, const Terms<R, Symbol>& column) 
 template <Ring R>
 void Settling<R>::substitute_row(Symbol row, std::span<const TermType> value) {
   for (const Symbol z : core_.columns_with_row(row)) {
-    Terms<R, Symbol> column = *core_.find(z);
-    const TermType* entry = sparse::find_term<R>(column, row);
-    const Element coefficient = entry->coefficient;
-    column.erase(column.begin() + (entry - column.data()));
-    sparse::add_multiple(ring_, column, coefficient, value);
+    Terms<R, Symbol> column = substituted<R>(ring_, *core_.find(z), row, value);
     effort_.spend(words_of(column));
     core_.set(z, std::move(column));
     unsettled_.insert(z);
@@ -163,7 +193,8 @@ void Settling<R>::settle() {
 /// has made all the moves that it may: nothing but speed and the size of S depends on them.
 template <Ring R>
 void Settling<R>::settle_column(Symbol x) {
-  if (is_coprime(ring_, *core_.find(x))) {
+  const Terms<R, Symbol>& column = *core_.find(x);
+  if (has_unit(ring_, column) || is_coprime(ring_, column)) {
     settle_coprime(x);
     return;
   }
@@ -178,12 +209,13 @@ void Settling<R>::settle_column(Symbol x) {
 
 template <Ring R>
 void Settling<R>::settle_coprime(Symbol x) {
-  while (mild_unit(*core_.find(x)) == nullptr && reduce_rows(x)) {
-  }
-  const Terms<R, Symbol> column = *core_.find(x);
-  if (const TermType* unit = mild_unit(column)) {
-    eliminate(unit->index, x, column);
-  }
+  do {
+    if (const TermType* unit = mild_unit(*core_.find(x))) {
+      const Terms<R, Symbol> column = *core_.find(x);
+      eliminate(unit->index, x, column);
+      return;
+    }
+  } while (reduce_rows(x));
 }
 
 /// The pivot of x is owned by another column.

@@ -1,4 +1,5 @@
 // Abstract simplicial complexes under insertions and collapses: homology, laws, undo, persistence.
+#include "sparse/smith.hpp"
 #include "tests/support/abstract_steps.hpp"
 #include "tests/support/engines.hpp"
 

@@ -118,3 +118,18 @@ TEMPLATE_TEST_CASE("Lifts: the gain of a symbol is delta of its lift, as it was 
     CHECK_FALSE(live.perturbations.is_behind(rule));
   }
 }
+
+TEMPLATE_TEST_CASE("Lifts: known traces change nothing", "[engine][twin]", Integers, Z2, Zp) {
+  using R = TestType;
+  RandomReduction<R> live{test_ring<R>(), GENERATE(range(0U, 10U))};
+  live.grow_to(random_complex(live.ring, live.random).complex);
+  engine::KnownTraces<R> known;
+  for (const Symbol x : live.small()) {
+    const ChainOfS<R> unit{{x, live.ring.one()}};
+    CHECK(live.lifts.lift(unit, {}, &known) == live.lifts.lift(unit));
+  }
+  for (GeneratorId x = 0; x < live.b.size(); ++x) {
+    const auto trace = live.lifts.trace(ChainOfB<R>{{x, live.ring.one()}});
+    CHECK(live.lifts.lift({}, trace, &known) == live.lifts.lift({}, trace));
+  }
+}
