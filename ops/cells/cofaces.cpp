@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sparse/hash_index.hpp"
+
 namespace sesame::ops {
 namespace {
 
@@ -13,38 +15,52 @@ class Cofaces {
   [[nodiscard]] std::vector<CellId> of(CellId current) const;
 
  private:
-  void add_candidates(CellId current, std::vector<CellId>& out) const;
-  void add_of_apex(FamilyId id, std::vector<CellId>& out) const;
-  void add_of_lazy(const LazyKey& key, CellId cell, std::vector<CellId>& out) const;
+  /// Current cells, each once: a long history has a few of them again and again.
+  class Candidates {
+   public:
+    explicit Candidates(const Forest& forest) : forest_{forest} {}
+    void push_back(CellId node) {
+      const CellId cell = forest_.find(node);
+      const std::uint64_t hash = sparse::spread_bits(cell);
+      if (cell != none && index_.find(hash, [&](std::uint32_t each) { return each == cell; }) == none) {
+        index_.insert(hash, cell);
+        cells_.push_back(cell);
+      }
+    }
+    [[nodiscard]] const std::vector<CellId>& cells() const { return cells_; }
+
+   private:
+    const Forest& forest_;
+    sparse::HashIndex index_;
+    std::vector<CellId> cells_;
+  };
+
+  void add_candidates(CellId current, Candidates& out) const;
+  void add_of_apex(FamilyId id, Candidates& out) const;
+  void add_of_lazy(const LazyKey& key, CellId cell, Candidates& out) const;
 
   const Structure& structure_;
   const LazyCells& lazy_;
 };
 
 std::vector<CellId> Cofaces::of(CellId current) const {
-  std::vector<CellId> candidates;
+  Candidates candidates(structure_.forest());
   add_candidates(current, candidates);
   std::vector<CellId> cells;
-  for (const CellId candidate : candidates) {
-    const CellId c = structure_.forest().find(candidate);
-    if (c == none) {
-      continue;
-    }
+  for (const CellId c : candidates.cells()) {
     const auto nodes = structure_.faces().of(c);
     if (std::any_of(nodes.begin(), nodes.end(),
                     [&](CellId node) { return structure_.values().of(node).cell == current; })) {
       cells.push_back(c);
     }
   }
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   std::sort(cells.begin(), cells.end(), [this](CellId a, CellId b) {
     return lazy_.is_older(structure_.forest().oldest(a), structure_.forest().oldest(b));
   });
   return cells;
 }
 
-void Cofaces::add_candidates(CellId current, std::vector<CellId>& out) const {
+void Cofaces::add_candidates(CellId current, Candidates& out) const {
   std::vector<CellId> pending{current};  // and what is degenerate over it
   while (!pending.empty()) {
     const CellId root = pending.back();
@@ -72,7 +88,7 @@ void Cofaces::add_candidates(CellId current, std::vector<CellId>& out) const {
 }
 
 /// The cells of a lazy cone that have the apex as a face: over vertices, and over all when the far end is squashed.
-void Cofaces::add_of_apex(FamilyId id, std::vector<CellId>& out) const {
+void Cofaces::add_of_apex(FamilyId id, Candidates& out) const {
   const LazyFamily& family = lazy_.family(id);
   for (const BodyId body : family.bodies) {
     for (const CellId c : lazy_.cells_of(body)) {
@@ -84,7 +100,7 @@ void Cofaces::add_of_apex(FamilyId id, std::vector<CellId>& out) const {
 }
 
 /// Candidates for the cofaces, within its family, of a lazy cell.
-void Cofaces::add_of_lazy(const LazyKey& key, CellId cell, std::vector<CellId>& out) const {
+void Cofaces::add_of_lazy(const LazyKey& key, CellId cell, Candidates& out) const {
   const LazyFamily& family = lazy_.family(key.family);
   if (family.kind == FamilyKind::cone) {
     for (const CellId coface : of(key.left.cell)) {
