@@ -178,6 +178,47 @@ std::optional<Summands> summands_of(const Images& images, const std::vector<Vect
   return summands;
 }
 
+/// Puts short vectors in the place of generators: in that of the i-th one whose i-th coordinate is a unit modulo the
+/// order s_i, and of which s_i times the other ones is zero. The last one is nearly always found, others where the
+/// orders do not differ much.
+void shorten(Summands& summands, const std::vector<Integer>& orders, Chance& chance) {
+  constexpr int most_choices = 64;
+  const std::size_t k = orders.size(), n = summands.coordinates.columns();
+  const auto is_short = [](const Vector& v) {
+    return std::all_of(v.begin(), v.end(), [](const Term<Integers>& term) { return term.coefficient.is_unit(); });
+  };
+  for (std::size_t i = k; i-- > 0;) {
+    for (int choice = 0; choice < most_choices && !is_short(summands.generators[i]); ++choice) {
+      const Vector vector = random_vectors(n, 1, choice < most_choices / 2 ? 1 : 3, chance).front();
+      Row c(k, 0);
+      for (const Term<Integers>& term : summands.coordinates.apply(vector)) {
+        c[term.index] = remainder(term.coefficient, orders[term.index]);
+      }
+      const Bezout unit = extended_gcd(c[i], orders[i]);
+      bool fits = unit.g == Integer{1};
+      for (std::size_t j = 0; j < k; ++j) {
+        fits = fits && remainder(c[j] * orders[i], orders[j]).is_zero();
+      }
+      if (!fits) {
+        continue;
+      }
+      // x = y_i c + the other y_j: y_i = x_i / c_i, y_j = x_j - c_j y_i.
+      Matrix<Integers> changed(ring, static_cast<Index>(k), 0);
+      for (Index column = 0; column < n; ++column) {
+        const Integer y = remainder(summands.coordinates.entry(static_cast<Index>(i), column) * unit.x, orders[i]);
+        RawTerms<Integers> sum;
+        for (std::size_t j = 0; j < k; ++j) {
+          const auto row = static_cast<Index>(j);
+          sum.push_back({row, j == i ? y : remainder(summands.coordinates.entry(row, column) - c[j] * y, orders[j])});
+        }
+        changed.append_column(std::move(sum).normal(ring));
+      }
+      summands.coordinates = std::move(changed);
+      summands.generators[i] = vector;
+    }
+  }
+}
+
 }  // namespace
 
 struct PadicCokernel::Parts {
@@ -254,6 +295,7 @@ std::optional<PadicCokernel> PadicCokernel::of(const std::vector<Vector>& column
   if (!summands) {
     return std::nullopt;
   }
+  shorten(*summands, parts.orders, chance);
   parts.generators = std::move(summands->generators);
   parts.coordinates = std::move(summands->coordinates);
   for (const Vector& column : columns) {
