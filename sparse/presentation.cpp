@@ -12,6 +12,9 @@ namespace {
 
 const Integers ring;
 
+/// Fewer relations that wait than this are eliminated in no time.
+constexpr std::size_t least_for_span = 24;
+
 /// The invariant factors > 1 of a sum of cyclic groups.
 void make_divide(std::vector<Integer>& orders) {
   Matrix<Integers> diagonal(ring, static_cast<Index>(orders.size()), 0);
@@ -112,17 +115,19 @@ void Presentation::substitute(Index coordinate, const Vector& value) {
     if (substitute_in(relation, coordinate, value)) {
       reduce(relation);
       is_current_ = false;
+      implied_.reset();
     }
   }
 }
 
 void Presentation::add_relation(const Vector& relation) {
   const Vector image = image_of(relation);
-  if (image.empty()) {
+  if (image.empty() || follows(image)) {
     return;
   }
   if (!settle(image)) {
     is_current_ = false;
+    implied_.reset();
     waiting_.push_back(image);
     return;
   }
@@ -134,8 +139,42 @@ void Presentation::add_relation(const Vector& relation) {
       continue;
     }
     waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(k));
+    implied_.reset();
     k = next.empty() ? k : 0;
   }
+}
+
+/// Whether a relation is a combination of those that wait and of the orders of coordinates. Where these leave no
+/// torsion, all that is in their span over Q is one.
+bool Presentation::follows(const Vector& relation) {
+  if (waiting_.size() < least_for_span || leaves_torsion_ || (!implied_ && !is_current_)) {
+    return false;
+  }
+  if (!implied_) {
+    find_implied();
+  }
+  if (!implied_->span) {
+    return false;
+  }
+  RawTerms<Integers> on_rows;
+  for (const auto& [coordinate, entry] : relation) {
+    const auto row = implied_->rows.find(coordinate);
+    if (row == implied_->rows.end()) {
+      return false;
+    }
+    on_rows.push_back({row->second, entry});
+  }
+  return implied_->span->contains(std::move(on_rows).normal(ring));
+}
+
+void Presentation::find_implied() {
+  Waiting& waiting = implied_.emplace();
+  const Matrix<Integers> matrix = matrix_of_waiting(waiting.rows);
+  std::vector<Vector> columns;
+  for (Index j = 0; j < matrix.columns(); ++j) {
+    columns.push_back(matrix.column(j));
+  }
+  waiting.span = RationalSpan::of(matrix.rows(), columns);
 }
 
 /// Makes a relation, which is not 0, hold; false when it has to wait. Of the coordinates that can be expressed it takes
@@ -224,9 +263,8 @@ const Presentation::Group& Presentation::group() {
   return group_;
 }
 
-void Presentation::compute_group() {
-  group_ = {free_coordinates_, {}};
-  std::unordered_map<Index, Index> rows;  // of the coordinates that wait
+/// The relations that wait, and the orders of their coordinates, as columns; `rows` are these coordinates, by number.
+Matrix<Integers> Presentation::matrix_of_waiting(std::unordered_map<Index, Index>& rows) const {
   Matrix<Integers> matrix(ring, 0, 0);
   for (const Vector& relation : waiting_) {
     RawTerms<Integers> column;
@@ -239,23 +277,33 @@ void Presentation::compute_group() {
     }
     matrix.append_column(std::move(column).normal(ring));
   }
-  std::size_t finite = 0;
   for (Index k = 0; k < coordinates_.size(); ++k) {
     const Integer& order = coordinates_[k].order;
-    if (order.is_zero() || order.is_unit()) {
-      continue;
-    }
-    if (const auto row = rows.find(k); row != rows.end()) {
+    const auto row = rows.find(k);
+    if (row != rows.end() && !order.is_zero()) {
       matrix.append_column(Vector{{row->second, order}});
-      ++finite;
-    } else {
+    }
+  }
+  return matrix;
+}
+
+void Presentation::compute_group() {
+  group_ = {free_coordinates_, {}};
+  std::unordered_map<Index, Index> rows;  // of the coordinates that wait
+  const Matrix<Integers> matrix = matrix_of_waiting(rows);
+  const std::size_t finite = matrix.columns() - waiting_.size();
+  for (Index k = 0; k < coordinates_.size(); ++k) {
+    const Integer& order = coordinates_[k].order;
+    if (!order.is_zero() && !order.is_unit() && !rows.contains(k)) {
       group_.torsion.push_back(order);
     }
   }
   const std::vector<Integer> factors = invariant_factors(matrix);
-  if (factors.size() == matrix.rows() && (factors.empty() || factors.back().is_unit())) {
+  leaves_torsion_ = !factors.empty() && !factors.back().is_unit();
+  if (factors.size() == matrix.rows() && !leaves_torsion_) {
     // What waits leaves nothing of the coordinates that it has.
     waiting_.clear();
+    implied_.reset();
     for (const auto& [coordinate, row] : rows) {
       free_coordinates_ -= coordinates_[coordinate].order.is_zero() ? 1 : 0;
       substitute(coordinate, {});

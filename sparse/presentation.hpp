@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
 #include "sparse/chain.hpp"
+#include "sparse/matrix.hpp"
+#include "sparse/rational_span.hpp"
 
 namespace sesame::sparse {
 
@@ -20,7 +23,8 @@ namespace sesame::sparse {
 /// the changes of basis that it makes soon have coefficients of hundreds of digits.)
 ///
 /// So a relation that holds already costs itself, one with a unit the images that change, and the torsion is computed
-/// anew only from what waits, after it has changed.
+/// anew only from what waits, after it has changed. A relation that follows from those that wait holds already, too:
+/// where they leave no torsion, that is in their span, once the group has been asked for.
 class Presentation {
  public:
   using Vector = Terms<Integers>;
@@ -53,15 +57,25 @@ class Presentation {
   void set_image(Index generator, Vector image);
   [[nodiscard]] std::vector<Index> take_users(Index coordinate);
   void substitute(Index coordinate, const Vector& value);
+  [[nodiscard]] bool follows(const Vector& relation);
+  void find_implied();
   bool settle(const Vector& relation);
   void substitute_divisor(const Vector& relation, Index coordinate, const Integer& divisor);
   void relate_finite(const Vector& relation);
   void reduce(Vector& vector) const;
+  [[nodiscard]] Matrix<Integers> matrix_of_waiting(std::unordered_map<Index, Index>& rows) const;
   void compute_group();
 
   std::unordered_map<Index, Vector> images_;  // unordered: looked up only
   std::vector<Coordinate> coordinates_;
   std::vector<Vector> waiting_;  ///< relations, in coordinates
+  /// Of what waits, when it leaves no torsion: its coordinates as rows, and its span.
+  struct Waiting {
+    std::unordered_map<Index, Index> rows;
+    std::optional<RationalSpan> span;
+  };
+  std::optional<Waiting> implied_;  ///< nothing: not looked for since what waits has changed
+  bool leaves_torsion_ = false;     ///< what waits, when the group was computed last
   std::size_t generators_ = 0, free_coordinates_ = 0;
   Group group_;
   bool is_current_ = true;

@@ -87,6 +87,55 @@ TEST_CASE("Presentation: the group is the Smith form of all relations, after eac
   }
 }
 
+TEST_CASE("Presentation: relations that follow from many that wait change nothing, others in their span do",
+          "[sparse][twin]") {
+  Random random{GENERATE(range(0u, 12u))};
+  constexpr Index generators = 32;
+  Presentation live;
+  PlainPresentation plain;
+  for (Index k = 0; k < generators; ++k) {
+    live.add_generator(plain.add_generator());
+  }
+  const bool is_doubled = below(random, 2) == 1;
+  std::vector<Vector> relations;
+  const auto add = [&](const Vector& relation) {
+    live.add_relation(relation);
+    plain.add_relation(relation);
+  };
+  // Without units, and coprime: they wait. The last one perhaps twice itself first.
+  for (int k = 0; k < 28; ++k) {
+    RawTerms<Integers> terms;
+    for (const int coefficient : {2, -3, 2, 3, -2}) {
+      terms.push_back({below(random, generators), coefficient});
+    }
+    relations.push_back(std::move(terms).normal(Integers{}));
+    if (k == 27 && is_doubled) {
+      Vector twice;
+      add_multiple<Integers>(Integers{}, twice, 2, relations.back());
+      add(twice);
+    } else {
+      add(relations.back());
+    }
+  }
+  for (int step = 0; step < 16; ++step) {
+    CAPTURE(step, is_doubled);
+    const auto& group = live.group();
+    const auto expected = plain.group();
+    REQUIRE(group.free_rank == expected.free_rank);
+    REQUIRE(group.torsion == expected.torsion);
+    // A combination of those that were given, or one with another entry, or in the end the last relation itself.
+    Vector next;
+    for (int k = 0; k < 3; ++k) {
+      add_multiple<Integers>(Integers{}, next, static_cast<int>(below(random, 5)) - 2, relations[below(random, 27)]);
+    }
+    if (step % 4 == 3) {
+      const Vector more{{below(random, generators), 5}};
+      add_multiple<Integers>(Integers{}, next, 1, more);
+    }
+    add(step == 10 ? relations.back() : next);
+  }
+}
+
 TEST_CASE("Presentation: generators that a relation names are added", "[sparse]") {
   Presentation group;
   CHECK(group.group().free_rank == 0);
