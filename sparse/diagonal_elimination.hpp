@@ -31,33 +31,15 @@ struct Residue {
   Lines<R> entries;                  ///< by columns, rows counted among its own
 };
 
-/// Absolute value as the size of an element, for choosing pivots: all units are equal. Mostly it is a machine word.
+/// Absolute value as the size of an element, for choosing pivots: all units are equal.
 template <Ring R>
-class Size {
- public:
-  Size(const R& ring, const typename R::Element& a) {
-    if (ring.is_unit(a)) {
-      word_ = 1;
-      return;
-    }
-    const Integer value = ring.to_integer(a);
-    if (const auto word = value.to_int64(); word && *word > INT64_MIN) {
-      word_ = static_cast<std::uint64_t>(*word < 0 ? -*word : *word);
-    } else {
-      large_ = abs(value);
-    }
+Integer size_of(const R& ring, const typename R::Element& a) {
+  if (ring.is_unit(a)) {
+    return 1;
   }
-  friend bool operator<(const Size& a, const Size& b) {
-    return a.word_ != b.word_ ? a.word_ < b.word_ : a.word_ == large && a.large_ < b.large_;
-  }
-  friend bool operator==(const Size& a, const Size& b) = default;
-
- private:
-  static constexpr std::uint64_t large = UINT64_MAX;
-
-  std::uint64_t word_ = large;
-  Integer large_;
-};
+  Integer value = ring.to_integer(a);
+  return value.sign() < 0 ? -value : value;  // for machine words no call, unlike abs
+}
 
 /// Diagonalises a sparse matrix by column operations that clear the row of a pivot; once that row is clear, the row
 /// operations that clear its column touch nothing else. Entries are kept by columns; rows only know where to look.
@@ -188,16 +170,16 @@ class DiagonalElimination {
   std::optional<Pivot<R>> least_entry() const {
     const Term<R>* best = nullptr;
     Index best_column = 0;
-    std::optional<Size<R>> best_size;
+    Integer best_size;
     std::size_t best_fill = 0;
     for (Index j = 0; j < columns_.size(); ++j) {
       for (const Term<R>& entry : columns_[j]) {
-        Size<R> size(ring_, entry.coefficient);
-        if (best_size && *best_size < size) {
+        Integer size = size_of(ring_, entry.coefficient);
+        if (best != nullptr && best_size < size) {
           continue;
         }
         const std::size_t fill = (columns_[j].size() - 1) * (row_sizes_[entry.index] - 1);
-        if (!best_size || size < *best_size || fill < best_fill) {
+        if (best == nullptr || size < best_size || fill < best_fill) {
           best = &entry;
           best_column = j;
           best_size = std::move(size);
@@ -284,7 +266,7 @@ class DiagonalElimination {
   }
 
   void keep_least(std::optional<Pivot<R>>& least, Pivot<R> candidate) const {
-    if (!least || Size<R>(ring_, candidate.value) < Size<R>(ring_, least->value)) {
+    if (!least || size_of(ring_, candidate.value) < size_of(ring_, least->value)) {
       least = std::move(candidate);
     }
   }
