@@ -151,12 +151,11 @@ class OperationLog {
   }
   [[nodiscard]] std::size_t begin(std::size_t at) const { return at == 0 ? 0 : operations_[at - 1].end; }
 
-  /// values[k] += a * factor for the multiples k a of an operation.
+  /// values[k] += a * factor for the multiples k a of an operation, whose own line is none of the k.
   void spread(const Element& factor, std::size_t at, std::vector<Element>& values) const {
     if (!ring_.is_zero(factor)) {
-      const Element constant = factor;  // which may be one of the values
       for (std::size_t k = begin(at); k < operations_[at].end; ++k) {
-        ring_.add_product(values[terms_[k].index], terms_[k].coefficient, constant);
+        ring_.add_product(values[terms_[k].index], terms_[k].coefficient, factor);
       }
     }
   }
