@@ -61,12 +61,14 @@ bool Equivalences::extend(std::uint64_t moves) {
   cells_kept_ += parts_.back().cells;
   begin_part(std::move(next));
   give_up_oldest();
-  if (rebase_log().should_log(spdlog::level::info)) {
+  const auto level = is_done_at_once ? spdlog::level::debug : spdlog::level::info;
+  if (rebase_log().should_log(level)) {
     const std::chrono::duration<double, std::micro> took = Clock::now() - start;
-    rebase_log().info("begun afresh from {} cells, as {}; took {:.1f} us", cells,
-                      is_within_budget ? fmt::format("{} cells were split since the last time", copies)
-                                       : fmt::format("the step would have read more than {} terms", budget),
-                      took.count());
+    rebase_log().log(level, "begun afresh from {} cells, as {}; took {:.1f} us", cells,
+                     is_done_at_once    ? "a split of so few is not worth taking in"
+                     : is_within_budget ? fmt::format("{} cells were split since the last time", copies)
+                                        : fmt::format("the step would have read more than {} terms", budget),
+                     took.count());
   }
   return true;
 }

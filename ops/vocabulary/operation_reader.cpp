@@ -2,6 +2,7 @@
 
 #include <simdjson.h>
 
+#include <new>
 #include <string>
 #include <utility>
 
@@ -320,8 +321,10 @@ Operation read_operation(json::object object) {
 }  // namespace
 
 struct OperationReader::Text {
-  simdjson::ondemand::parser parser;
-  std::string line;  ///< a copy with the room behind it that the parser wants
+  simdjson::ondemand::parser parser{};
+  std::string copy{};  ///< of the line, with the room behind it that the parser wants
+
+  std::optional<Operation> read(std::string_view line);
 };
 
 OperationReader::OperationReader() : text_{std::make_unique<Text>()} {}
@@ -329,12 +332,26 @@ OperationReader::OperationReader(OperationReader&&) noexcept = default;
 OperationReader& OperationReader::operator=(OperationReader&&) noexcept = default;
 OperationReader::~OperationReader() = default;
 
+/// A long line needs a multiple of its length: without that there is the other reader, and nothing of it is kept.
 std::optional<Operation> OperationReader::read_common(std::string_view line) {
-  std::string& copy = text_->line;
+  constexpr std::size_t long_line = std::size_t{1} << 20;
+  std::optional<Operation> operation;
+  try {
+    operation = text_->read(line);
+  } catch (const std::bad_alloc&) {
+    *text_ = Text{};
+  }
+  if (line.size() > long_line) {
+    *text_ = Text{};
+  }
+  return operation;
+}
+
+std::optional<Operation> OperationReader::Text::read(std::string_view line) {
   copy.reserve(line.size() + simdjson::SIMDJSON_PADDING);
   copy.assign(line);
   try {
-    json::document document = got(text_->parser.iterate(copy.data(), copy.size(), copy.capacity()));
+    json::document document = got(parser.iterate(copy.data(), copy.size(), copy.capacity()));
     Operation operation = read_operation(got(document.get_object()));
     require(document.current_location().error() == simdjson::OUT_OF_BOUNDS);  // nothing behind the object
     return operation;
