@@ -89,7 +89,6 @@ TEST_CASE("GrowingArray: new elements are as their type has them by default", "[
 TEST_CASE("GrowingArray: more than there can be is no memory, and nothing is lost", "[sparse]") {
   GrowingArray<std::uint64_t> array{5};
   CHECK_THROWS_AS(array.reserve(SIZE_MAX / 2), std::bad_alloc);
-  CHECK_THROWS_AS(array.reserve(std::size_t{1} << 58U), std::bad_alloc);
   CHECK(array.size() == 1);
   CHECK(array[0] == 5);
 }
