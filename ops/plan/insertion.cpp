@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <compare>
+#include <functional>
 #include <map>
 #include <set>
 #include <span>
@@ -15,6 +16,7 @@
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/step_names.hpp"
+#include "sparse/hash_index.hpp"
 
 namespace sesame::ops {
 namespace {
@@ -218,19 +220,29 @@ Status check_simplex(const std::vector<std::string>& simplex, const Limits& limi
 /// and for a label of a vertex that no insertion may touch.
 Result<std::vector<Label>> labels_of(const Insert& operation, const Structure& structure, const Limits& limits) {
   std::vector<Label> labels;
+  sparse::HashIndex met;  // of them, by text: many simplices have few
+  const auto is_new = [&](std::string_view label) {
+    const std::uint64_t hash = std::hash<std::string_view>{}(label);
+    const bool is_there = met.find(hash, [&](std::uint32_t k) { return labels[k].text == label; }) != none;
+    if (!is_there) {
+      met.insert(hash, static_cast<std::uint32_t>(labels.size()));
+    }
+    return !is_there;
+  };
+  const bool is_one = operation.simplices.size() == 1;  // whose labels differ
   for (const std::vector<std::string>& simplex : operation.simplices) {
     if (Status s = check_simplex(simplex, limits); !s) {
       return s.error();
     }
     for (const std::string& label : simplex) {
-      labels.push_back({label, none});
+      if (is_one || is_new(label)) {
+        labels.push_back({label, none});
+      }
     }
   }
   std::sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return comes_before(a.text, b.text); });
-  const auto last =
-      std::unique(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.text == b.text; });
-  labels.erase(last, labels.end());
-  for (VertexId next{structure.abstract().labels()}; Label & label : labels) {
+  VertexId next{structure.abstract().labels()};
+  for (Label& label : labels) {
     const LabelId known = structure.abstract().label(label.text);
     if (const auto body = known == none ? Result<BodyId>{none} : abstract_body(known, structure); !body) {
       return body.error();
