@@ -71,4 +71,15 @@ RemovedBySignals::RemovedBySignals(std::string path) : path_{std::move(path)} {
 
 RemovedBySignals::~RemovedBySignals() { replace_in_table(path_.c_str(), nullptr); }
 
+HeldSignals::HeldSignals() {
+  sigset_t held;
+  sigemptyset(&held);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    sigaddset(&held, signal);
+  }
+  pthread_sigmask(SIG_BLOCK, &held, &before_);
+}
+
+HeldSignals::~HeldSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
 }  // namespace sesame::tools

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <atomic>
+#include <csignal>
 #include <string>
 
 namespace sesame::tools {
@@ -26,6 +27,18 @@ class RemovedBySignals {
 
  private:
   std::string path_;
+};
+
+/// While there is one, signals that would end the process wait: for a file that is made and not yet to be removed.
+class HeldSignals {
+ public:
+  HeldSignals();
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+  ~HeldSignals();
+
+ private:
+  sigset_t before_{};
 };
 
 }  // namespace sesame::tools

@@ -241,6 +241,7 @@ Result<std::ostream*> OutputFiles::open(const std::string& path) {
     for (const auto& file : files_) {
       reserved.push_back(file->place().target);
     }
+    const HeldSignals held;  // until the file is one of those that a signal removes
     Result<std::unique_ptr<PartFile>> part = PartFile::make(*place, reserved);
     if (!part) {
       return part.error();
