@@ -1,9 +1,8 @@
 #include "engine/chains.hpp"
 
 #include <algorithm>
-#include <utility>
-#include <vector>
 
+#include "ops/cells/cell_order.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::engine {
@@ -65,28 +64,6 @@ typename R::Element Chains<R>::in_own_orientation(CellId cell, const Rational& c
   return from_rational(ring_, structure_.directory().sign_of_name(cell) > 0 ? coefficient : -coefficient);
 }
 
-/// By the oldest members of the classes: these are looked up once, and mostly in order.
-template <Ring R>
-void Chains<R>::sort_by_age(std::vector<CellChain::Term>& terms) const {
-  using Aged = std::pair<CellId, std::size_t>;  // the oldest member, place
-  std::vector<Aged> order;
-  order.reserve(terms.size());
-  for (const CellChain::Term& term : terms) {
-    order.emplace_back(structure_.forest().oldest(term.generator), order.size());
-  }
-  const auto is_older = [this](const Aged& a, const Aged& b) { return structure_.lazy().is_older(a.first, b.first); };
-  if (std::is_sorted(order.begin(), order.end(), is_older)) {
-    return;
-  }
-  std::sort(order.begin(), order.end(), is_older);
-  std::vector<CellChain::Term> sorted;
-  sorted.reserve(terms.size());
-  for (const auto& [oldest, place] : order) {
-    sorted.push_back(std::move(terms[place]));
-  }
-  terms = std::move(sorted);
-}
-
 template <Ring R>
 CellChain Chains<R>::to_chain(int degree, const Terms<R, CellId>& cells) const {
   CellChain chain{degree, {}};
@@ -95,7 +72,7 @@ CellChain Chains<R>::to_chain(int degree, const Terms<R, CellId>& cells) const {
     const bool agrees = structure_.directory().sign_of_name(cell) > 0;
     chain.terms.push_back({to_rational(ring_, agrees ? coefficient : ring_.negate(coefficient)), cell});
   }
-  sort_by_age(chain.terms);
+  ops::sort_by_age(structure_, chain.terms, [](const CellChain::Term& term) { return term.generator; });
   return chain;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "engine/homology_tracker.hpp"
 #include "engine/left/left_maps.hpp"
@@ -44,7 +43,6 @@ class Chains {
 
  private:
   [[nodiscard]] typename R::Element in_own_orientation(CellId cell, const Rational& coefficient) const;
-  void sort_by_age(std::vector<CellChain::Term>& terms) const;
   [[nodiscard]] CellChain to_chain(int degree, const Terms<R, CellId>& cells) const;
   [[nodiscard]] SmallChain to_small(int degree, const Terms<R, Symbol>& symbols) const;
   [[nodiscard]] Terms<R, Symbol> to_symbols(const SmallChain& chain) const;

@@ -8,6 +8,7 @@
 #include "engine/live_equivalence.hpp"
 #include "engine/log.hpp"
 #include "engine/step_account.hpp"
+#include "ops/cells/cell_order.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::engine {
@@ -350,10 +351,7 @@ Result<CellChain> Engine::chain(const std::vector<std::pair<Integer, std::string
     }
   }
   add_up(chain.terms);
-  std::sort(chain.terms.begin(), chain.terms.end(), [this](const CellChain::Term& a, const CellChain::Term& b) {
-    return structure().lazy().is_older(structure().forest().oldest(a.generator),
-                                       structure().forest().oldest(b.generator));
-  });
+  ops::sort_by_age(structure(), chain.terms, [](const CellChain::Term& term) { return term.generator; });
   return chain;
 }
 

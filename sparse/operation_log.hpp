@@ -43,67 +43,14 @@ class OperationLog {
   }
 
   /// The sum of c_k times line k. Cost: all operations.
-  [[nodiscard]] Terms<R> combination(const Terms<R>& c) const {
-    std::vector<Element> sum = dense(c);
-    for (std::size_t at = operations_.size(); at-- > 0;) {
-      const Operation& operation = operations_[at];
-      const Term<R>* terms = terms_.data() + begin(at);
-      Element& line = sum[operation.line];
-      switch (operation.kind) {
-        case Kind::add:
-          for (const Term<R>* term = terms; term != terms_.data() + operation.end; ++term) {
-            ring_.add_product(line, term->coefficient, sum[term->index]);
-          }
-          break;
-        case Kind::scale:
-          line = ring_.multiply(line, terms[0].coefficient);
-          break;
-        case Kind::combine:
-          transform_back(line, sum[operation.other], terms);
-          break;
-      }
-    }
-    return sparse_of(sum);
-  }
+  [[nodiscard]] Terms<R> combination(const Terms<R>& c) const { return taken_back<Of::lines>(c); }
   /// The sum of c_k times line k of the inverse. Cost: the operations, and the multiples of those that meet it.
-  [[nodiscard]] Terms<R> combination_of_inverse(const Terms<R>& c) const {
-    std::vector<Element> sum = dense(c);
-    for (std::size_t at = operations_.size(); at-- > 0;) {
-      const Operation& operation = operations_[at];
-      const Term<R>* terms = terms_.data() + begin(at);
-      Element& line = sum[operation.line];
-      switch (operation.kind) {
-        case Kind::add:
-          spread(ring_.negate(line), at, sum);
-          break;
-        case Kind::scale:
-          line = ring_.multiply(line, terms[1].coefficient);
-          break;
-        case Kind::combine:
-          transform_back(line, sum[operation.other], terms + 4);
-          break;
-      }
-    }
-    return sparse_of(sum);
-  }
+  [[nodiscard]] Terms<R> combination_of_inverse(const Terms<R>& c) const { return taken_back<Of::inverse>(c); }
   /// The products of v with all lines. Cost: the operations, and the multiples of those that meet it.
   [[nodiscard]] Terms<R> products(const Terms<R>& v) const {
     std::vector<Element> values = dense(v);
     for (std::size_t at = 0; at < operations_.size(); ++at) {
-      const Operation& operation = operations_[at];
-      const Term<R>* terms = terms_.data() + begin(at);
-      Element& line = values[operation.line];
-      switch (operation.kind) {
-        case Kind::add:
-          spread(line, at, values);
-          break;
-        case Kind::scale:
-          line = ring_.multiply(line, terms[0].coefficient);
-          break;
-        case Kind::combine:
-          transform(line, values[operation.other], terms);
-          break;
-      }
+      apply<Of::lines, Order::as_made>(at, values);
     }
     return sparse_of(values);
   }
@@ -112,22 +59,7 @@ class OperationLog {
   [[nodiscard]] Terms<R> products_with_inverse_but_last(const Terms<R>& v) const {
     std::vector<Element> values = dense(v);
     for (const std::size_t at : not_last_) {
-      const Operation& operation = operations_[at];
-      const Term<R>* terms = terms_.data() + begin(at);
-      Element& line = values[operation.line];
-      switch (operation.kind) {
-        case Kind::add:
-          for (const Term<R>* term = terms; term != terms_.data() + operation.end; ++term) {
-            ring_.add_product(line, ring_.negate(term->coefficient), values[term->index]);
-          }
-          break;
-        case Kind::scale:
-          line = ring_.multiply(line, terms[1].coefficient);
-          break;
-        case Kind::combine:
-          transform(line, values[operation.other], terms + 4);
-          break;
-      }
+      apply<Of::inverse, Order::as_made>(at, values);
     }
     return sparse_of(values);
   }
@@ -151,6 +83,56 @@ class OperationLog {
   }
   [[nodiscard]] std::size_t begin(std::size_t at) const { return at == 0 ? 0 : operations_[at - 1].end; }
 
+  enum class Of { lines, inverse };
+  enum class Order { as_made, reversed };  ///< for products, for combinations: the one is the other transposed
+
+  template <Of of>
+  [[nodiscard]] Terms<R> taken_back(const Terms<R>& c) const {
+    std::vector<Element> sum = dense(c);
+    for (std::size_t at = operations_.size(); at-- > 0;) {
+      apply<of, Order::reversed>(at, sum);
+    }
+    return sparse_of(sum);
+  }
+
+  /// A multiple as it was added, no copy, or what takes it back.
+  template <Of of>
+  [[nodiscard]] decltype(auto) in_sense_of(const Element& multiple) const {
+    if constexpr (of == Of::inverse) {
+      return ring_.negate(multiple);
+    } else {
+      return (multiple);
+    }
+  }
+  /// One operation, on the values of all lines.
+  template <Of of, Order order>
+  void apply(std::size_t at, std::vector<Element>& values) const {
+    constexpr bool is_inverse = of == Of::inverse;
+    const Operation& operation = operations_[at];
+    const Term<R>* terms = terms_.data() + begin(at);
+    Element& line = values[operation.line];
+    switch (operation.kind) {
+      case Kind::add:
+        if constexpr (is_inverse == (order == Order::reversed)) {
+          spread(in_sense_of<of>(line), at, values);
+        } else {
+          for (const Term<R>* term = terms; term != terms_.data() + operation.end; ++term) {
+            ring_.add_product(line, in_sense_of<of>(term->coefficient), values[term->index]);
+          }
+        }
+        break;
+      case Kind::scale:
+        line = ring_.multiply(line, terms[is_inverse ? 1 : 0].coefficient);
+        break;
+      case Kind::combine:
+        if constexpr (order == Order::as_made) {
+          transform(line, values[operation.other], terms + (is_inverse ? 4 : 0));
+        } else {
+          transform_back(line, values[operation.other], terms + (is_inverse ? 4 : 0));
+        }
+        break;
+    }
+  }
   /// values[k] += a * factor for the multiples k a of an operation, whose own line is none of the k.
   void spread(const Element& factor, std::size_t at, std::vector<Element>& values) const {
     if (!ring_.is_zero(factor)) {

@@ -2,8 +2,6 @@
 
 #include <numeric>
 
-#include "sparse/contract.hpp"
-
 namespace sesame::engine {
 
 Window::Window(const Structure& structure, std::vector<CellId> cells)
@@ -26,9 +24,7 @@ Window::Window(const Structure& structure, std::vector<CellId> cells)
       faces_.push_back(face);
       signs_.push_back(static_cast<std::int8_t>(sign));
       if (face != ops::none) {
-        const std::uint32_t place = find_place(face);
-        sparse::expects(place != ops::none, "each cell comes after its faces");
-        ++first_coface_[place + 1];
+        ++first_coface_[place(face) + 1];  // each cell comes after its faces
       }
     }
     first_face_.push_back(static_cast<std::uint32_t>(faces_.size()));

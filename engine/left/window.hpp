@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ops/cells/structure.hpp"
+#include "sparse/contract.hpp"
 #include "sparse/hash_index.hpp"
 
 namespace sesame::engine {
@@ -38,7 +39,11 @@ class Window {
   /// The cells that the object had at the beginning, as far as it was not empty.
   [[nodiscard]] const std::vector<CellId>& cells() const { return cells_; }
   /// The place of one of them in that list.
-  [[nodiscard]] std::uint32_t place(CellId first_cell) const { return find_place(first_cell); }
+  [[nodiscard]] std::uint32_t place(CellId first_cell) const {
+    const std::uint32_t found = find_place(first_cell);
+    sparse::expects(found != ops::none, "a cell of the window's beginning has a place there");
+    return found;
+  }
   [[nodiscard]] bool is_cell_of_beginning(CellId c) const { return find_place(c) != ops::none; }
   /// Whether a node that the window knows was there at the beginning.
   [[nodiscard]] bool is_first(CellId c) const { return begin_.knew(c); }
@@ -128,6 +133,7 @@ class Window {
 
  private:
   static std::uint64_t hash_of(CellId c) { return sparse::spread_bits(c); }
+  /// Or none.
   [[nodiscard]] std::uint32_t find_place(CellId c) const {
     return places_.find(hash_of(c), [&](std::uint32_t at) { return cells_[at] == c; });
   }

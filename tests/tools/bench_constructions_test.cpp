@@ -289,10 +289,14 @@ TEST_CASE("triangles with one vertex are free when all that was glued is split a
 }
 
 TEST_CASE("an editing session is determined by its seed", "[bench]") {
-  const auto session = [](std::uint64_t seed) { return text_of(tools::edited_graph({20, true, seed}, 800)); };
+  const auto session = [](std::uint64_t seed) {
+    return text_of(tools::steps_of(tools::GraphEditing(20, true, seed), 800));
+  };
   CHECK(session(1) == session(1));
   CHECK(session(1) != session(2));
-  const auto contracted = [](std::uint64_t seed) { return text_of(tools::contracted_graph({9, seed}, 300)); };
+  const auto contracted = [](std::uint64_t seed) {
+    return text_of(tools::steps_of(tools::GraphContraction(9, seed), 300));
+  };
   CHECK(contracted(1) == contracted(1));
   CHECK(contracted(1) != contracted(2));
   CHECK(text_of(tools::glued_triangles(4, 1)) == text_of(tools::glued_triangles(4, 1)));

@@ -97,7 +97,7 @@ TEST_CASE("all methods that can agree on gluings, splits, undos and products aft
   require_agreement({"live", "eager", "recompute"}, ring, tools::glued_and_split(2, 9));
   require_agreement({"live", "eager", "recompute"}, ring, tools::glued_and_cut_square(3));
   require_agreement({"live", "eager", "recompute"}, ring, tools::glued_triangles(4, 1));
-  require_agreement({"live", "eager", "recompute"}, ring, tools::edited_graph({8, true, 1}, 60));
+  require_agreement({"live", "eager", "recompute"}, ring, tools::steps_of(tools::GraphEditing(8, true, 1), 60));
   require_agreement(all, ring, tools::glued_and_undone(2, 9));
   require_agreement(all, ring, tools::replayed_backwards(tools::klein_bottle(3)));
   require_agreement({"live", "recompute"}, ring, tools::glued_product_of_circles(3, 2, 2));

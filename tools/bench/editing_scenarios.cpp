@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <utility>
 
 #include "tools/bench/sessions.hpp"
 
@@ -47,15 +46,14 @@ struct Sizes {
 };
 
 template <class Session>
-Scenario scenario(const char* name, const char* what, Sizes steps, const Session& session,
-                  std::function<Operations(Size)> make, std::size_t followed_every) {
+Scenario scenario(const char* name, const char* what, Sizes steps, const Session& session, std::size_t followed_every) {
   return {name,
           "editing",
           what,
           "steps",
           steps.usual,
           steps.quick,
-          Construction{std::move(make), followed(session, followed_every)},
+          Construction{[session](Size n) { return steps_of(session, n); }, followed(session, followed_every)},
           after_session(session),
           "Z",
           true};
@@ -63,9 +61,7 @@ Scenario scenario(const char* name, const char* what, Sizes steps, const Session
 
 Scenario edited(const char* name, const char* what, std::uint32_t edges, bool with_undo, Sizes steps) {
   const GraphEditing editing(edges, with_undo, 1);
-  return scenario(
-      name, what, steps, editing, [editing](Size n) { return edited_graph(editing, n); },
-      std::max<std::size_t>(1, edges / 1000));
+  return scenario(name, what, steps, editing, std::max<std::size_t>(1, edges / 1000));
 }
 
 }  // namespace
@@ -84,9 +80,9 @@ void add_editing(std::vector<Scenario>& list) {
   list.push_back(
       edited("graph-3000", "3000 edges, whose vertices are glued and split at random", 3000, false, {20'000, 0}));
   const GraphContraction contraction(2000, 1);
-  list.push_back(scenario(
-      "contracted-graph", "edges inserted between 2000 vertices, and one step in ten a collapse of one",
-      {20'000, 2'200}, contraction, [contraction](Size n) { return contracted_graph(contraction, n); }, 100));
+  list.push_back(scenario("contracted-graph",
+                          "edges inserted between 2000 vertices, and one step in ten a collapse of one",
+                          {20'000, 2'200}, contraction, 100));
   list.push_back({"glued-triangles", "editing",
                   "triangles with one vertex; their sides are glued and split at random, then all split apart",
                   "triangles", 32, 6,

@@ -142,14 +142,6 @@ std::uint32_t GraphEditing::components() const {
   return components;
 }
 
-Operations edited_graph(GraphEditing editing, std::uint64_t steps) {
-  Operations operations;
-  while (operations.size() < steps) {
-    operations.push_back(editing.next());
-  }
-  return operations;
-}
-
 // ---- contractions
 
 ops::Operation GraphContraction::insert_vertex() {
@@ -221,14 +213,6 @@ std::uint32_t GraphContraction::components() const {
     }
   }
   return components;
-}
-
-Operations contracted_graph(GraphContraction contraction, std::uint64_t steps) {
-  Operations operations;
-  while (operations.size() < steps) {
-    operations.push_back(contraction.next());
-  }
-  return operations;
 }
 
 // ---- triangles

@@ -77,9 +77,6 @@ class GraphEditing {
   Gluings vertices_{"e"};
 };
 
-/// Some steps of it.
-[[nodiscard]] Operations edited_graph(GraphEditing editing, std::uint64_t steps);
-
 /// An abstract graph under work: its vertices are inserted; then steps without end, nine in ten of which insert an edge
 /// or, at times, a vertex, and the tenth collapses a random vertex into another.
 class GraphContraction {
@@ -103,8 +100,15 @@ class GraphContraction {
   std::uint32_t edges_ = 0;
 };
 
-/// Some steps of it.
-[[nodiscard]] Operations contracted_graph(GraphContraction contraction, std::uint64_t steps);
+/// Some steps of one of these.
+template <class Session>
+[[nodiscard]] Operations steps_of(Session session, std::uint64_t steps) {
+  Operations operations;
+  while (operations.size() < steps) {
+    operations.push_back(session.next());
+  }
+  return operations;
+}
 
 /// `triangles` triangles whose vertices are all made one; 10 `triangles` random gluings and splits of their sides; then
 /// all that is glued is split apart. In the end H = Z, Z^(2 triangles).
