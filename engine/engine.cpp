@@ -109,8 +109,8 @@ std::uint64_t total(std::span<const std::uint64_t> counts) {
 
 }  // namespace
 
-Engine::Engine(sparse::AnyRing ring, ops::Limits limits, const RebasePolicy& rebases)
-    : ring_{ring}, workspace_{limits}, equivalences_{ring, workspace_.structure(), rebases} {
+Engine::Engine(sparse::AnyRing ring, ops::Limits limits, const RebasePolicy& rebases, const HistoryPolicy& history)
+    : ring_{ring}, workspace_{limits}, equivalences_{ring, workspace_.structure(), rebases}, history_{history} {
   // Made now if need be, so that memory running out in a step is the step's own affair.
   step_log();
   rebase_log();
@@ -125,12 +125,11 @@ Result<StepReport> Engine::apply(ops::Operation operation) {
   const StepAccount account(*this);
   Result<StepReport> result = carry_out(operation);
   if (result) {
-    log_.push_back(std::move(operation));
+    keep(std::move(operation));
   }
   is_broken_ = false;
   if (!result) {
-    refusal_log().debug("step {} ({}) did not happen: {}", log_.size() + 1, ops::keyword(operation),
-                        result.error().what);
+    refusal_log().debug("step {} ({}) did not happen: {}", applied_ + 1, ops::keyword(operation), result.error().what);
     return result;
   }
   account.say(*result);
@@ -138,6 +137,20 @@ Result<StepReport> Engine::apply(ops::Operation operation) {
     observer(log_.back(), *result);
   }
   return result;
+}
+
+/// What the policy says, of a step that was applied.
+void Engine::keep(ops::Operation&& operation) {
+  ++applied_;
+  if (!history_.keeps_log) {
+    log_.clear();
+  }
+  log_.push_back(std::move(operation));
+  for (; undoable() > history_.undoable; has_forgotten_ = true) {
+    workspace_.forget_oldest_step();
+    equivalences_.forget_oldest_mark();
+    numbers_.pop_front();
+  }
 }
 
 Result<StepReport> Engine::carry_out(const ops::Operation& operation) {
@@ -232,6 +245,10 @@ Result<Barcode> Engine::barcode() const {
   if (std::holds_alternative<sparse::Integers>(ring_)) {
     return Error{Errc::refused, "barcodes need a field: compute over Q or Z/p, such as Z/2, instead of Z"};
   }
+  if (has_forgotten_) {
+    return Error{Errc::refused,
+                 "there is no barcode: only the last " + std::to_string(history_.undoable) + " steps are kept"};
+  }
   for (std::size_t k = 0; k < numbers_.size(); ++k) {
     if (const char* reason = why_no_map(workspace_.steps()[k].kind); reason != nullptr) {
       return Error{Errc::refused, "there is no barcode: step " + std::to_string(numbers_[k]) + " " + reason};
@@ -273,7 +290,7 @@ Result<StepReport> Engine::take_back(const ops::Undo& operation) {
   if (Status status = workspace_.take_back(operation.steps); !status) {
     return status.error();
   }
-  numbers_.resize(numbers_.size() - operation.steps);
+  numbers_.erase(numbers_.end() - static_cast<std::ptrdiff_t>(operation.steps), numbers_.end());
   equivalences_.undo(operation.steps);
   report.after = ops::now(structure());
   return report;
@@ -281,7 +298,7 @@ Result<StepReport> Engine::take_back(const ops::Undo& operation) {
 
 StepReport Engine::begin_report(const ops::Operation& operation) const {
   StepReport report;
-  report.step = log_.size() + 1;
+  report.step = applied_ + 1;
   report.op = ops::keyword(operation);
   report.before = report.after = ops::now(structure());
   return report;
@@ -297,7 +314,7 @@ StepReport Engine::pass(const ops::Operation& operation) {
 
 /// Before a step.
 void Engine::remember() {
-  numbers_.push_back(log_.size() + 1);
+  numbers_.push_back(applied_ + 1);
   equivalences_.push_mark();
 }
 
@@ -361,7 +378,7 @@ ops::Moment Engine::before_step(std::uint64_t n) const {
 }
 
 std::optional<std::string> Engine::first_defect() {
-  const sparse::GrowingArray<ops::Workspace::Step>& steps = workspace_.steps();
+  const std::deque<ops::Workspace::Step>& steps = workspace_.steps();
   return steps.empty() ? equivalences_.now().first_defect(ops::StepKind::nothing, {})
                        : equivalences_.now().first_defect(steps.back().kind, workspace_.before(steps.size() - 1));
 }

@@ -19,7 +19,6 @@
 #include "ops/plan/step_sequence.hpp"
 #include "ops/plan/workspace.hpp"
 #include "ops/vocabulary/operation.hpp"
-#include "sparse/growing_array.hpp"
 #include "sparse/result.hpp"
 #include "sparse/ring.hpp"
 
@@ -48,6 +47,14 @@ struct StepReport {
   std::optional<ClassAnswer> answer;      ///< to a `class`
 };
 
+/// What an engine keeps of its history. The object, the groups and the witnesses do not depend on it.
+struct HistoryPolicy {
+  /// So many steps can be undone, the last ones. What was kept to undo older ones is freed: see Engine::undo.
+  std::uint64_t undoable = UINT64_MAX;
+  /// Whether `Engine::log` has all operations that were applied, or only the last one.
+  bool keeps_log = true;
+};
+
 /// Called after each step that was applied, with the operation as it stands in the log.
 using Observer = std::function<void(const ops::Operation&, const StepReport&)>;
 
@@ -63,7 +70,8 @@ using Observer = std::function<void(const ops::Operation&, const StepReport&)>;
 /// Not thread-safe: queries bring memoised results up to date.
 class Engine {
  public:
-  explicit Engine(sparse::AnyRing ring = sparse::Integers{}, ops::Limits limits = {}, const RebasePolicy& rebases = {});
+  explicit Engine(sparse::AnyRing ring = sparse::Integers{}, ops::Limits limits = {}, const RebasePolicy& rebases = {},
+                  const HistoryPolicy& history = {});
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
   ~Engine();
@@ -80,10 +88,13 @@ class Engine {
   /// What a construction operation would do, without doing it.
   Result<ops::Plan> plan(const ops::Operation& operation);
   /// Takes back the last n steps (an Undo operation without the operation's text).
+  /// When only so many can be undone, memory still grows with the cells ever made: names of those that are no more go
+  /// on denoting what became of them.
   Result<StepReport> undo(std::uint64_t steps = 1) { return apply(ops::Undo{steps}); }
-  /// The number of steps that can be undone: those applied, undos and the undone not counted.
+  /// The number of steps that can be undone: those applied, undos and the undone not counted, the last ones of them if
+  /// there is a limit.
   [[nodiscard]] std::uint64_t undoable() const { return workspace_.steps().size(); }
-  /// Every operation that was applied, undos included, in order.
+  /// Every operation that was applied, undos included, in order; or the last one only: see HistoryPolicy.
   [[nodiscard]] const std::deque<ops::Operation>& log() const { return log_; }
   void observe(Observer observer) { observers_.push_back(std::move(observer)); }
 
@@ -127,7 +138,7 @@ class Engine {
   /// the steps among all those of the log, as in their reports.
   ///
   /// Errors    refused, over Z, and when a step is no map of the object before it to that after it: a de-identification
-  ///           or a product; or a cone that is a lazy family.
+  ///           or a product; or a cone that is a lazy family; and when not all steps can be undone any more.
   /// Cost      The size of the big complex, times the logarithm of the number of steps.
   [[nodiscard]] Result<Barcode> barcode() const;
 
@@ -154,12 +165,16 @@ class Engine {
   StepReport begin_report(const ops::Operation& operation) const;
   StepReport pass(const ops::Operation& operation);
   void remember();
+  void keep(ops::Operation&& operation);
 
   sparse::AnyRing ring_;
   ops::Workspace workspace_;
   Equivalences equivalences_;
+  HistoryPolicy history_;
   std::deque<ops::Operation> log_;
-  sparse::GrowingArray<std::uint64_t> numbers_;  ///< in the log, from 1, of the steps that can be undone
+  std::uint64_t applied_ = 0;          ///< operations
+  std::deque<std::uint64_t> numbers_;  ///< of these, from 1, the steps that can be undone
+  bool has_forgotten_ = false;         ///< steps that could be undone
   std::vector<Observer> observers_;
   bool is_broken_ = false;  ///< a step began and has not come to its end
 };

@@ -128,4 +128,20 @@ void Equivalences::undo(std::uint64_t marks) {
   }
 }
 
+void Equivalences::forget_oldest_mark() {
+  sparse::expects(parts_.front().marks > 0, "only what is remembered can be forgotten");
+  --parts_.front().marks;
+  if (parts_.front().tracker != nullptr) {
+    parts_.front().tracker->forget_oldest_mark();
+  }
+  for (; parts_.front().marks == 0 && parts_.size() > 1; parts_.pop_front()) {
+    ++forgotten_;
+    if (first_kept_ > 0) {
+      --first_kept_;
+    } else {
+      cells_kept_ -= parts_.front().cells;
+    }
+  }
+}
+
 }  // namespace sesame::engine

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
-#include <vector>
 
 #include "engine/homology_tracker.hpp"
 
@@ -25,8 +25,9 @@ struct RebasePolicy {
   std::uint64_t least_terms = 4096;
   std::uint64_t terms_per_face = 8;
   // Equivalences are kept for undo while their objects have together no more cells than this, and as often those of the
-  // present object; the last one always is.
-  std::uint64_t least_cells_kept = 50'000;
+  // present object; the last one always is. More of them would only have memory go in circles: small objects are as
+  // soon begun afresh when undo comes to them.
+  std::uint64_t least_cells_kept = 4'000;
   std::uint64_t objects_kept = 8;
 
   /// Never: every step is taken in by the equivalence of the whole history, whatever that costs.
@@ -63,11 +64,13 @@ class Equivalences {
   /// Goes back over the last `marks` marks, through any number of rebases; the structure has been truncated to that
   /// moment. Requires: there are so many.
   void undo(std::uint64_t marks);
+  /// Nobody will go back to the oldest mark: what was kept for it is freed. Requires: there is one.
+  void forget_oldest_mark();
 
   /// What all of them have done, those that were undone included.
   [[nodiscard]] Work work() const { return done_by_others_ + now().work(); }
   /// The rebases that are not undone.
-  [[nodiscard]] std::size_t rebases() const { return parts_.size() - 1; }
+  [[nodiscard]] std::size_t rebases() const { return forgotten_ + parts_.size() - 1; }
 
  private:
   /// The history from one rebase to the next.
@@ -84,7 +87,8 @@ class Equivalences {
   const sparse::AnyRing ring_;
   const ops::Structure& structure_;
   RebasePolicy policy_;
-  std::vector<Part> parts_;
+  std::deque<Part> parts_;
+  std::size_t forgotten_ = 0;     ///< parts that were before them
   std::size_t first_kept_ = 0;    ///< of `parts_`: those before it are given up
   std::uint64_t cells_kept_ = 0;  ///< of the parts that are kept, but for the last
   Work done_by_others_;

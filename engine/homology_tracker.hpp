@@ -108,6 +108,8 @@ class HomologyTracker {
   /// been truncated to the same moment first.
   virtual void push_mark() = 0;
   virtual void undo_to_mark() = 0;
+  /// Nobody will go back to the oldest moment that is remembered. Requires: there is one.
+  virtual void forget_oldest_mark() = 0;
 
   /// A tracker of the structure as it is now that knows nothing of its history, and so cannot go back in it: what it
   /// describes is an equivalence of the same object, with a big complex of one generator for each cell. The present one

@@ -84,7 +84,7 @@ bool LiveEquivalence<R>::extend(std::uint64_t budget) {
   } catch (const OverBudget&) {
     rewriter_.drop_work();
     rewriter_.set_budget(unlimited);
-    go_back_to(marks_.back());
+    go_back_to(unpacked(marks_.last()));
     return false;
   }
   rewriter_.set_budget(unlimited);
@@ -143,14 +143,41 @@ void LiveEquivalence<R>::take_in_step() {
 }
 
 template <Ring R>
+typename LiveEquivalence<R>::Mark LiveEquivalence<R>::mark() {
+  return {position_, big_.mark(), frozen_.mark(), rewriter_.mark()};
+}
+
+template <Ring R>
 void LiveEquivalence<R>::push_mark() {
-  marks_.push_back({position_, big_.mark(), frozen_.mark(), rewriter_.mark()});
+  marks_.push(packed(mark()));
+}
+
+template <Ring R>
+typename LiveEquivalence<R>::PackedMark LiveEquivalence<R>::packed(const Mark& mark) {
+  const auto& [position, big, frozen, rewriter] = mark;
+  return {position,      big.generators.generators, big.generators.cells, big.generators.links,   big.changed,
+          big.shifts,    big.families.families,     big.families.gained,  frozen.images,          frozen.homotopies,
+          frozen.lifts,  rewriter.rules.symbols,    rewriter.rules.rules, rewriter.perturbations, rewriter.core,
+          rewriter.memos};
+}
+
+template <Ring R>
+typename LiveEquivalence<R>::Mark LiveEquivalence<R>::unpacked(const PackedMark& mark) {
+  return {mark[0],
+          {{GeneratorId{mark[1]}, CellId{mark[2]}, LinkId{mark[3]}}, mark[4], mark[5], {mark[6], mark[7]}},
+          {mark[8], mark[9], mark[10]},
+          {{Symbol{mark[11]}, RuleId{mark[12]}}, mark[13], mark[14], mark[15]}};
 }
 
 template <Ring R>
 void LiveEquivalence<R>::undo_to_mark() {
-  go_back_to(marks_.back());
-  marks_.pop_back();
+  go_back_to(unpacked(marks_.pop()));
+}
+
+template <Ring R>
+void LiveEquivalence<R>::forget_oldest_mark() {
+  marks_.forget_oldest();
+  rewriter_.forget_before(marks_.empty() ? rewriter_.mark() : unpacked(marks_.oldest()).rewriter);
 }
 
 template <Ring R>
@@ -169,10 +196,10 @@ std::uint64_t LiveEquivalence<R>::small_of(ops::BodyId body) const {
 template <Ring R>
 std::vector<Lifetime> LiveEquivalence<R>::lifetimes() const {
   expects(R::is_field, "classes live and die over fields");
-  const auto step_of = [this](GeneratorId generator) {
-    const auto next = std::upper_bound(marks_.begin(), marks_.end(), generator,
-                                       [](GeneratorId g, const Mark& mark) { return g < mark.big.size(); });
-    return static_cast<std::size_t>(next - marks_.begin()) - 1;
+  std::vector<GeneratorId> before;  // per step: the generators that there were
+  marks_.for_each([&](const PackedMark& mark) { before.push_back(unpacked(mark).big.size()); });
+  const auto step_of = [&](GeneratorId generator) {
+    return static_cast<std::size_t>(std::upper_bound(before.begin(), before.end(), generator) - before.begin()) - 1;
   };
   std::vector<Lifetime> lifetimes;
   rewriter_.for_each_pair([&](GeneratorId a, GeneratorId b) {

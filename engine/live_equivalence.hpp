@@ -2,7 +2,6 @@
 /// The live form of the homological equivalence C <= B => S over one ring.
 #pragma once
 
-#include <deque>
 #include <memory>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "engine/homology_tracker.hpp"
 #include "engine/left/big_complex.hpp"
 #include "engine/left/frozen_maps.hpp"
+#include "engine/mark_stack.hpp"
 #include "engine/right/rewriter.hpp"
 #include "reductions/equivalence.hpp"
 
@@ -27,6 +27,7 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] bool extend(std::uint64_t budget) override;
   void push_mark() override;
   void undo_to_mark() override;
+  void forget_oldest_mark() override;
   [[nodiscard]] std::unique_ptr<HomologyTracker> afresh() const override;
   [[nodiscard]] std::uint32_t copies() const override { return window_.copies(); }
 
@@ -62,6 +63,10 @@ class LiveEquivalence final : public HomologyTracker {
     typename FrozenMaps<R>::Mark frozen;
     typename Rewriter<R>::Mark rewriter;
   };
+  [[nodiscard]] Mark mark();
+  using PackedMark = MarkStack<16>::Mark;
+  [[nodiscard]] static PackedMark packed(const Mark& mark);
+  [[nodiscard]] static Mark unpacked(const PackedMark& mark);
   void take_in_step();
   void go_back_to(const Mark& mark);
   [[nodiscard]] std::vector<CellId> current_cells() const;
@@ -75,7 +80,7 @@ class LiveEquivalence final : public HomologyTracker {
   Chains<R> chains_;
   Classes<R> classes_;
   ops::Journal::Position position_;  ///< of the journal: what has been taken in
-  std::deque<Mark> marks_;
+  MarkStack<16> marks_;
 };
 
 /// A live equivalence over a ring chosen at run time.

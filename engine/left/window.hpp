@@ -102,11 +102,7 @@ class Window {
   /// Calls visit(copy) for the copies that were made of a node itself.
   template <class Visit>
   void for_each_copy_of(CellId source, Visit&& visit) const {
-    for (const CellId copy : structure_->splits().copies_of(source)) {
-      if (!is_first(copy)) {
-        visit(copy);
-      }
-    }
+    structure_->splits().for_each_copy_of(source, begin_.copies, visit);
   }
   /// Calls visit(link) for each removal in favour of a node itself.
   template <class Visit>

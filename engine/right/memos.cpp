@@ -87,7 +87,7 @@ void Memos<R>::refresh(RuleId rule) {
 template <Ring R>
 void Memos<R>::undo(std::size_t size) {
   memos_.resize(std::min<std::size_t>(memos_.size(), rules_.size()));
-  while (before_.size() > size) {
+  while (this->size() > size) {
     auto& [rule, before] = before_.back();
     if (rule < memos_.size()) {
       memos_[rule] = std::move(before);  // checked at a version that is over
@@ -95,6 +95,13 @@ void Memos<R>::undo(std::size_t size) {
     before_.pop_back();
   }
   ++epoch_;
+}
+
+template <Ring R>
+void Memos<R>::forget_before(std::size_t size) {
+  for (; forgotten_ < size && !before_.empty(); ++forgotten_) {
+    before_.pop_front();
+  }
 }
 
 #define SESAME_INSTANTIATE(R) template class Memos<R>;

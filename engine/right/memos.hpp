@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <span>
 #include <utility>
@@ -74,12 +75,14 @@ class Memos {
 
   /// Makes room for rules.
   void reserve(std::size_t rules) { memos_.reserve(rules); }
-  /// The number of memos kept for undo.
-  [[nodiscard]] std::size_t size() const { return before_.size(); }
+  /// The number of memos kept for undo, of those that are forgotten too.
+  [[nodiscard]] std::size_t size() const { return forgotten_ + before_.size(); }
   /// From now on memos that are written are kept as they are at this moment.
   void begin_epoch() { ++epoch_; }
   /// Goes back to the memos of the moment when there were `size` kept. Requires: the rules have been undone to it.
   void undo(std::size_t size);
+  /// Undo will not go back to when there were fewer kept.
+  void forget_before(std::size_t size);
 
   /// Forgets what an OverBudget has cut off.
   void drop_work() { sum_.clear(); }
@@ -117,8 +120,9 @@ class Memos {
   const Perturbations<R>& perturbations_;
   Lifts<R>& lifts_;
   Effort& effort_;
-  sparse::GrowingArray<Memo> memos_;             ///< per rule; of the latest, which nobody has read yet, there are none
-  std::vector<std::pair<RuleId, Memo>> before_;  ///< memos as they were, for undo: each once per epoch
+  sparse::GrowingArray<Memo> memos_;            ///< per rule; of the latest, which nobody has read yet, there are none
+  std::deque<std::pair<RuleId, Memo>> before_;  ///< memos as they were, for undo: each once per epoch
+  std::size_t forgotten_ = 0;                   ///< that were in front of these
   std::uint32_t epoch_ = 1;
   sparse::Accumulator<R, Symbol> sum_;
   std::vector<RuleId> pending_;  ///< scratch

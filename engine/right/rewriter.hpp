@@ -123,6 +123,8 @@ class Rewriter {
   [[nodiscard]] Mark mark();
   /// Goes back to a mark. Cost: what was done since.
   void undo(const Mark& mark);
+  /// Undo will not go back beyond a mark.
+  void forget_before(const Mark& mark) { memos_.forget_before(mark.memos); }
 
  private:
   [[nodiscard]] typename Perturbations<R>::Reached lifts_with(std::span<const GeneratorId> changed, Symbol first);

@@ -15,7 +15,7 @@ class Cofaces {
   [[nodiscard]] std::vector<CellId> of(CellId current) const;
 
  private:
-  /// Current cells, each once: a long history has a few of them again and again.
+  /// Current cells, each once: different ones may have become one.
   class Candidates {
    public:
     explicit Candidates(const Forest& forest) : forest_{forest} {}
@@ -35,7 +35,7 @@ class Cofaces {
     std::vector<CellId> cells_;
   };
 
-  void add_candidates(CellId current, Candidates& out) const;
+  void add_of_origin(CellId node, Candidates& out) const;
   void add_of_apex(FamilyId id, Candidates& out) const;
   void add_of_lazy(const LazyKey& key, CellId cell, Candidates& out) const;
 
@@ -44,46 +44,33 @@ class Cofaces {
 };
 
 std::vector<CellId> Cofaces::of(CellId current) const {
-  Candidates candidates(structure_.forest());
-  add_candidates(current, candidates);
   std::vector<CellId> cells;
-  for (const CellId c : candidates.cells()) {
-    const auto nodes = structure_.faces().of(c);
-    if (std::any_of(nodes.begin(), nodes.end(),
-                    [&](CellId node) { return structure_.values().of(node).cell == current; })) {
+  Candidates lazy(structure_.forest());
+  add_of_origin(current, lazy);
+  for (const CellId entry : structure_.coface_index().entries(current)) {
+    if (structure_.values().of(entry).cell == current) {
+      add_of_origin(entry, lazy);
+    } else {
+      cells.push_back(entry);
+    }
+  }
+  for (const CellId c : lazy.cells()) {
+    if (structure_.coface_index().is_coface(c, current)) {
       cells.push_back(c);
     }
   }
   std::sort(cells.begin(), cells.end(), [this](CellId a, CellId b) {
     return lazy_.is_older(structure_.forest().oldest(a), structure_.forest().oldest(b));
   });
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   return cells;
 }
 
-void Cofaces::add_candidates(CellId current, Candidates& out) const {
-  std::vector<CellId> pending{current};  // and what is degenerate over it
-  while (!pending.empty()) {
-    const CellId root = pending.back();
-    pending.pop_back();
-    structure_.forest().for_each_member(root, [&](CellId node) {
-      structure_.cells().for_each_incidence(node, [&](CellId owner, std::uint32_t) {
-        out.push_back(owner);
-        return true;
-      });
-      for (const std::uint32_t number : structure_.splits().moves_onto(node)) {
-        out.push_back(structure_.splits().moves()[number].cell);
-      }
-      const auto over = structure_.forest().squashed_onto(node);
-      pending.insert(pending.end(), over.begin(), over.end());
-      if (const LazyCell* lazy = lazy_.of(node)) {
-        add_of_lazy(lazy->key, node, out);
-      }
-      for (FamilyId f = 0; f < lazy_.families(); ++f) {
-        if (lazy_.family(f).apex == node) {
-          add_of_apex(f, out);
-        }
-      }
-    });
+void Cofaces::add_of_origin(CellId node, Candidates& out) const {
+  if (const LazyCell* lazy = lazy_.of(node)) {
+    add_of_lazy(lazy->key, node, out);
+  } else if (const Cone* cone = structure_.cones().from(node); cone != nullptr && cone->family != none) {
+    add_of_apex(cone->family, out);
   }
 }
 

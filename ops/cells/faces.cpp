@@ -1,16 +1,14 @@
 #include "ops/cells/faces.hpp"
 
-#include <algorithm>
-
 namespace sesame::ops {
 
 OrientedCell Faces::at(CellId c, std::uint32_t k, const Moment& moment) const {
   CellId node = cells_.faces(c)[k];
   int sign = sign_as_created(c, k);
-  splits_.for_each_move_of(c, k, 0, moment.moves, [&](const MadeMove& made) {
-    node = made.after;
-    sign = sign_after(made);
-  });
+  if (const MadeMove* made = splits_.last_move_of(c, k, moment.moves)) {
+    node = made->after;
+    sign = sign_after(*made);
+  }
   const OrientedCell face = forest_.find_oriented_at(node, moment.links);
   return {face.cell, sign * face.sign};
 }
@@ -25,10 +23,8 @@ std::vector<std::pair<CellId, std::uint32_t>> Faces::places_of(CellId node, cons
     places.emplace_back(owner, k);
     return true;
   });
-  const std::span<const std::uint32_t> onto = splits_.moves_onto(node);
-  for (auto at = std::lower_bound(onto.begin(), onto.end(), since.moves); at != onto.end(); ++at) {
-    places.emplace_back(splits_.moves()[*at].cell, splits_.moves()[*at].slot);
-  }
+  splits_.for_each_move_onto(node, since.moves,
+                             [&](const MadeMove& made) { places.emplace_back(made.cell, made.slot); });
   return places;
 }
 

@@ -18,7 +18,7 @@ namespace sesame::ops {
 
 /// The one place that says what the boundary of a cell is. Faces are those of the cell as it was created, but for the
 /// incidences that have moved since; as nodes, not yet looked up in the forest.
-/// Cost of every query: O(1), amortised, or as said.
+/// Cost of every query: O(1), amortised, or as said; at a moment, the moves of the face since then.
 class Faces {
  public:
   using MadeMove = SplitHistory::MadeMove;
@@ -27,16 +27,16 @@ class Faces {
       : cells_{cells}, forest_{forest}, splits_{splits}, maps_{maps} {}
 
   [[nodiscard]] std::span<const CellId> of(CellId c) const {
-    const SplitHistory::MovedFaces* moved = splits_.moved_faces(c);
-    return moved != nullptr ? moved->faces : cells_.faces(c);
+    const auto moved = splits_.moved_faces(c);
+    return moved ? moved->faces : cells_.faces(c);
   }
   /// The order in which face k of c has the vertices of the node of(c)[k].
   [[nodiscard]] OrderId order(CellId c, std::uint32_t k) const {
     if (!maps_.has_orders()) [[likely]] {
       return same_order;
     }
-    const SplitHistory::MovedFaces* moved = splits_.moved_faces(c);
-    return moved != nullptr ? moved->orders[k] : cells_.order(c, k);
+    const auto moved = splits_.moved_faces(c);
+    return moved ? moved->orders[k] : cells_.order(c, k);
   }
   /// The sign of the node of(c)[k] in the boundary of c; of the node that was given as face k at its creation.
   [[nodiscard]] int sign(CellId c, std::uint32_t k) const { return in_order(c, k, order(c, k)); }

@@ -6,8 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-
-#include "sparse/growing_array.hpp"
+#include <deque>
 
 namespace sesame::ops {
 
@@ -56,6 +55,15 @@ class Journal {
   };
 
   [[nodiscard]] Position end() const { return end_; }
+  /// From here on events are known: those before are forgotten.
+  [[nodiscard]] Position begin() const { return begin_; }
+  /// Forgets events before a position, whole runs of them. They can not be undone any more. Cost: their runs.
+  void forget_before(Position position) {
+    while (!runs_.empty() && begin_ + runs_.front().count() <= position) {
+      begin_ += runs_.front().count();
+      runs_.pop_front();
+    }
+  }
   void append(EventKind kind, std::uint32_t number) {
     ++end_;
     if (!runs_.empty()) {
@@ -67,7 +75,7 @@ class Journal {
     }
     runs_.push_back({number, static_cast<std::uint32_t>(kind) << count_bits | 1U});
   }
-  /// Removes the last event. Returns its kind. Requires: there is one.
+  /// Removes the last event. Returns its kind. Requires: there is one that is not forgotten.
   EventKind pop() {
     --end_;
     const EventKind kind = runs_.back().kind();
@@ -79,7 +87,7 @@ class Journal {
   }
 
   /// Calls visit(run) for the events from a position on, in their order, but not for those that visit itself makes
-  /// happen. Cost: the runs since then.
+  /// happen. Requires: none of them is forgotten. Cost: the runs since then.
   template <class Visit>
   void for_each_since(Position position, Visit&& visit) const {
     const Position last = end_;
@@ -116,7 +124,8 @@ class Journal {
   };
   static_assert(event_kinds <= 1U << (32 - count_bits));
 
-  sparse::GrowingArray<Packed> runs_;
+  std::deque<Packed> runs_;
+  Position begin_ = 0;  ///< of the first of these
   Position end_ = 0;
 };
 

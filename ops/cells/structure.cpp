@@ -51,20 +51,6 @@ std::span<const std::uint64_t> Structure::counts() const {
   return {counts_.data(), used};
 }
 
-Moment Structure::moment_at(Journal::Position position) const {
-  const EventCounts since = journal_.counts_since(position);
-  const auto less = [&since](auto count, auto... kinds) {
-    return count - static_cast<std::uint32_t>((since[kinds] + ...));
-  };
-  const Moment at_end = now();
-  return {less(at_end.created, EventKind::cell, EventKind::copy),
-          less(at_end.links, EventKind::removal),
-          less(at_end.moves, EventKind::move),
-          less(at_end.families, EventKind::family),
-          less(at_end.copies, EventKind::copy),
-          less(at_end.asked, EventKind::degenerate, EventKind::lazy)};
-}
-
 bool Structure::was_current(CellId c, const Moment& moment) const {
   const LazyCell* lazy = lazy_.of(c);
   if (lazy != nullptr ? lazy->key.family >= moment.families : !moment.knew(c)) {

@@ -13,6 +13,7 @@
 #include "ops/cells/bodies.hpp"
 #include "ops/cells/cell_store.hpp"
 #include "ops/cells/cell_type.hpp"
+#include "ops/cells/coface_index.hpp"
 #include "ops/cells/cones.hpp"
 #include "ops/cells/directory.hpp"
 #include "ops/cells/faces.hpp"
@@ -54,6 +55,7 @@ class Structure {
   [[nodiscard]] const Values& values() const { return values_; }
   [[nodiscard]] const LazyCells& lazy() const { return lazy_; }
   [[nodiscard]] const Cones& cones() const { return cones_; }
+  [[nodiscard]] const CofaceIndex& coface_index() const { return coface_index_; }
   [[nodiscard]] const Bodies& bodies() const { return bodies_; }
   [[nodiscard]] const Directory& directory() const { return directory_; }
   [[nodiscard]] const AbstractComplex& abstract() const { return abstract_; }
@@ -86,16 +88,16 @@ class Structure {
     return {cells_.size(),    forest_.links(),  static_cast<std::uint32_t>(splits_.moves().size()),
             lazy_.families(), splits_.copies(), cells_.asked()};
   }
-  /// The moment when the journal had come to a position. Cost: what has happened since.
-  [[nodiscard]] Moment moment_at(Journal::Position position) const;
   /// Whether c was a current cell of the object at a moment.
   [[nodiscard]] bool was_current(CellId c, const Moment& moment) const;
 
   // ---- change
   /// Carries a plan out. Requires: planned for the present state. Cost: the size of the plan.
   void apply(const Plan& plan);
-  /// Takes back the events from a position on. Cost: the size of what goes.
+  /// Takes back the events from a position on. Requires: none of them is forgotten. Cost: the size of what goes.
   void truncate(Journal::Position position);
+  /// Nobody will ask for events before a position, or take them back.
+  void forget_events_before(Journal::Position position) { journal_.forget_before(position); }
 
  private:
   struct Knowledge {
@@ -118,6 +120,8 @@ class Structure {
   void undo_last_event();
   void undo_last_cell();
   void undo_last_copy();
+  void undo_last_removal();
+  void undo_last_move();
   void undo_last_family();
   void undo_last_asked();
 
@@ -131,6 +135,7 @@ class Structure {
   Bodies bodies_;
   LazyCells lazy_{types(), maps(), cells_, forest_, values_, bodies_, journal_};
   Cones cones_;
+  CofaceIndex coface_index_{cells_, forest_, faces_, values_, cones_};
   Directory directory_{maps(), cells_, forest_, values_, lazy_, cones_, bodies_};
   AbstractComplex abstract_;
   std::vector<std::uint64_t> counts_;  ///< of current cells, by dimension

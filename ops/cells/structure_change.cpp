@@ -55,6 +55,7 @@ void Structure::apply(const Plan& plan) {
   if (maps().has_orders()) {
     note_orders(plan, first);
   }
+  coface_index_.on_end_of_step();
 }
 
 /// Bodies where a cell and its faces do not have their vertices in the same order any more.
@@ -151,6 +152,7 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
       cells_.add_face(plan.faces[f], has_order ? next_order->second : same_order);
       next_order += has_order ? 1 : 0;
     }
+    coface_index_.on_new_cell(id);
     const std::string_view name = std::string_view{plan.names}.substr(name_begin, cell.name_end - name_begin);
     if (plan.new_body && name == *plan.new_body) {  // the name of the whole, or of the first vertex, is the body's too
       bodies_.set_name(new_body, directory_.names().size());
@@ -207,6 +209,7 @@ void Structure::link(const Merge& merge) {
           "a merge joins two current cells");
   note(EventKind::removal, forest_.links());
   count(removed, -1);
+  coface_index_.before_removal(removed, survivor != none ? survivor : values_.normal_form(becomes).cell);
   if (survivor == none) {
     forest_.link_squashed(removed, becomes);
     return;
@@ -217,15 +220,9 @@ void Structure::link(const Merge& merge) {
 }
 
 void Structure::make_move(const Move& move) {
-  splits_.add_move(move, forest_.links(), [&] {
-    SplitHistory::MovedFaces moved;
-    const auto faces = cells_.faces(move.cell);
-    moved.faces.assign(faces.begin(), faces.end());
-    for (std::uint32_t k = 0; k < faces.size(); ++k) {
-      moved.orders.push_back(cells_.order(move.cell, k));
-    }
-    return moved;
-  });
+  splits_.add_move(move, forest_.links(), cells_.faces(move.cell),
+                   [&](std::uint32_t k) { return cells_.order(move.cell, k); });
+  coface_index_.on_new_face(move.cell, move.to);
   note(EventKind::move, splits_.moves().size() - 1);
 }
 

@@ -16,6 +16,7 @@ void Structure::undo_last_family() {
 
 void Structure::undo_last_cell() {
   const CellId c = cells_.size() - 1;
+  coface_index_.on_undo_of_cell(c);
   count(c, -1);
   directory_.pop_back();
   bodies_.drop_cell(cells_.body(c), c);
@@ -34,6 +35,18 @@ void Structure::undo_last_copy() {
   undo_last_cell();
 }
 
+void Structure::undo_last_removal() {
+  const CellId current = forest_.undo_last_link();
+  count(current, 1);
+  coface_index_.on_undo_of_removal(current);
+}
+
+void Structure::undo_last_move() {
+  const SplitHistory::MadeMove made = splits_.moves().back();
+  splits_.undo_last_move();
+  coface_index_.on_new_face(made.cell, made.before);
+}
+
 void Structure::undo_last_event() {
   switch (journal_.pop()) {
     case EventKind::cell:
@@ -49,9 +62,9 @@ void Structure::undo_last_event() {
     case EventKind::expansion:
       return lazy_.undo_last_expansion();
     case EventKind::removal:
-      return count(forest_.undo_last_link(), 1);
+      return undo_last_removal();
     case EventKind::move:
-      return splits_.undo_last_move();
+      return undo_last_move();
     case EventKind::family:
       return undo_last_family();
     case EventKind::cone:

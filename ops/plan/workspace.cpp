@@ -37,6 +37,20 @@ Status Workspace::plan(const Operation& operation) {
       operation);
 }
 
+Moment Workspace::before(std::size_t step) const {
+  const EventCounts since = structure_.journal().counts_since(steps_[step].begin);
+  const auto less = [&since](auto count, auto... kinds) {
+    return count - static_cast<std::uint32_t>((since[kinds] + ...));
+  };
+  const Moment at_end = structure_.now();
+  return {less(at_end.created, EventKind::cell, EventKind::copy),
+          less(at_end.links, EventKind::removal),
+          less(at_end.moves, EventKind::move),
+          less(at_end.families, EventKind::family),
+          less(at_end.copies, EventKind::copy),
+          less(at_end.asked, EventKind::degenerate, EventKind::lazy)};
+}
+
 void Workspace::carry_out() {
   steps_.push_back({structure_.journal().end(), plan_.kind()});
   structure_.apply(plan_);
@@ -44,14 +58,21 @@ void Workspace::carry_out() {
 
 Status Workspace::take_back(std::uint64_t steps) {
   if (steps > steps_.size()) {
-    return Error{Errc::refused, fmt::format("cannot undo {} steps: only {} can be undone", steps, steps_.size())};
+    return Error{Errc::refused, fmt::format("cannot undo {} steps: only {} can be undone{}", steps, steps_.size(),
+                                            forgotten_ > 0 ? ", as older ones are not kept" : "")};
   }
   if (steps > 0) {
     const std::size_t first = steps_.size() - steps;
     structure_.truncate(steps_[first].begin);
-    steps_.truncate(first);
+    steps_.erase(steps_.end() - static_cast<std::ptrdiff_t>(steps), steps_.end());
   }
   return Done{};
+}
+
+void Workspace::forget_oldest_step() {
+  steps_.pop_front();
+  structure_.forget_events_before(steps_.empty() ? structure_.journal().end() : steps_.front().begin);
+  ++forgotten_;
 }
 
 void Workspace::forget_since(Journal::Position position) {

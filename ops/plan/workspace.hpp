@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 
 #include "ops/cells/structure.hpp"
 #include "ops/plan/planner.hpp"
 #include "ops/vocabulary/operation.hpp"
-#include "sparse/growing_array.hpp"
 #include "sparse/result.hpp"
 
 namespace sesame::ops {
@@ -41,9 +41,10 @@ class Workspace {
   /// A step that does nothing to the object.
   void pass() { steps_.push_back({structure_.journal().end(), StepKind::nothing}); }
 
-  [[nodiscard]] const sparse::GrowingArray<Step>& steps() const { return steps_; }
+  /// Those that can be taken back, oldest first.
+  [[nodiscard]] const std::deque<Step>& steps() const { return steps_; }
   /// The moment before the step with this number, from 0. Cost: what has happened since.
-  [[nodiscard]] Moment before(std::size_t step) const { return structure_.moment_at(steps_[step].begin); }
+  [[nodiscard]] Moment before(std::size_t step) const;
   /// The moment after it. Cost: likewise.
   [[nodiscard]] Moment after(std::size_t step) const {
     return step + 1 == steps_.size() ? structure_.now() : before(step + 1);
@@ -51,6 +52,9 @@ class Workspace {
 
   /// Takes back the last steps. Errors: refused when there are fewer. Cost: what they did.
   Status take_back(std::uint64_t steps);
+  /// The oldest step can't be taken back from now on; the events of the journal that were kept for it are forgotten.
+  /// Requires: there is one.
+  void forget_oldest_step();
   /// Forgets what queries have made since the journal was at a position. Requires: no step since then.
   void forget_since(Journal::Position position);
 
@@ -58,7 +62,8 @@ class Workspace {
   Structure structure_;
   Planner planner_;
   Plan plan_;
-  sparse::GrowingArray<Step> steps_;
+  std::deque<Step> steps_;
+  std::uint64_t forgotten_ = 0;  ///< steps
 };
 
 }  // namespace sesame::ops

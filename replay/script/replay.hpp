@@ -40,6 +40,7 @@ struct ReplayOptions {
   bool partial = false;  ///< after an error of the script or a failed `expect`, summarise what was before it
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: finish the current step, then summarise
   ops::Limits limits;                       ///< of what a step may make
+  std::uint64_t undoable = UINT64_MAX;      ///< so many steps can be undone; with `needs_barcode`, all
   /// The operations applied, a line each, flushed after each. When that fails the replay ends with wrong_usage; why, is
   /// for its owner to say.
   std::ostream* log = nullptr;

@@ -194,6 +194,51 @@ TEST_CASE("a refused operation leaves everything as it was", "[engine]") {
   CHECK(engine.first_defect().value_or("") == "");
 }
 
+TEST_CASE("with a limit the last steps can be undone, as without one", "[engine][stream]") {
+  const unsigned seed = GENERATE(range(100U, 120U));
+  const std::uint64_t limit = GENERATE(0, 1, 7);
+  const bool takes_splits_in = GENERATE(false, true);
+  CAPTURE(seed, limit, takes_splits_in);
+  const engine::RebasePolicy rebases = takes_splits_in ? taking_splits_in : engine::RebasePolicy{};
+  Engine engine({}, {}, rebases);
+  Engine limited({}, {}, rebases, {limit, false});
+  RandomSteps random(seed, {.most_cells = 30, .simploids = true, .cones = true, .degeneracies = true, .splits = true});
+  std::uint64_t undoable = 0;
+  for (int k = 0; k < 40; ++k) {
+    REQUIRE(limited.undoable() == undoable);
+    if (undoable > 0 && random.random().one_in(4)) {
+      const auto steps = static_cast<std::uint64_t>(random.random().in(1, static_cast<int>(undoable)));
+      REQUIRE(engine.undo(steps));
+      REQUIRE(limited.undo(steps));
+      undoable -= steps;
+    } else {
+      const ops::Operation op = random.next(engine.structure());
+      const engine::StepReport report = carry_out(limited, op);
+      CHECK(report.step == carry_out(engine, op).step);
+      undoable = std::min(limit, undoable + 1);
+    }
+    REQUIRE(dump(limited) == dump(engine));
+    REQUIRE(limited.log().size() == 1);
+  }
+  const auto beyond = limited.undo(undoable + 1);
+  REQUIRE_FALSE(beyond);
+  CHECK_THAT(beyond.error().what,
+             Catch::Matchers::StartsWith("cannot undo " + std::to_string(undoable + 1) + " steps: only " +
+                                         std::to_string(undoable) + " can be undone"));
+}
+
+TEST_CASE("there is no barcode of a history that is not kept", "[engine]") {
+  Engine engine(ring_named("Z/2"), {}, {}, {2, true});
+  build(engine, {R"({"op":"simplex","name":"t","dim":2})", R"({"op":"simplex","name":"u","dim":0})"});
+  CHECK(engine.barcode());
+  carry_out(engine, R"({"op":"simplex","name":"w","dim":0})");
+  const auto barcode = engine.barcode();
+  REQUIRE_FALSE(barcode);
+  CHECK(barcode.error().code == Errc::refused);
+  CHECK(barcode.error().what == "there is no barcode: only the last 2 steps are kept");
+  CHECK(engine.log().size() == 3);
+}
+
 TEST_CASE("a plan is worked out without doing it", "[engine]") {
   Engine engine({}, {}, taking_splits_in);
   build(engine, {R"({"op":"simplex","name":"t","dim":2})", R"({"op":"simplex","name":"u","dim":2})"});

@@ -54,6 +54,36 @@ TEST_CASE("a journal is what a plain list of events is, from every position", "[
   }
 }
 
+TEST_CASE("a journal that forgets knows what came after", "[ops]") {
+  std::mt19937 random(GENERATE(range(0U, 8U)));
+  const auto draw = [&](unsigned below) { return static_cast<std::uint32_t>(random() % below); };
+  Journal journal;
+  std::vector<Event> plain;
+  std::size_t known_from = 0;
+  for (int step = 0; step < 400; ++step) {
+    if (draw(4) == 0 && plain.size() > known_from) {
+      REQUIRE(journal.pop() == plain.back().first);
+      plain.pop_back();
+    } else {
+      const bool goes_on = draw(3) != 0 && !plain.empty();
+      const auto kind = static_cast<EventKind>(draw(ops::event_kinds));
+      plain.push_back(goes_on ? Event{plain.back().first, plain.back().second + 1} : Event{kind, draw(100)});
+      journal.append(plain.back().first, plain.back().second);
+    }
+    if (draw(10) == 0) {
+      known_from += draw(static_cast<unsigned>(plain.size() - known_from) + 1);
+      journal.forget_before(known_from);
+    }
+    REQUIRE(journal.begin() <= known_from);
+    REQUIRE(journal.end() == plain.size());
+    const std::size_t from = known_from + draw(static_cast<unsigned>(plain.size() - known_from) + 1);
+    REQUIRE(events_since(journal, from) ==
+            std::vector<Event>(plain.begin() + static_cast<std::ptrdiff_t>(from), plain.end()));
+  }
+  journal.forget_before(journal.end());
+  CHECK(journal.begin() == journal.end());
+}
+
 TEST_CASE("what happens while a journal is read is not read", "[ops]") {
   Journal journal;
   journal.append(EventKind::cell, 0);

@@ -13,14 +13,18 @@ using ops::SplitHistory;
 TEST_CASE("faces that move and copies are what plain lists say, through undo", "[ops]") {
   std::mt19937 random(GENERATE(range(0U, 8U)));
   const auto draw = [&](unsigned below) { return static_cast<std::uint32_t>(random() % below); };
+  struct Faces {
+    std::vector<CellId> faces;
+    std::vector<ops::OrderId> orders;
+  };
   const auto as_created = [](CellId cell) {
-    return SplitHistory::MovedFaces{{cell + 100, cell + 200, cell + 300}, {ops::same_order, ops::same_order, 1}, {}};
+    return Faces{{cell + 100, cell + 200, cell + 300}, {ops::same_order, ops::same_order, 1}};
   };
   SplitHistory splits;
   std::vector<SplitHistory::MadeMove> moves;
   std::vector<SplitHistory::Copy> copies;
   const auto faces_of = [&](CellId cell) {
-    SplitHistory::MovedFaces faces = as_created(cell);
+    Faces faces = as_created(cell);
     for (const SplitHistory::MadeMove& made : moves) {
       if (made.cell == cell) {
         faces.faces[made.slot] = made.after;
@@ -33,9 +37,9 @@ TEST_CASE("faces that move and copies are what plain lists say, through undo", "
     const std::uint32_t what = draw(6);
     if (what < 3) {
       const ops::Move move{CellId{draw(6)}, draw(3), CellId{1000 + draw(4)}, ops::OrderId{draw(3)}};
-      const SplitHistory::MovedFaces before = faces_of(move.cell);
+      const Faces before = faces_of(move.cell), created = as_created(move.cell);
       const ops::LinkId links{static_cast<unsigned>(step)};
-      splits.add_move(move, links, [&] { return as_created(move.cell); });
+      splits.add_move(move, links, created.faces, [&](std::uint32_t k) { return created.orders[k]; });
       moves.push_back(
           {move.cell, move.slot, before.faces[move.slot], move.to, links, before.orders[move.slot], move.order});
     } else if (what == 3 && !moves.empty()) {
@@ -53,46 +57,59 @@ TEST_CASE("faces that move and copies are what plain lists say, through undo", "
     REQUIRE(splits.moves().size() == moves.size());
     REQUIRE(splits.copies() == copies.size());
     for (CellId cell = 0; cell < 6; ++cell) {
-      const SplitHistory::MovedFaces* moved = splits.moved_faces(cell);
+      const auto moved = splits.moved_faces(cell);
       const bool has_moved = std::any_of(moves.begin(), moves.end(),
                                          [&](const SplitHistory::MadeMove& made) { return made.cell == cell; });
-      REQUIRE((moved != nullptr) == has_moved);
+      REQUIRE(moved.has_value() == has_moved);
       if (has_moved) {
-        REQUIRE(moved->faces == faces_of(cell).faces);
-        REQUIRE(moved->orders == faces_of(cell).orders);
+        REQUIRE(std::equal(moved->faces.begin(), moved->faces.end(), faces_of(cell).faces.begin()));
+        REQUIRE(std::equal(moved->orders.begin(), moved->orders.end(), faces_of(cell).orders.begin()));
       }
       for (std::uint32_t k = 0; k < 3; ++k) {
         const auto first = draw(static_cast<unsigned>(moves.size()) + 1);
+        const auto last = draw(static_cast<unsigned>(moves.size()) + 1);
         std::vector<CellId> seen, expected;
-        splits.for_each_move_of(cell, k, first, static_cast<std::uint32_t>(moves.size()),
+        const SplitHistory::MadeMove* last_expected = nullptr;
+        splits.for_each_move_of(cell, k, first, last,
                                 [&](const SplitHistory::MadeMove& made) { seen.push_back(made.after); });
-        for (std::size_t m = first; m < moves.size(); ++m) {
+        for (std::size_t m = 0; m < last; ++m) {
           if (moves[m].cell == cell && moves[m].slot == k) {
-            expected.push_back(moves[m].after);
+            last_expected = &moves[m];
+            if (m >= first) {
+              expected.push_back(moves[m].after);
+            }
           }
         }
         REQUIRE(seen == expected);
+        const SplitHistory::MadeMove* last_move = splits.last_move_of(cell, k, last);
+        REQUIRE((last_move == nullptr) == (last_expected == nullptr));
+        if (last_move != nullptr) {
+          REQUIRE(last_move->after == last_expected->after);
+          REQUIRE(last_move->links == last_expected->links);
+        }
       }
     }
     for (CellId node = 1000; node < 1004; ++node) {
-      std::vector<std::uint32_t> expected;
-      for (std::uint32_t m = 0; m < moves.size(); ++m) {
+      const auto since = draw(static_cast<unsigned>(moves.size()) + 1);
+      std::vector<ops::LinkId> seen, expected;
+      for (std::uint32_t m = static_cast<std::uint32_t>(moves.size()); m-- > since;) {
         if (moves[m].after == node) {
-          expected.push_back(m);
+          expected.push_back(moves[m].links);
         }
       }
-      const auto onto = splits.moves_onto(node);
-      REQUIRE(std::vector<std::uint32_t>(onto.begin(), onto.end()) == expected);
+      splits.for_each_move_onto(node, since, [&](const SplitHistory::MadeMove& made) { seen.push_back(made.links); });
+      REQUIRE(seen == expected);
     }
     for (CellId source = 0; source < 5; ++source) {
-      std::vector<CellId> expected;
-      for (const SplitHistory::Copy& copy : copies) {
-        if (copy.source == source) {
-          expected.push_back(copy.copy);
+      const auto since = draw(static_cast<unsigned>(copies.size()) + 1);
+      std::vector<CellId> seen, expected;
+      for (std::size_t k = copies.size(); k-- > since;) {
+        if (copies[k].source == source) {
+          expected.push_back(copies[k].copy);
         }
       }
-      const auto of = splits.copies_of(source);
-      REQUIRE(std::vector<CellId>(of.begin(), of.end()) == expected);
+      splits.for_each_copy_of(source, since, [&](CellId copy) { seen.push_back(copy); });
+      REQUIRE(seen == expected);
     }
     for (CellId c = 2000; c < 2010; ++c) {
       const SplitHistory::Copy* copy = splits.copy(c);

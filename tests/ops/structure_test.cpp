@@ -498,6 +498,58 @@ TEST_CASE("the cofaces of a cell are the cells that have it as a face, or someth
   CHECK(wrong_cofaces(shop.structure()) == "");
 }
 
+TEST_CASE("cofaces are those of the definition whenever they are asked for, through undo", "[ops][stream]") {
+  const unsigned seed = GENERATE(range(0U, 60U));
+  CAPTURE(seed);
+  Workshop shop(seed % 2 == 0 ? lazy_cones : Limits{});
+  RandomSteps steps(seed, everything(seed % 3 == 0 ? 40 : 20));
+  Random random(seed + 1);
+  std::vector<StructureMark> marks;
+  int asked = 0;
+  for (int k = 0; k < 120; ++k) {
+    if (marks.size() > 5 && random.one_in(4)) {
+      // Often a little, at times far beyond the first question.
+      const int most = static_cast<int>(marks.size());
+      const auto back = static_cast<std::size_t>(random.in(1, random.one_in(8) ? most : std::min(most, 4)));
+      shop.go_back_to(marks[marks.size() - back]);
+      marks.resize(marks.size() - back);
+    } else {
+      marks.push_back(mark_of(shop.structure()));
+      REQUIRE(shop.apply(steps.next(shop.structure())));
+    }
+    if (k > static_cast<int>(seed) && random.one_in(3)) {
+      CAPTURE(k);
+      REQUIRE(wrong_cofaces(shop.structure()) == "");
+      ++asked;
+    }
+  }
+  CHECK(asked > 0);
+  shop.go_back_to({});
+  CHECK(wrong_cofaces(shop.structure()) == "");
+}
+
+TEST_CASE("a place that is glued and split again and again has few entries to look through", "[ops]") {
+  Workshop shop;
+  shop.build({R"({"op":"simplex","name":"t","dim":2})", R"({"op":"simplex","name":"u","dim":2})",
+              R"({"op":"identify","pairs":[["t.0-1","u.0-1"]]})"});
+  const bool undoes = GENERATE(false, true);
+  const StructureMark glued = mark_of(shop.structure());
+  for (int k = 0; k < 300; ++k) {
+    const std::string copy = "c" + std::to_string(k);
+    REQUIRE(shop.apply(ops::Deidentify{{{"t.0-1", copy, {{"u", 2}}}}}));
+    CHECK(shop.structure().coface_index().entries(shop.cell(copy)).size() == 1);
+    if (undoes) {
+      shop.go_back_to(glued);
+    } else {
+      REQUIRE(shop.apply(ops::Identify{{{"t.0-1", copy}}}));
+    }
+  }
+  const ops::CofaceIndex& index = shop.structure().coface_index();
+  CHECK(index.held(shop.cell("t.0-1")) <= 24);
+  CHECK(index.entries(shop.cell("t.0-1")).size() == 2);
+  CHECK(wrong_cofaces(shop.structure()) == "");
+}
+
 TEST_CASE("the apex of a lazy cone has the cone's edges as cofaces, and what is squashed onto it", "[ops]") {
   Workshop shop(lazy_cones);
   SECTION("of simplices") { shop.build({R"({"op":"simplex","name":"t","dim":2})", R"({"op":"cone","apex":"v"})"}); }

@@ -150,6 +150,22 @@ TEST_CASE("of a refused step nothing happens and all before it did", "[replay]")
   }
 }
 
+TEST_CASE("with a limit on undo what goes back further is refused, with its place", "[replay]") {
+  const std::string text =
+      joined({header_line, R"({"op":"simplex","name":"a","dim":0})", R"({"op":"simplex","name":"b","dim":0})",
+              R"({"op":"simplex","name":"c","dim":0})", R"({"op":"undo","steps":2})"});
+  replay::ReplayOptions options;
+  options.undoable = 2;
+  Recorder recorder;
+  CHECK(replay_text(text, &recorder, options).outcome == Outcome::done);
+  CHECK(recorder.betti == std::vector<std::int64_t>{1});
+  options.undoable = 1;
+  const auto refused = replay_text(text, nullptr, options);
+  CHECK(refused.outcome == Outcome::wrong_script);
+  CHECK_THAT(refused.errors, Contains("cannot undo 2 steps: only 1 can be undone, as older ones are not kept"));
+  CHECK_THAT(refused.errors, StartsWith("script:5: "));
+}
+
 TEST_CASE("a failed expectation ends the replay with both values", "[replay]") {
   Recorder recorder;
   const Replayed replayed =

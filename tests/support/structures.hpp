@@ -47,7 +47,7 @@ class Workshop {
   const ops::Structure& structure() const { return workspace_.structure(); }
   const ops::Planner& planner() const { return workspace_.planner(); }
   const ops::Plan& last_plan() const { return workspace_.planned(); }
-  const sparse::GrowingArray<ops::Workspace::Step>& steps() const { return workspace_.steps(); }
+  const std::deque<ops::Workspace::Step>& steps() const { return workspace_.steps(); }
 
   Status plan(const ops::Operation& op) { return workspace_.plan(op); }
   void carry_out() { workspace_.carry_out(); }
@@ -208,9 +208,7 @@ inline std::string dump(const ops::Structure& structure, ops::CellId c) {
   if (const ops::SplitHistory::Copy* copy = structure.splits().copy(c)) {
     text += " copy of " + label(structure, copy->source);
   }
-  for (const ops::CellId copy : structure.splits().copies_of(c)) {
-    text += " copied as " + label(structure, copy);
-  }
+  structure.splits().for_each_copy_of(c, 0, [&](ops::CellId copy) { text += " copied as " + label(structure, copy); });
   if (structure.is_current(c) && !structure.lazy().is_consumed(c)) {
     text += " under";
     for (const ops::CellId coface : cofaces(structure, c)) {

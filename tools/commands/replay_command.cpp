@@ -44,6 +44,7 @@ struct Arguments {
   std::uint64_t until = 0;
   std::uint64_t every = 0;
   std::size_t longest_line = replay::longest_line;
+  std::uint64_t undoable = UINT64_MAX;
   std::int64_t explicit_cones = ops::Limits{}.cells_of_explicit_cone;
   std::string log;
   LogFile::Old old_log = LogFile::Old::is_refused;
@@ -197,6 +198,7 @@ int run_replay(const Arguments& arguments) {
   }
   options.verify = arguments.verify;
   options.limits.cells_of_explicit_cone = arguments.explicit_cones;
+  options.undoable = arguments.undoable;
   options.generators = arguments.generators;
   options.stop = &stop_requested();
   options.keep_going = arguments.keep_going || is_prompted(arguments);
@@ -239,6 +241,8 @@ void add_replay_command(CLI::App& app, int& status) {
                    "Write cones over whole bodies of up to N cells out; of larger ones only the cells that are used")
       ->capture_default_str()
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
+  command->add_option("--undo-limit", arguments->undoable,
+                      "Keep what it takes to undo the last N steps only: less memory in long sessions; default: all");
   CLI::Option* log = command->add_option("--log", arguments->log, "Keep the steps that were applied in this file");
   const auto old_log = [&](const char* name, LogFile::Old old, const char* description) {
     const auto choose = [arguments, old](std::int64_t) { arguments->old_log = old; };
