@@ -84,11 +84,22 @@ struct Assembly {
 /// loop, so the rank of H_1 is factors + gluings.
 [[nodiscard]] Operations glued_product_of_circles(std::uint32_t edges, std::uint32_t factors, std::uint32_t gluings);
 
+// ---- all at once
+
+/// The Klein bottle of n x n squares cut into triangles, n >= 3, as one `complex`: 6 n^2 cells. H = Z, Z + Z/2, 0.
+[[nodiscard]] Operations klein_bottle_at_once(std::uint32_t n);
+/// The simplices of `rips_filtration` as one insertion, in that order.
+[[nodiscard]] Operations rips_at_once(std::uint32_t points, std::size_t cells, std::uint64_t seed);
+
 // ---- torsion
 
 /// The matching complex of the complete graph on n vertices: its vertices are the edges, its simplices sets of disjoint
 /// ones. In one step. For n = 7: H = Z, Z/3, Z^20; for n = 11: Z, 0, 0, Z^1188 + (Z/3)^45, Z^252.
 [[nodiscard]] Operations matching_complex(std::uint32_t n);
+/// The chessboard complex of n x n squares: its vertices are the squares, its simplices sets of them of which no two
+/// are in one row or column. In one step. For n = 5: H = Z, 0, Z/3, Z^56; for n = 7: Z, 0, 0, 0, Z^588 + (Z/3)^66,
+/// Z^792.
+[[nodiscard]] Operations chessboard_complex(std::uint32_t n);
 /// Tetrahedra; then their faces are glued in random pairs, in the order of their vertices, a pair a step.
 [[nodiscard]] Operations random_gluings(std::uint32_t tetrahedra, std::uint64_t seed);
 /// All edges between the vertices in one step, then triangles in random order, one a step: those that raise the rank of

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 
+#include "tools/bench/batch_scenarios.hpp"
 #include "tools/bench/constructions.hpp"
 #include "tools/bench/editing_scenarios.hpp"
 #include "tools/bench/surface_count.hpp"
@@ -376,6 +377,7 @@ const std::vector<Scenario>& scenarios() {
     add_repetitions(list);
     add_editing(list);
     add_other_constructions(list);
+    add_batches(list);
     add_torsion(list);
     add_generators(list);
     add_comparisons(list);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -92,6 +93,19 @@ Operations matching_complex(std::uint32_t n) {
   }
   ops::Insert insert{{}, true};
   add_matchings(std::move(vertices), {}, n % 2 == 1, insert.simplices);
+  return {insert};
+}
+
+Operations chessboard_complex(std::uint32_t n) {
+  std::vector<std::uint32_t> column(n);
+  std::iota(column.begin(), column.end(), 0U);
+  ops::Insert insert{{}, true};
+  do {
+    Simplex& simplex = insert.simplices.emplace_back();
+    for (std::uint32_t row = 0; row < n; ++row) {
+      simplex.push_back(std::to_string(row) + "-" + std::to_string(column[row]));
+    }
+  } while (std::next_permutation(column.begin(), column.end()));
   return {insert};
 }
 
