@@ -252,3 +252,13 @@ TEST_CASE("names given to others are not given to faces, nor the other way round
   CHECK(!shop.structure().directory().find("s.0-1-2"));
   CHECK(shop.structure().directory().own_name(*shop.structure().lookup("p.0")) == "p");
 }
+
+TEST_CASE("a face is not given the name of a cell of a cone or a product that nobody wrote out", "[ops]") {
+  Workshop shop(Limits{.cells_of_explicit_cone = 0});
+  shop.build({R"({"op":"complex","name":"K","cells":[{"id":"0"},{"id":"a"}]})",
+              R"({"op":"identify","pairs":[["K.0","K.a"]]})", R"({"op":"cone","apex":"v","over":"K"})"});
+  REQUIRE(!shop.structure().is_name_taken("v*K"));
+  CHECK_THAT(shop.plan(operation(R"({"op":"simplex","name":"v*K","dim":1})")).error().what,
+             Contains("the name \"v*K.0\" is in use, so \"v*K\" cannot name a new simplex of dimension 1"));
+  CHECK(shop.plan(operation(R"({"op":"simplex","name":"v*L","dim":1})")));
+}
