@@ -64,6 +64,8 @@ class NameTable {
     std::string text;
     CellId cell;  ///< or none
     BodyId body;  ///< or none
+    /// Of the standard simplex or simploid that this is, with its faces made before it and named after it; or none.
+    TypeId standard;
   };
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(names_.size()); }
@@ -80,7 +82,7 @@ class NameTable {
   /// How often something has been looked up. Only grows.
   [[nodiscard]] std::uint64_t looked_up() const { return looked_up_; }
   /// Requires: the text is not in the table.
-  void add(std::string_view text, CellId cell, BodyId body);
+  void add(std::string_view text, CellId cell, BodyId body, TypeId standard = none);
   void pop_back();
 
  private:

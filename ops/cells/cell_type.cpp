@@ -135,9 +135,20 @@ TypeId TypeTable::coned(TypeId base, bool by_edge) {
   return by_edge ? product(base, simplex(1)) : simplex(infos_[base].dimension + 1);
 }
 
+TypeId TypeTable::simplex(int dimension) {
+  const auto at = static_cast<std::size_t>(dimension);
+  if (at >= simplices_.size()) {
+    simplices_.resize(at + 1, none);
+  }
+  if (simplices_[at] == none) {
+    simplices_[at] = dimension == 0 ? vertex() : intern({dimension});
+  }
+  return simplices_[at];
+}
+
 const StandardCell& TypeTable::standard(TypeId id) {
-  if (const auto known = standards_.find(id); known != standards_.end()) {
-    return known->second;
+  if (id < standards_.size() && standards_[id] != nullptr) {
+    return *standards_[id];
   }
   StandardCell standard;
   const CellType& whole = infos_[id].type;
@@ -170,7 +181,21 @@ const StandardCell& TypeTable::standard(TypeId id) {
     position.emplace(mask, static_cast<std::uint32_t>(standard.cells.size()));
     standard.cells.push_back(std::move(cell));
   }
-  return standards_.emplace(id, std::move(standard)).first->second;
+  standard.by_suffix.resize(standard.cells.size());
+  std::iota(standard.by_suffix.begin(), standard.by_suffix.end(), 0U);
+  std::sort(standard.by_suffix.begin(), standard.by_suffix.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return standard.cells[a].suffix < standard.cells[b].suffix; });
+  if (id >= standards_.size()) {
+    standards_.resize(id + 1);
+  }
+  standards_[id] = std::make_unique<StandardCell>(std::move(standard));
+  return *standards_[id];
+}
+
+std::uint32_t StandardCell::find(std::string_view suffix) const {
+  const auto at = std::lower_bound(by_suffix.begin(), by_suffix.end(), suffix,
+                                   [this](std::uint32_t k, std::string_view text) { return cells[k].suffix < text; });
+  return at != by_suffix.end() && cells[*at].suffix == suffix ? *at : std::uint32_t{none};
 }
 
 std::int64_t standard_cell_count(const CellType& type) {

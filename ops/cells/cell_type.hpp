@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ops/ids.hpp"
@@ -40,6 +42,10 @@ struct StandardFace {
 /// A standard simploid with all its faces, by dimension and then lexicographically in the vertex subsets; the top last.
 struct StandardCell {
   std::vector<StandardFace> cells;
+  std::vector<std::uint32_t> by_suffix;  ///< their positions, sorted by suffix
+
+  /// The position of the cell with a suffix, or none. Cost: the logarithm of the number of cells.
+  [[nodiscard]] std::uint32_t find(std::string_view suffix) const;
 };
 
 /// Everything about one type.
@@ -61,7 +67,7 @@ class TypeTable {
 
   /// The id of a type; describes it when it is new. Requires: all entries >= 1 and total_faces(type) is small enough.
   TypeId intern(const CellType& type);
-  TypeId simplex(int dimension) { return dimension == 0 ? vertex() : intern({dimension}); }
+  TypeId simplex(int dimension);
   [[nodiscard]] TypeId vertex() const { return 0; }
   /// The type of a product of cells of two types: the one after the other.
   TypeId product(TypeId left, TypeId right);
@@ -74,7 +80,8 @@ class TypeTable {
  private:
   std::deque<TypeInfo> infos_;
   std::map<CellType, TypeId> ids_;
-  std::map<TypeId, StandardCell> standards_;
+  std::vector<TypeId> simplices_;                         ///< by dimension, or none
+  std::vector<std::unique_ptr<StandardCell>> standards_;  ///< by type, those that were asked for
 };
 
 /// The number of cells of a standard simploid, the product of 2^(a_i + 1) - 1; saturates at 2^63 - 1.

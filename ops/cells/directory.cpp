@@ -7,10 +7,68 @@
 #include "ops/cells/name_text.hpp"
 
 namespace sesame::ops {
+namespace {
 
-std::string_view Directory::own_name(CellId c) const {
+/// Calls visit(prefix, hash) for the parts of a name before which that of a lazy family may end.
+template <class Visit>
+void for_each_prefix(std::string_view name, Visit visit) {
+  TextHash hash;
+  for (std::size_t k = 0; k < name.size(); ++k) {
+    if (ends_prefix(name, k)) {
+      visit(name.substr(0, k), hash);
+    }
+    hash.add(name[k]);
+  }
+}
+
+/// The hash of "t" for a text that looks like "t.0-1".
+std::optional<std::uint64_t> hash_of_base(std::string_view text) {
+  const auto split = split_vertices(text);
+  if (!split) {
+    return std::nullopt;
+  }
+  TextHash hash;
+  hash.add(text.substr(0, split->length));
+  return hash.word();
+}
+
+void take_one(std::uint64_t hash, std::unordered_map<std::uint64_t, std::uint32_t>& counts) {
+  if (const auto at = counts.find(hash); --at->second == 0) {
+    counts.erase(at);
+  }
+}
+
+/// Faces come right before the whole.
+CellId first_of(const NameTable::Name& whole, const StandardCell& standard) {
+  return whole.cell - (standard.cells.size() - 1);
+}
+
+/// The face of a standard simploid that has some vertices, or none: not the whole, but for "t.0" of a vertex.
+CellId face_named(const NameTable::Name& whole, std::string_view vertices, TypeTable& types) {
+  if (whole.standard == none) {
+    return none;
+  }
+  if (whole.standard == types.vertex()) {
+    return vertices == "0" ? whole.cell : CellId{none};
+  }
+  const StandardCell& standard = types.standard(whole.standard);
+  const std::uint32_t position = standard.find(vertices);
+  return position < standard.cells.size() - 1 ? first_of(whole, standard) + position : CellId{none};
+}
+
+}  // namespace
+
+std::string Directory::own_name(CellId c) const {
   if (cells_.name(c) != none) {
-    return names_[cells_.name(c)].text;
+    const NameTable::Name& name = names_[cells_.name(c)];
+    if (c == name.cell) {
+      return name.text;
+    }
+    const StandardCell& standard = maps_.types().standard(name.standard);
+    const std::string& suffix = standard.cells[c - first_of(name, standard)].suffix;
+    std::string text;
+    text.reserve(name.text.size() + 1 + suffix.size());
+    return text.append(name.text).append(1, '.').append(suffix);
   }
   const LazyCell* lazy = lazy_.of(c);
   if (lazy == nullptr) {
@@ -20,6 +78,47 @@ std::string_view Directory::own_name(CellId c) const {
     lazy->name = name_of_lazy(lazy->key);
   }
   return lazy->name;
+}
+
+/// `hash_of(length)` is the hash of the beginning of the text; it is asked with lengths that increase.
+template <class HashOf>
+std::optional<Directory::Named> Directory::find_by(std::string_view text, HashOf&& hash_of) const {
+  if (const auto split = split_vertices(text)) {
+    const NameTable::Name* whole = names_.find(text.substr(0, split->length), hash_of(split->length));
+    if (const CellId cell = whole == nullptr ? CellId{none} : face_named(*whole, split->vertices, maps_.types());
+        cell != none) {
+      return Named{cell, none};
+    }
+    ++further_looks_;
+  }
+  const NameTable::Name* name = names_.find(text, hash_of(text.size()));
+  return name == nullptr ? std::nullopt : std::optional{Named{name->cell, name->body}};
+}
+
+std::optional<Directory::Named> Directory::find(std::string_view text) const {
+  TextHash hash;
+  std::size_t hashed = 0;
+  return find_by(text, [&](std::size_t length) {
+    hash.add(text.substr(hashed, length - hashed));
+    hashed = length;
+    return hash.value();
+  });
+}
+
+std::optional<Directory::Named> Directory::find(std::string_view text, const PartHashes& hashes,
+                                                std::size_t begin) const {
+  return find_by(text, [&](std::size_t length) { return hashes.value(begin, begin + length); });
+}
+
+bool Directory::may_have_faces_named(std::string_view name) const {
+  TextHash hash;
+  hash.add(name);
+  if (like_faces_.contains(hash.word())) {
+    return true;
+  }
+  bool may_be_derived = false;  // from "c.0", with a name that "v*c" has not
+  for_each_prefix(name, [&](std::string_view, const TextHash&) { may_be_derived = true; });
+  return may_be_derived;
 }
 
 std::string Directory::name_of_lazy(const LazyKey& key) const {
@@ -45,22 +144,6 @@ std::string Directory::name_of_lazy(const LazyKey& key) const {
   }
   return fmt::format("{}.({}|{})", family.name, written(key.left), written(key.right));
 }
-
-namespace {
-
-/// Calls visit(prefix, hash) for the parts of a name before which that of a lazy family may end.
-template <class Visit>
-void for_each_prefix(std::string_view name, Visit visit) {
-  TextHash hash;
-  for (std::size_t k = 0; k < name.size(); ++k) {
-    if (ends_prefix(name, k)) {
-      visit(name.substr(0, k), hash);
-    }
-    hash.add(name[k]);
-  }
-}
-
-}  // namespace
 
 Value Directory::named_value(CellId current) const {
   const CellId node = forest_.oldest(current);
@@ -116,25 +199,37 @@ bool Directory::is_ambiguous_prefix(std::string_view name) const {
            lazy_.any_family([&](const LazyFamily& family) { return extends(family.name); })));
 }
 
-void Directory::add(std::string_view text, CellId cell, BodyId body) {
+/// Names of faces have no more prefixes than that of the whole, and no more brackets.
+void Directory::add(std::string_view text, CellId cell, BodyId body, TypeId standard) {
+  const std::uint32_t number = names_.size();
+  names_.add(text, cell, body, standard);
   if (!is_well_bracketed(text)) {
-    odd_.push_back(names_.size());
+    odd_.push_back(number);
+    count_of_odd_ += weight(number);
   }
-  names_.add(text, cell, body);
   for_each_prefix(text, [this](std::string_view, const TextHash& hash) { ++prefixes_[hash.word()]; });
+  if (const auto base = hash_of_base(text)) {
+    ++like_faces_[*base];
+  }
 }
 
 void Directory::pop_back() {
   const std::uint32_t last = names_.size() - 1;
-  for_each_prefix(names_[last].text, [this](std::string_view, const TextHash& hash) {
-    if (const auto at = prefixes_.find(hash.word()); --at->second == 0) {
-      prefixes_.erase(at);
-    }
-  });
+  const std::string& text = names_[last].text;
+  for_each_prefix(text, [this](std::string_view, const TextHash& hash) { take_one(hash.word(), prefixes_); });
+  if (const auto base = hash_of_base(text)) {
+    take_one(*base, like_faces_);
+  }
   if (!odd_.empty() && odd_.back() == last) {
     odd_.pop_back();
+    count_of_odd_ -= weight(last);
   }
   names_.pop_back();
+}
+
+std::uint64_t Directory::weight(std::uint32_t number) const {
+  const TypeId standard = names_[number].standard;
+  return standard == none ? 1 : std::max(maps_.types().standard(standard).cells.size(), std::size_t{2});
 }
 
 FamilyId Directory::product_named(const NameTable::Name& name) const {

@@ -22,7 +22,7 @@ enum class EventKind : std::uint8_t {
   move,        ///< an incidence went to a copy
   family,      ///< bodies became a product or a lazy cone
   cone,        ///< a cone was written out
-  name,        ///< a further name of a cell, or the name of a body
+  name,        ///< a name of a body that is none of a cell
   body,        ///< a body was made
   union_of_bodies,
   body_kind,   ///< a body became less of an abstract complex than it was

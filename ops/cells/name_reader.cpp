@@ -10,16 +10,17 @@ namespace sesame::ops {
 
 std::optional<Value> NameReader::read() { return read({0, text_.size()}); }
 
-const NameTable::Name* NameReader::find(Part part) {
-  return hashes_ ? structure_.directory().names().find(text(part), hashes_->value(part.begin, part.end))
-                 : structure_.directory().names().find(text(part));
+std::optional<Directory::Named> NameReader::find(Part part) const {
+  return hashes_ ? structure_.directory().find(text(part), *hashes_, part.begin)
+                 : structure_.directory().find(text(part));
 }
 
 /// Whether a name with odd brackets is part of this one, or that would take long to find out.
 bool NameReader::contains_odd_name() const {
   constexpr std::size_t most = 64;
   const auto odd = structure_.directory().odd_names();
-  return odd.size() > most || std::any_of(odd.begin(), odd.end(), [this](std::uint32_t number) {
+  return structure_.directory().count_of_odd_names() > most ||
+         std::any_of(odd.begin(), odd.end(), [this](std::uint32_t number) {
            return text_.find(structure_.directory().names()[number].text) != std::string_view::npos;
          });
 }
@@ -28,7 +29,7 @@ std::optional<Value> NameReader::read(Part part) {
   if (!tries_all_bars_) {
     return read_once(part);
   }
-  const std::uint64_t looked_up = structure_.directory().names().looked_up() - looked_up_before_;
+  const std::uint64_t looked_up = structure_.directory().looked_up() - looked_up_before_;
   if (++readings_ + looked_up > 16 * text_.size() + 500) {
     failure_ = Failure::ambiguous;
     return std::nullopt;
@@ -42,8 +43,8 @@ std::optional<Value> NameReader::read(Part part) {
 }
 
 std::optional<Value> NameReader::read_once(Part part) {
-  if (const NameTable::Name* name = find(part); name != nullptr && name->cell != none) {
-    return given(*name);
+  if (const auto named = find(part); named && named->cell != none) {
+    return given(named->cell);
   }
   if (const auto simplex = structure_.abstract().find_named(text(part))) {
     const TypeId type = structure_.types().simplex(static_cast<int>(simplex->places.size()) - 1);
@@ -55,27 +56,27 @@ std::optional<Value> NameReader::read_once(Part part) {
   return structure_.cones().size() > 0 || structure_.lazy().families() > 0 ? read_derived(part) : std::nullopt;
 }
 
-Value NameReader::given(const NameTable::Name& name) const {
-  return {name.cell, structure_.cells().type_id(name.cell), 0, structure_.directory().order_of_own_name(name.cell)};
+Value NameReader::given(CellId cell) const {
+  return {cell, structure_.cells().type_id(cell), 0, structure_.directory().order_of_own_name(cell)};
 }
 
 /// t.2-0 or t.0-1-2 for the simplex t on 0, 1, 2; sorted lists of some of the vertices are names that were given.
 std::optional<Value> NameReader::read_standard(Part part) {
   const auto split = split_vertices(text(part));
-  const NameTable::Name* whole = split ? find({part.begin, part.begin + split->length}) : nullptr;
-  if (whole == nullptr || whole->cell == none || whole->body == none) {  // a complex, for one, has no cell of its name
+  const auto whole = split ? find({part.begin, part.begin + split->length}) : std::nullopt;
+  if (!whole || whole->cell == none || whole->body == none) {  // a complex, for one, has no cell of its name
     return std::nullopt;
   }
   const auto list = read_vertices(split->vertices, structure_.cells().type(whole->cell).type);
   if (!list) {
     return std::nullopt;
   }
-  const NameTable::Name* cell =
-      list->is_whole ? whole : structure_.directory().names().find(whole->text + "." + list->sorted);
-  if (cell == nullptr || cell->cell == none) {
+  const std::string base{text_.substr(part.begin, split->length)};
+  const auto cell = list->is_whole ? whole : structure_.directory().find(base + "." + list->sorted);
+  if (!cell || cell->cell == none) {
     return std::nullopt;
   }
-  return structure_.maps().reordered(structure_.maps().order(list->order), given(*cell));
+  return structure_.maps().reordered(structure_.maps().order(list->order), given(cell->cell));
 }
 
 std::optional<Value> NameReader::read_derived(Part part) {
@@ -272,8 +273,8 @@ std::optional<Value> NameReader::cone_over(const Cone& cone, const Value& value)
 CellId NameReader::written_cone_over(const Cone& cone, CellId base) const {
   std::string name{structure_.directory().own_name(cone.apex)};
   name.append(1, '*').append(structure_.directory().own_name(structure_.forest().oldest_at(base, cone.links)));
-  const NameTable::Name* found = structure_.directory().names().find(name);
-  return found != nullptr && found->cell != none && found->cell > cone.apex && found->cell < cone.end &&
+  const auto found = structure_.directory().find(name);
+  return found && found->cell != none && found->cell > cone.apex && found->cell < cone.end &&
                  structure_.cells().faces(found->cell).back() == base
              ? found->cell
              : none;

@@ -34,7 +34,7 @@ class NameReader {
   static constexpr int most_nested = 256;
 
   NameReader(const Structure& structure, std::string_view name)
-      : structure_{structure}, text_{name}, looked_up_before_{structure.directory().names().looked_up()} {}
+      : structure_{structure}, text_{name}, looked_up_before_{structure.directory().looked_up()} {}
 
   /// A value of the node that the name was given to, or that is what the name describes: not in normal form.
   [[nodiscard]] std::optional<Value> read();
@@ -47,7 +47,7 @@ class NameReader {
     std::size_t begin, end;
   };
   [[nodiscard]] std::string_view text(Part part) const { return text_.substr(part.begin, part.end - part.begin); }
-  [[nodiscard]] const NameTable::Name* find(Part part);
+  [[nodiscard]] std::optional<Directory::Named> find(Part part) const;
 
   std::optional<Value> read(Part part);
   std::optional<Value> read_once(Part part);
@@ -60,7 +60,7 @@ class NameReader {
   bool enter();
   [[nodiscard]] bool contains_odd_name() const;
 
-  [[nodiscard]] Value given(const NameTable::Name& name) const;
+  [[nodiscard]] Value given(CellId cell) const;
   [[nodiscard]] Value value_of(const Incidence& incidence) const;
   [[nodiscard]] std::optional<Value> simplicial_pair(FamilyId product, const Value& left, const Value& right) const;
   /// What was a cell of one of some bodies, which are frozen.

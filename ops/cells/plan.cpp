@@ -8,7 +8,7 @@ void Plan::clear() {
   face_orders.clear();
   first = none;
   names.clear();
-  aliases.clear();
+  standard = none;
   merges.clear();
   degenerate.clear();
   sources.clear();

@@ -67,14 +67,16 @@ struct Plan {
   struct NewCell {
     TypeId type;
     std::uint32_t first_face;  ///< in `faces`
-    std::uint64_t name_end;    ///< its name ends here in `names` (and begins where the one before ends)
+    std::uint64_t name_end;    ///< its name ends here in `names` (and begins where the one before ends), if it has one
   };
   std::vector<NewCell> cells;
   std::vector<CellId> faces;
   std::vector<std::pair<std::uint32_t, OrderId>> face_orders;  ///< of those faces, by position, that have another order
   CellId first = none;                                         ///< the id of the first new cell
   std::string names;
-  std::vector<std::pair<std::string, CellId>> aliases;  ///< further names of new cells
+  /// The new cells are those of the standard simploid of this type, in its order: they are named after `new_body`, not
+  /// by `names`. See Directory::add_standard.
+  TypeId standard = none;
   std::vector<Merge> merges;  ///< by dimension, so that boundaries agree when their turn comes
   /// Degenerate nodes to be asked for before new cells, by the position of these. Nobody has asked for them yet.
   std::vector<std::pair<std::uint32_t, Value>> degenerate;

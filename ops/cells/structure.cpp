@@ -27,7 +27,7 @@ std::optional<CellId> Structure::lookup(std::string_view name) const {
 }
 
 bool Structure::is_name_taken(std::string_view name) const {
-  return directory_.names().find(name) != nullptr || NameReader(*this, name).read().has_value();
+  return directory_.find(name).has_value() || NameReader(*this, name).read().has_value();
 }
 
 std::optional<BodyId> Structure::lookup_body(std::string_view name) const {

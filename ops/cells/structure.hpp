@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -66,7 +67,7 @@ class Structure {
   [[nodiscard]] int dimension(CellId c) const { return cells_.dimension(c); }
   [[nodiscard]] CellId find(CellId c) const { return forest_.find(c); }
   [[nodiscard]] bool is_current(CellId c) const { return forest_.is_current(c); }
-  [[nodiscard]] std::string_view name(CellId c) const { return directory_.name(c); }
+  [[nodiscard]] std::string name(CellId c) const { return directory_.name(c); }
   [[nodiscard]] BodyId body_of(CellId c) const { return bodies_.find(cells_.body(c)); }
 
   // ---- what names denote

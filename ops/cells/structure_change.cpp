@@ -153,14 +153,15 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
       next_order += has_order ? 1 : 0;
     }
     coface_index_.on_new_cell(id);
-    const std::string_view name = std::string_view{plan.names}.substr(name_begin, cell.name_end - name_begin);
-    if (plan.new_body && name == *plan.new_body) {  // the name of the whole, or of the first vertex, is the body's too
-      bodies_.set_name(new_body, directory_.names().size());
-      directory_.add(name, id, new_body);
-    } else {
-      directory_.add(name, id, none);
+    if (plan.standard == none) {
+      const std::string_view name = std::string_view{plan.names}.substr(name_begin, cell.name_end - name_begin);
+      const bool is_of_body = plan.new_body && name == *plan.new_body;  // of the first vertex, say
+      if (is_of_body) {
+        bodies_.set_name(new_body, directory_.names().size());
+      }
+      directory_.add(name, id, is_of_body ? new_body : none);
+      name_begin = cell.name_end;
     }
-    name_begin = cell.name_end;
     count(id, 1);
     if (source != none) {
       if (next_name != plan.name_orders.end() && next_name->first == k) {
@@ -177,9 +178,9 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
     }
     note(source == none ? EventKind::cell : EventKind::copy, id);
   }
-  for (const auto& [name, cell] : plan.aliases) {
-    note(EventKind::name, directory_.names().size());
-    directory_.add(name, cell, none);
+  if (plan.standard != none) {
+    bodies_.set_name(new_body, directory_.names().size());
+    directory_.add_standard(*plan.new_body, plan.standard, cells_.size() - 1, new_body);
   }
   if (plan.new_body && !bodies_.is_named(new_body)) {
     note(EventKind::name, directory_.names().size());

@@ -18,7 +18,7 @@ void Structure::undo_last_cell() {
   const CellId c = cells_.size() - 1;
   coface_index_.on_undo_of_cell(c);
   count(c, -1);
-  directory_.pop_back();
+  directory_.pop_back_of(c);
   bodies_.drop_cell(cells_.body(c), c);
   forest_.pop_back(c);
   cells_.pop_back();

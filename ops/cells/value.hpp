@@ -52,6 +52,7 @@ using VertexMap = std::vector<std::uint8_t>;
 class VertexMaps {
  public:
   explicit VertexMaps(TypeTable& types) : types_{types} {}
+  [[nodiscard]] TypeTable& types() const { return types_; }
 
   /// The map of a value, and the value of a map.
   [[nodiscard]] VertexMap map_of(const Value& v) const;

@@ -55,8 +55,8 @@ class SplitPlanner {
   /// Copies have the ids that follow those in use, in the order of the operation until the plan is written.
   [[nodiscard]] bool is_copy(CellId c) const { return !is_asked_for(c) && c >= first_copy_; }
   [[nodiscard]] CellId source_of(CellId c) const { return is_copy(c) ? copies_[c - first_copy_].source : c; }
-  [[nodiscard]] std::string_view name_of(CellId c) const {
-    return is_copy(c) ? std::string_view{copies_[c - first_copy_].name} : structure_.name(c);
+  [[nodiscard]] std::string name_of(CellId c) const {
+    return is_copy(c) ? copies_[c - first_copy_].name : structure_.name(c);
   }
 
   Status add_copy(const Deidentify::Split& split) {

@@ -12,8 +12,9 @@ namespace sesame::ops {
 namespace {
 
 /// Are the names of the whole cell and of its faces free?
+/// Cost: one look-up, and one for each face when there are names like theirs.
 Status check_names(const std::string& name, TypeId type, const Structure& structure) {
-  if (Status s = check_new_name(name, structure); !s) {
+  if (Status s = check_new_name(name, structure); !s || !structure.directory().may_have_faces_named(name)) {
     return s;
   }
   const StandardCell& standard = structure.types().standard(type);
@@ -34,51 +35,59 @@ void write(const std::string& name, TypeId type, const Structure& structure, Pla
   plan.first = structure.cells().size();
   for (std::size_t k = 0; k < standard.cells.size(); ++k) {
     const StandardFace& cell = standard.cells[k];
-    plan.names.append(name);
-    if (k + 1 < standard.cells.size()) {
-      plan.names.append(1, '.').append(cell.suffix);
-    }
     const std::size_t first_face = plan.faces.size();
     for (const std::uint32_t face : cell.faces) {
       plan.faces.push_back(plan.first + face);
     }
     add_cell(cell.type, first_face, plan);
   }
+  plan.standard = type;
   plan.new_body = name;
 }
 
-/// `alias`: a further name of the whole cell, when it has one.
-Status plan_standard(const std::string& name, const CellType& type, const std::optional<std::string>& alias,
-                     const Structure& structure, const Limits& limits, Plan& plan) {
+/// The type of a standard cell with names that are free. Errors: refused, bad_input.
+Result<TypeId> check_cell(const std::string& name, const CellType& type, const Structure& structure,
+                          const Limits& limits) {
   if (Status s = check_standard(type, structure, limits); !s) {
-    return s;
+    return s.error();
   }
-  const TypeId id = structure.types().intern(type);
+  const TypeId id =
+      is_simplex(type) ? structure.types().simplex(type.empty() ? 0 : type[0]) : structure.types().intern(type);
   if (Status s = check_names(name, id, structure); !s) {
-    return s;
+    return s.error();
   }
-  if (Status s = alias ? check_new_name(*alias, structure) : Done{}; !s) {
-    return s;
-  }
-  write(name, id, structure, plan);
-  if (alias) {
-    plan.aliases.emplace_back(*alias, plan.first);
-  }
-  return Done{};
+  return id;
 }
 
 }  // namespace
 
 Status plan_simplex(const MakeSimplex& operation, const Structure& structure, const Limits& limits, Plan& plan) {
   const std::string& name = operation.name;
-  if (operation.dimension == 0) {  // "t" and its vertex "t.0" are one cell
-    return plan_standard(name, {}, name + ".0", structure, limits, plan);
+  const bool is_vertex = operation.dimension == 0;
+  const auto type = check_cell(name, is_vertex ? CellType{} : CellType{operation.dimension}, structure, limits);
+  if (!type) {
+    return type.error();
   }
-  return plan_standard(name, {operation.dimension}, {}, structure, limits, plan);
+  if (Status s = is_vertex ? check_new_name(name + ".0", structure) : Done{}; !s) {  // a further name of it
+    return s;
+  }
+  write(name, *type, structure, plan);
+  return Done{};
 }
 
 Status plan_simploid(const MakeSimploid& operation, const Structure& structure, const Limits& limits, Plan& plan) {
-  return plan_standard(operation.name, operation.type, {}, structure, limits, plan);
+  const std::string& name = operation.name;
+  const auto type = check_cell(name, operation.type, structure, limits);
+  if (!type) {
+    return type.error();
+  }
+  write(name, *type, structure, plan);
+  if (operation.type.empty()) {  // it has one name only, unlike a simplex
+    plan.standard = none;
+    plan.names = name;
+    plan.cells.back().name_end = name.size();
+  }
+  return Done{};
 }
 
 }  // namespace sesame::ops

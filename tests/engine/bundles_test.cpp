@@ -269,7 +269,7 @@ TEST_CASE("a mapping torus cut along its fibre is a cylinder again", "[engine]")
     carry_out(engine, glue(cylinder.bottom, top));
     const ops::Deidentify cut = cut_fibre(engine.structure(), incidences);
     const auto copy_of = [&](const std::string& name) {
-      const std::string_view canonical = engine.structure().name(*engine.structure().lookup(name));
+      const std::string canonical = engine.structure().name(*engine.structure().lookup(name));
       return std::find_if(cut.splits.begin(), cut.splits.end(),
                           [&](const auto& split) { return split.cell == canonical; })
           ->copy;

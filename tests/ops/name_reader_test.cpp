@@ -57,8 +57,7 @@ class PlainReader {
   }
 
   [[nodiscard]] std::optional<CellId> node_of(std::string_view name) const {
-    if (const NameTable::Name* found = structure_.directory().names().find(name);
-        found != nullptr && found->cell != none) {
+    if (const auto found = structure_.directory().find(name); found && found->cell != none) {
       return found->cell;
     }
     for (std::size_t k = 1; k < name.size(); ++k) {
@@ -127,9 +126,10 @@ std::optional<Value> value_of(const Structure& structure, const std::string& nam
 
 std::vector<std::string> given_names(const Structure& structure) {
   std::vector<std::string> names;
-  for (std::uint32_t k = 0; k < structure.directory().names().size(); ++k) {
-    if (structure.directory().names()[k].cell != none) {
-      names.push_back(structure.directory().names()[k].text);
+  for (CellId c = 0; c < structure.cells().size(); ++c) {
+    names.push_back(structure.directory().own_name(c));
+    if (const auto further = structure.directory().find(names.back() + ".0"); further && further->cell == c) {
+      names.push_back(names.back() + ".0");
     }
   }
   return names;
@@ -178,9 +178,7 @@ void attempt(Workshop& shop, const Operation& op) {
 
 /// The number of look-ups that reading a name takes, whatever it denotes.
 std::uint64_t work_of(const Structure& structure, const std::string& name) {
-  const auto looked_up = [&] {
-    return structure.directory().names().looked_up() + structure.abstract().labels_looked_up();
-  };
+  const auto looked_up = [&] { return structure.directory().looked_up() + structure.abstract().labels_looked_up(); };
   const std::uint64_t before = looked_up();
   (void)structure.lookup(name);
   return looked_up() - before;
@@ -638,8 +636,8 @@ class ConeNames {
   }
 
   static bool is_given(const Structure& structure, const std::string& name) {
-    const NameTable::Name* found = structure.directory().names().find(name);
-    return found != nullptr && found->cell != none;
+    const auto found = structure.directory().find(name);
+    return found && found->cell != none;
   }
 
   void add_cone(const Structure& structure, const std::string& apex) {
@@ -656,7 +654,7 @@ class ConeNames {
 
   static Value wanted(const Structure& structure, const std::string& apex, const Entry& entry) {
     const CellId cone = *structure.lookup(apex + "*" + entry.coned);
-    const bool by_edges = structure.cones().from(structure.directory().names().find(apex)->cell)->by_edges;
+    const bool by_edges = structure.cones().from(structure.directory().find(apex)->cell)->by_edges;
     return entry.collapsed == 0
                ? structure.values().of(cone)
                : structure.values().normal_form({cone, structure.types().coned(entry.type, by_edges), entry.collapsed});

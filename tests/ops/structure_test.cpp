@@ -28,19 +28,15 @@ struct SlowStructure {
   std::vector<std::string> bodies;
   std::vector<int> body_label;
 
-  void apply(const Plan& plan, const TypeTable& types) {
+  void apply(const Plan& plan, TypeTable& types) {
     if (plan.new_body) {
       bodies.push_back(*plan.new_body);
       body_label.push_back(static_cast<int>(bodies.size()) - 1);
     }
-    std::size_t begin = 0;
+    const std::vector<std::string> new_names = names_of_new_cells(plan, types);
+    auto name = new_names.begin();
     for (const Plan::NewCell& cell : plan.cells) {
-      Cell made{types.info(cell.type).type,
-                {},
-                plan.names.substr(begin, cell.name_end - begin),
-                static_cast<CellId>(cells.size()),
-                0};
-      begin = cell.name_end;
+      Cell made{types.info(cell.type).type, {}, *name++, static_cast<CellId>(cells.size()), 0};
       for (std::size_t k = 0; k < types.info(cell.type).faces.size(); ++k) {
         made.faces.push_back(plan.faces[cell.first_face + k]);
       }
@@ -48,8 +44,8 @@ struct SlowStructure {
       names[made.name] = made.label;
       cells.push_back(std::move(made));
     }
-    for (const auto& [name, cell] : plan.aliases) {
-      names[name] = cell;
+    if (plan.standard == types.vertex()) {
+      names[*plan.new_body + ".0"] = cells.back().label;
     }
     for (const BodyId joined : plan.joined_bodies) {
       join(static_cast<int>(*plan.into_body), static_cast<int>(joined));

@@ -27,6 +27,24 @@ inline ops::Operation operation(const std::string& line) {
   return *parsed;
 }
 
+/// The names that a plan gives to its new cells.
+inline std::vector<std::string> names_of_new_cells(const ops::Plan& plan, ops::TypeTable& types) {
+  std::vector<std::string> names;
+  std::size_t begin = 0;
+  for (const ops::Plan::NewCell& cell : plan.cells) {
+    if (plan.standard == ops::none) {
+      names.push_back(plan.names.substr(begin, cell.name_end - begin));
+      begin = cell.name_end;
+    } else {
+      names.push_back(*plan.new_body + "." + types.standard(plan.standard).cells[names.size()].suffix);
+    }
+  }
+  if (plan.standard != ops::none) {
+    names.back() = *plan.new_body;
+  }
+  return names;
+}
+
 /// How much of everything there is in a structure, and the position of its journal.
 struct StructureMark {
   ops::Journal::Position position = 0;
