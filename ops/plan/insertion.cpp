@@ -107,7 +107,7 @@ class InsertPlanner {
           change.vertices.push_back(labels_[position].vertex);
         }
         write_name(simplex, plan.names);
-        if (const auto own = std::string_view{plan.names}.substr(first_of_name); structure_.is_name_taken(own)) {
+        if (const auto own = std::string_view{plan.names}.substr(first_of_name); is_taken(own)) {
           return Error{
               Errc::bad_input,
               fmt::format("the name \"{}\", which a new cell would have, is in use: choose other labels", own)};
@@ -151,6 +151,12 @@ class InsertPlanner {
       out.append(1, std::exchange(before, ',')).append(labels_[position].text);
     }
     out += '}';
+  }
+  /// Whether a missing simplex cannot have its name. Without a star and a point that is read as one that was given, or
+  /// as this simplex.
+  [[nodiscard]] bool is_taken(std::string_view name) const {
+    return name.find_first_of("*.") == std::string_view::npos ? structure_.directory().names().find(name) != nullptr
+                                                              : structure_.is_name_taken(name);
   }
   [[nodiscard]] bool is_new(VertexId vertex) const { return vertex >= structure_.abstract().labels(); }
 
