@@ -270,9 +270,6 @@ class Tracker final : public BarcodeTracker {
 
 }  // namespace
 
-void BarcodeTracker::prefetch(const ops::ColumnComplex&, std::span<const std::uint64_t>,
-                              std::span<const std::uint64_t>) const {}
-
 std::unique_ptr<BarcodeTracker> make_barcode_tracker(const sparse::AnyRing& ring, BarcodeTracker::OnBar on_bar,
                                                      const TrackerOptions& options) {
   if (const auto* z2 = std::get_if<sparse::Z2>(&ring)) {

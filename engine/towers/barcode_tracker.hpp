@@ -6,13 +6,11 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "engine/towers/bar_cycles.hpp"
 #include "engine/towers/barcode.hpp"
-#include "ops/simplicial/column_complex.hpp"
-#include "ops/simplicial/tower_complex.hpp"
+#include "engine/towers/tower_tracker.hpp"
 #include "sparse/ring.hpp"
 
 namespace sesame::engine {
@@ -26,26 +24,10 @@ namespace sesame::engine {
 ///
 /// One that keeps cycles has for each current cell a chain of generators, too, and the whole history: see ChainImages.
 /// Its memory grows with the number of operations and the lengths of the reduced boundaries.
-class BarcodeTracker {
+class BarcodeTracker : public TowerTracker {
  public:
-  using Slot = ops::TowerComplex::Slot;
   /// Called when a class dies: its dimension, birth and death. Those with birth = death are counted, not reported.
   using OnBar = std::function<void(const Bar&)>;
-
-  virtual ~BarcodeTracker() = default;
-
-  /// A cell is added, with boundary sum (-1)^k facets[k], slots of cells of one dimension less; a slot may have been
-  /// that of a cell that is gone. Times must not decrease.
-  /// Cost: amortised, what has changed in the classes of the facets.
-  virtual void include(int dimension, Slot slot, std::span<const Slot> facets, Time time) = 0;
-
-  /// A contraction that the complex has worked out, and not yet carried out. Cost: as that of the changes in turn.
-  virtual void contract(const ops::TowerComplex& complex, const ops::TowerComplex::Changes& changes, Time time) = 0;
-
-  /// Begins to load what is kept of cells that may soon be facets, for a tracker with shared slots: the references of
-  /// `far`, and what those of `near` refer to. Any numbers may be among them.
-  virtual void prefetch(const ops::ColumnComplex& complex, std::span<const std::uint64_t> far,
-                        std::span<const std::uint64_t> near) const;
 
   /// The number of classes alive, per dimension, up to the largest that ever had one.
   [[nodiscard]] virtual std::vector<std::uint64_t> betti() const = 0;

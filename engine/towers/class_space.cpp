@@ -148,6 +148,17 @@ void ClassSpace<R>::add_to_sum(Node node, bool is_negative) {
 template <Ring R>
 typename ClassSpace<R>::Node ClassSpace<R>::kill_sum() {
   expects(!sum_.empty(), "a class that is 0 cannot be made 0");
+  if constexpr (!R::is_field) {
+    const auto youngest_unit =
+        std::ranges::find_if(sum_, [this](const TermType& each) { return ring_.is_unit(each.coefficient); });
+    const bool is_mild = sum_.size() <= 2 || std::ranges::all_of(sum_, [](const TermType& each) {
+                           return each.coefficient <= largest_of_mild_sum && each.coefficient >= -largest_of_mild_sum;
+                         });
+    if (youngest_unit == sum_.end() || !is_mild) {
+      return no_node;
+    }
+    std::rotate(sum_.begin(), youngest_unit, youngest_unit + 1);  // the others stay in order
+  }
   const Node youngest = sum_.front().node;
   if constexpr (!has_inline_terms) {
     const Element factor = ring_.negate(ring_.inverse(sum_.front().coefficient));
@@ -295,5 +306,6 @@ std::vector<typename ClassSpace<R>::Node> ClassSpace<R>::retire(std::span<ClassR
 template class ClassSpace<sparse::Z2>;
 template class ClassSpace<sparse::Zp>;
 template class ClassSpace<sparse::Rationals>;
+template class ClassSpace<sparse::Integers>;
 
 }  // namespace sesame::engine

@@ -1,6 +1,6 @@
 /// \file
-/// The homology classes of one dimension along a tower of maps, over a field: who is alive, and what each cell's class
-/// has become.
+/// The homology classes of one dimension along a tower of maps, over a field, or over Z as long as classes die by
+/// units: who is alive, and what each cell's class has become.
 #pragma once
 
 #include <cstdint>
@@ -79,7 +79,8 @@ class ClassSpace {
   void add_to_sum(Node node, bool is_negative);
   [[nodiscard]] bool sum_is_zero() const { return sum_.empty(); }
   /// The sum becomes 0: the youngest class in it dies, and is from now on what makes the sum 0. Requires: it is not 0.
-  /// Returns the node that died.
+  /// Returns the node that died. Over Z it is the youngest with a unit; nothing dies, and this is no_node, when there
+  /// is none, and when other terms are many and not small, which would grow where they are read.
   Node kill_sum();
   /// A node that stands for the sum. Requires: it is not 0.
   Node keep_sum();
@@ -97,6 +98,7 @@ class ClassSpace {
 
  private:
   static constexpr std::uint32_t alive_mark = UINT32_MAX;
+  static constexpr int largest_of_mild_sum = 3;  ///< over Z, as in Settling
   /// Over Z/2 a sum of one term is held in the record itself.
   struct Record {
     ClassTerm<sparse::Z2> at;  ///< that term; else its number is where the first term is in pool_

@@ -2,103 +2,95 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "replay/script/groups.hpp"
 
 namespace sesame::replay {
+namespace {
+
+using Factors = std::vector<sparse::Integer>;
+
+/// Whether two lists have the same torsion by dimension, however many dimensions without any end them.
+bool is_same_torsion(std::span<const Factors> one, std::span<const Factors> other) {
+  const std::size_t common = std::min(one.size(), other.size());
+  const auto is_empty = [](const Factors& factors) { return factors.empty(); };
+  return std::ranges::equal(one.first(common), other.first(common)) &&
+         std::ranges::all_of(one.subspan(common), is_empty) && std::ranges::all_of(other.subspan(common), is_empty);
+}
+
+}  // namespace
 
 void GroupSequence::add(engine::Time time, const engine::Homology& homology, const sparse::AnyRing& ring) {
-  if (present_ && present_->time != time) {
+  if (time_ != time) {
     finish();
+    time_ = time;
   }
-  if (!homology.betti.empty() && !dimensions_.have(homology.betti.size() - 1)) {
-    engine::Homology kept = homology;
-    kept.betti.resize(dimensions_.last + 1);
-    kept.torsion.resize(dimensions_.last + 1);
-    add(time, kept, ring);
-    return;
+  const bool are_wanted = homology.betti.empty() || dimensions_.have(homology.betti.size() - 1);
+  const std::size_t dimensions = are_wanted ? homology.betti.size() : dimensions_.last + 1;
+  present_.betti.assign(homology.betti.begin(), homology.betti.begin() + static_cast<std::ptrdiff_t>(dimensions));
+  present_.torsion.resize(dimensions);
+  for (std::size_t p = 0; p < dimensions; ++p) {
+    if (present_.torsion[p] != homology.torsion[p]) {
+      present_.torsion[p] = homology.torsion[p];
+    }
   }
-  Change& change = present_.emplace(Change{time, {homology.betti.begin(), homology.betti.end()}, homology.torsion});
-  while (!change.ranks.empty() && change.ranks.back() == 0 && change.torsion.back().empty()) {
-    change.ranks.pop_back();
-    change.torsion.pop_back();
-  }
-  if (lines_ != nullptr) {
-    line_ = fmt::format("{:>10}  {}\n", number_text(time), homology_line(homology, ring));
-  }
+  ring_ = ring;
 }
 
 void GroupSequence::finish() {
-  const std::optional<Change> change = std::exchange(present_, std::nullopt);
-  if (!change ||
-      (!changes_.empty() && changes_.back().ranks == change->ranks && changes_.back().torsion == change->torsion)) {
+  if (!time_) {
+    return;
+  }
+  const engine::Time time = *std::exchange(time_, std::nullopt);
+  std::size_t dimensions = present_.betti.size();  // up to the last group that is not 0
+  while (dimensions > 0 && present_.betti[dimensions - 1] == 0 && present_.torsion[dimensions - 1].empty()) {
+    --dimensions;
+  }
+  const std::span<const std::int64_t> ranks{present_.betti.data(), dimensions};
+  const std::span<const Factors> torsion{present_.torsion.data(), dimensions};
+  const bool has_last_torsion = !changes_.empty() && is_same_torsion(torsion, torsions_.back());
+  if (has_last_torsion && std::ranges::equal(ranks, ranks_of(changes_.size() - 1))) {
     return;
   }
   if (lines_ != nullptr) {
-    *lines_ << line_;
+    *lines_ << fmt::format("{:>10}  {}\n", number_text(time), homology_line(present_, ring_));
     changes_.clear();
+    ranks_.clear();
   }
-  changes_.push_back(*change);
+  if (!has_last_torsion) {
+    if (lines_ != nullptr) {
+      torsions_.clear();
+    }
+    torsions_.emplace_back(torsion.begin(), torsion.end());
+  }
+  changes_.push_back({time, ranks_.size(), torsions_.size() - 1});
+  ranks_.insert(ranks_.end(), ranks.begin(), ranks.end());
+}
+
+std::span<const std::int64_t> GroupSequence::ranks_of(std::size_t change) const {
+  const std::size_t begin = changes_[change].first_rank;
+  const std::size_t end = change + 1 < changes_.size() ? changes_[change + 1].first_rank : ranks_.size();
+  return std::span{ranks_}.subspan(begin, end - begin);
 }
 
 void GroupSequence::add_json(TextBuffer& text) const {
   text.add('[');
   for (std::size_t at = 0; at < changes_.size(); ++at) {
-    const Change& change = changes_[at];
-    text.add(at == 0 ? "[" : ",[").add_json_number(change.time).add(",[");
-    for (std::size_t p = 0; p < change.ranks.size(); ++p) {
-      text.add(p == 0 ? R"({"rank":)" : R"(,{"rank":)").add_integer(change.ranks[p]).add(R"(,"torsion":[)");
-      for (std::size_t k = 0; k < change.torsion[p].size(); ++k) {
-        text.add(k == 0 ? "" : ",").add(change.torsion[p][k].to_string());
+    const std::span<const std::int64_t> ranks = ranks_of(at);
+    const Torsion& torsion = torsions_[changes_[at].torsion];
+    text.add(at == 0 ? "[" : ",[").add_json_number(changes_[at].time).add(",[");
+    for (std::size_t p = 0; p < ranks.size(); ++p) {
+      text.add(p == 0 ? R"({"rank":)" : R"(,{"rank":)").add_integer(ranks[p]).add(R"(,"torsion":[)");
+      for (std::size_t k = 0; p < torsion.size() && k < torsion[p].size(); ++k) {
+        text.add(k == 0 ? "" : ",").add(torsion[p][k].to_string());
       }
       text.add("]}");
     }
     text.add("]]");
   }
   text.add(']');
-}
-
-std::string EngineTower::name(std::uint64_t label) const {
-  const std::uint64_t uses = uses_.at(label);
-  return uses == 1 ? std::to_string(label) : fmt::format("{}#{}", label, uses);
-}
-
-ops::VertexId EngineTower::vertex(std::uint64_t label) const {
-  if (!uses_.contains(label)) {
-    return ops::none;
-  }
-  const ops::AbstractComplex& complex = engine_.structure().abstract();
-  const ops::LabelId known = complex.label(name(label));
-  return known == ops::none || complex.is_contracted(known) ? ops::none : complex.vertex(known);
-}
-
-ops::TowerRules EngineTower::rules() const {
-  return {engine_.structure().abstract().simplices(), [this](std::uint64_t label) { return vertex(label); }};
-}
-
-Status EngineTower::apply(const TowerOperation& operation) {
-  const bool is_inclusion = operation.kind == TowerOperation::Kind::insert;
-  if (const Status status = is_inclusion ? rules().check_inclusion(operation.labels)
-                                         : rules().check_contraction(operation.labels[0], operation.labels[1]);
-      !status) {
-    return told(status.error());
-  }
-  ops::Operation step;
-  if (is_inclusion) {
-    if (operation.dimension == 0) {
-      ++uses_[operation.labels[0]];
-    }
-    std::vector<std::string> simplex;
-    for (const std::uint64_t label : operation.labels) {
-      simplex.push_back(name(label));
-    }
-    step = ops::Insert{{std::move(simplex)}};
-  } else {
-    step = ops::Collapse{name(operation.labels[0]), name(operation.labels[1])};
-  }
-  const Result<engine::StepReport> report = engine_.apply(std::move(step));
-  return report ? Status{Done{}} : Status{report.error()};
 }
 
 }  // namespace sesame::replay

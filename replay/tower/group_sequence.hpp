@@ -5,14 +5,13 @@
 #include <cstdint>
 #include <optional>
 #include <ostream>
-#include <string>
-#include <unordered_map>
+#include <span>
 #include <vector>
 
-#include "engine/engine.hpp"
+#include "engine/homology_tracker.hpp"
+#include "engine/towers/barcode_tracker.hpp"
 #include "replay/script/reporter.hpp"
 #include "replay/text/text_buffer.hpp"
-#include "replay/tower/tower_replay.hpp"
 
 namespace sesame::replay {
 
@@ -25,6 +24,7 @@ class GroupSequence {
   explicit GroupSequence(std::ostream* lines, engine::Dimensions dimensions = engine::all_dimensions)
       : lines_{lines}, dimensions_{dimensions} {}
 
+  /// Cost: the number of dimensions, and the torsion; while that stays what it was nothing is allocated.
   void add(engine::Time time, const engine::Homology& homology, const sparse::AnyRing& ring);
   /// After the last operation.
   void finish();
@@ -33,38 +33,24 @@ class GroupSequence {
   void add_json(TextBuffer& text) const;
 
  private:
+  /// Groups from a time on. The torsion of many is that of the one before, and is held once.
   struct Change {
     engine::Time time;
-    std::vector<std::uint64_t> ranks;
-    std::vector<std::vector<sparse::Integer>> torsion;
+    std::size_t first_rank;  ///< in ranks_; up to that of the next
+    std::size_t torsion;     ///< in torsions_
   };
+  using Torsion = std::vector<std::vector<sparse::Integer>>;
+
+  [[nodiscard]] std::span<const std::int64_t> ranks_of(std::size_t change) const;
+
   std::ostream* lines_;
   engine::Dimensions dimensions_;
-  std::vector<Change> changes_;
-  std::optional<Change> present_;  ///< of the time that may not be over
-  std::string line_;               ///< for it
-};
-
-/// A tower of simplices in an engine, for what needs more than a field. Requires operations on simplices, not columns.
-class EngineTower {
- public:
-  explicit EngineTower(const sparse::AnyRing& ring) : engine_{ring} {}
-
-  /// Applies the next operation, or leaves everything as it was. Errors, without the place: as those of a TowerReplay.
-  Status apply(const TowerOperation& operation);
-  /// What is there, by labels, and what is wrong with an operation. Not longer than the tower.
-  [[nodiscard]] ops::TowerRules rules() const;
-  [[nodiscard]] engine::Engine& engine() { return engine_; }
-
- private:
-  /// What the engine calls the vertex that a label names, or named last. Requires: it has named one.
-  [[nodiscard]] std::string name(std::uint64_t label) const;
-  /// The vertex that a label names, or none.
-  [[nodiscard]] ops::VertexId vertex(std::uint64_t label) const;
-
-  engine::Engine engine_;
-  /// How often a label has named a new vertex: the engine wants another name each time.
-  std::unordered_map<std::uint64_t, std::uint64_t> uses_;
+  std::vector<Change> changes_;  ///< with lines, the last only
+  std::vector<std::int64_t> ranks_;
+  std::vector<Torsion> torsions_;
+  std::optional<engine::Time> time_;  ///< that may not be over
+  engine::Homology present_;          ///< at it
+  sparse::AnyRing ring_;
 };
 
 }  // namespace sesame::replay

@@ -16,7 +16,7 @@ using ops::TowerComplex;
 
 void TowerReplay::include(int dimension, TowerComplex::Slot slot, std::span<const TowerComplex::Slot> facets,
                           engine::Time time) {
-  for (engine::BarcodeTracker* tracker : trackers_) {
+  for (engine::TowerTracker* tracker : trackers_) {
     tracker->include(dimension, slot, facets, time);
   }
 }
@@ -34,7 +34,7 @@ void TowerReplay::prefetch(const TowerOperation& operation) const {
   for (const std::uint64_t word : far) {
     columns_.prefetch(word);
   }
-  for (const engine::BarcodeTracker* tracker : trackers_) {
+  for (const engine::TowerTracker* tracker : trackers_) {
     tracker->prefetch(columns_, far, operation.ahead.subspan(near_distance, words));
   }
 }
@@ -71,7 +71,7 @@ Status TowerReplay::apply(const TowerOperation& operation) {
       if (!changes) {
         return told(changes.error());
       }
-      for (engine::BarcodeTracker* tracker : trackers_) {
+      for (engine::TowerTracker* tracker : trackers_) {
         tracker->contract(complex_, **changes, operation.time);
       }
       complex_.contract();

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/towers/barcode_tracker.hpp"
+#include "engine/towers/tower_tracker.hpp"
 #include "ops/simplicial/column_complex.hpp"
 #include "ops/simplicial/tower_complex.hpp"
 #include "replay/tower/tower_history.hpp"
@@ -34,7 +34,7 @@ Error told(const Error& error);
 class TowerReplay {
  public:
   /// Trackers, and a history, are told of every operation; they have to outlive this object. The history may be null.
-  explicit TowerReplay(std::vector<engine::BarcodeTracker*> trackers, TowerHistory* history = nullptr)
+  explicit TowerReplay(std::vector<engine::TowerTracker*> trackers, TowerHistory* history = nullptr)
       : trackers_{std::move(trackers)}, history_{history} {}
 
   /// Applies the next operation, or leaves everything as it was. Errors, without the place: unknown_name when a face of
@@ -54,7 +54,7 @@ class TowerReplay {
                engine::Time time);
   void prefetch(const TowerOperation& operation) const;
 
-  std::vector<engine::BarcodeTracker*> trackers_;
+  std::vector<engine::TowerTracker*> trackers_;
   TowerHistory* history_;
   ops::TowerComplex complex_;
   ops::ColumnComplex columns_;

@@ -51,7 +51,7 @@ Run run(const std::vector<TowerStep>& tower, std::int64_t p, const std::vector<d
   const auto on_bar = [&](const Bar& bar) { run.bars.push_back(bar); };
   const auto tracker = engine::make_barcode_tracker(field(p), on_bar, {.keeps_cycles = with_cycles});
   TowerComplex complex;
-  BarcodeTracker* told = tracker.get();
+  engine::TowerTracker* told = tracker.get();
   for (std::size_t k = 0; k < tower.size(); ++k) {
     tests::apply(tower[k], complex, {&told, 1}, times.empty() ? static_cast<double>(k) : times[k]);
   }
@@ -72,7 +72,7 @@ void check_each_operation(const std::vector<TowerStep>& tower, std::int64_t p, C
   const auto tracker = engine::make_barcode_tracker(field(p), [](const Bar&) {});
   TowerComplex complex;
   tests::PlainComplex plain;
-  BarcodeTracker* told = tracker.get();
+  engine::TowerTracker* told = tracker.get();
   for (std::size_t k = 0; k < tower.size(); ++k) {
     const auto time = static_cast<double>(k);
     tests::apply(tower[k], complex, {&told, 1}, time);
@@ -148,7 +148,7 @@ TEST_CASE("bars up to a dimension are those of all that there are, for less work
   };
   const auto part = make(some, on_bar);
   const auto whole = make(engine::all_dimensions, [](const Bar&) {});
-  const std::array<BarcodeTracker*, 2> told{part.get(), whole.get()};
+  const std::array<engine::TowerTracker*, 2> told{part.get(), whole.get()};
   TowerComplex complex;
   for (std::size_t k = 0; k < tower.size(); ++k) {
     tests::apply(tower[k], complex, told, static_cast<double>(k));
@@ -296,7 +296,7 @@ TEST_CASE("what is kept of a long tower is what its present complex needs", "[en
     tower.push_back({true, {v, 0}});
   }
   const auto tracker = engine::make_barcode_tracker(field(p), [](const Bar&) {});
-  BarcodeTracker* told = tracker.get();
+  engine::TowerTracker* told = tracker.get();
   TowerComplex complex;
   std::size_t most_classes = 0;
   std::size_t most_terms = 0;

@@ -1,6 +1,7 @@
 // Classes that die one after the other, beside vectors modulo the span of relations.
 #include "engine/towers/class_space.hpp"
 
+#include <cstdlib>
 #include <random>
 
 #include "tests/support/catch.hpp"
@@ -165,6 +166,38 @@ TEST_CASE("sums of classes are what the sums that were killed leave of them", "[
   CAPTURE(seed);
   check_random_steps(sparse::Z2{}, 2, seed);
   check_random_steps(std::get<sparse::Zp>(sparse::parse_ring("Z/5").value()), 5, seed);
+}
+
+TEST_CASE("over Z the youngest class with a unit dies, as long as what it leaves is mild", "[engine][tower]") {
+  ClassSpace<sparse::Integers> space{sparse::Integers{}};
+  for (int k = 0; k < 4; ++k) {
+    space.add(k);
+  }
+  const auto sum = [&](const std::vector<int>& coefficients) {
+    space.clear_sum();
+    for (std::uint32_t node = 0; node < coefficients.size(); ++node) {
+      for (int k = 0; k < std::abs(coefficients[node]); ++k) {
+        space.add_to_sum(node, coefficients[node] < 0);
+      }
+    }
+  };
+  sum({2, 0, -2});
+  CHECK(space.kill_sum() == ClassSpace<sparse::Integers>::no_node);
+  CHECK(space.sum().size() == 2);
+  sum({1, 1, 4});
+  CHECK(space.kill_sum() == ClassSpace<sparse::Integers>::no_node);
+  CHECK(space.alive() == 4);
+  sum({1, -1, 2, -3});  // the class 1 is now 0 + 2 * 2 - 3 * 3
+  CHECK(space.kill_sum() == 1);
+  CHECK(space.alive() == 3);
+  sum({0, 1});
+  REQUIRE(space.sum().size() == 3);
+  CHECK(space.sum()[0].node == 3);
+  CHECK(space.sum()[0].coefficient == -3);
+  CHECK(space.sum()[1].coefficient == 2);
+  CHECK(space.sum()[2].coefficient == 1);
+  sum({0, 0, 5, 1});  // of two terms any unit
+  CHECK(space.kill_sum() == 3);
 }
 
 TEST_CASE("a reference to a class is 0, or plus or minus a node", "[engine][tower]") {

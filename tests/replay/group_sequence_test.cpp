@@ -1,8 +1,12 @@
 #include "replay/tower/group_sequence.hpp"
 
 #include <sstream>
+#include <utility>
 
+#include "engine/group_tracker.hpp"
+#include "replay/tower/tower_replay.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/engine_tower.hpp"
 #include "tests/support/random_towers.hpp"
 
 using namespace sesame;
@@ -51,7 +55,7 @@ TEST_CASE("over Z what is wrong with an operation is said as over a field, and c
   const std::uint32_t seed = GENERATE(range(0u, 8u));
   CAPTURE(seed);
   using Kind = replay::TowerOperation::Kind;
-  replay::EngineTower over_z(sparse::Integers{});
+  tests::EngineTower over_z(sparse::Integers{});
   replay::TowerReplay over_a_field({});
   std::mt19937 random(seed);
   const auto operation_of = [](const tests::TowerStep& step) {
@@ -78,4 +82,46 @@ TEST_CASE("over Z what is wrong with an operation is said as over a field, and c
     REQUIRE(over_a_field.apply(operation_of(step)));
     REQUIRE(std::ranges::equal(over_z.engine().cells(), over_a_field.cells()));
   }
+}
+
+TEST_CASE("a tracker of groups and an engine agree along random towers", "[replay][tower]") {
+  const std::uint32_t seed = GENERATE(range(0u, 12u));
+  CAPTURE(seed);
+  using Kind = replay::TowerOperation::Kind;
+  engine::GroupTracker tracker;
+  replay::TowerReplay fast({&tracker});
+  tests::EngineTower slow(sparse::Integers{});
+  for (const tests::TowerStep& step : tests::random_tower(seed, 400, 12, seed % 5)) {
+    const replay::TowerOperation operation{step.is_contraction ? Kind::contract : Kind::insert, 0.0,
+                                           static_cast<int>(step.labels.size()) - 1, step.labels};
+    REQUIRE(fast.apply(operation));
+    REQUIRE(slow.apply(operation));
+    const engine::Homology expected = slow.engine().homology();
+    const engine::Homology& found = tracker.homology(fast.cells().size());
+    REQUIRE(found.betti == expected.betti);
+    REQUIRE(found.torsion == expected.torsion);
+  }
+}
+
+TEST_CASE("torsion that stays, goes and comes back is written when it changes", "[replay]") {
+  GroupSequence groups(nullptr);
+  const auto add = [&](double time, std::vector<std::int64_t> betti,
+                       std::vector<std::vector<sparse::Integer>> torsion) {
+    groups.add(time, {std::move(betti), std::move(torsion), {}, {}}, sparse::Integers{});
+  };
+  add(0, {1, 0}, {{}, {}});
+  add(1, {1, 0, 0}, {{}, {2}, {}});
+  add(2, {2, 0, 0}, {{}, {2}, {}});
+  add(3, {2, 0, 0, 0}, {{}, {2}, {}, {}});
+  add(4, {2, 0, 0}, {{}, {2, 4}, {}});
+  add(5, {2, 0}, {{}, {}});
+  groups.finish();
+  std::ostringstream out;
+  {
+    replay::TextBuffer text(out);
+    groups.add_json(text);
+  }
+  CHECK(out.str() == R"([[0,[{"rank":1,"torsion":[]}]],[1,[{"rank":1,"torsion":[]},{"rank":0,"torsion":[2]}]],)"
+                     R"([2,[{"rank":2,"torsion":[]},{"rank":0,"torsion":[2]}]],)"
+                     R"([4,[{"rank":2,"torsion":[]},{"rank":0,"torsion":[2,4]}]],[5,[{"rank":2,"torsion":[]}]]])");
 }

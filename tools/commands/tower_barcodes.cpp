@@ -20,7 +20,7 @@ namespace {
 struct Trackers {
   std::vector<BarSink> sinks;
   std::vector<std::unique_ptr<engine::BarcodeTracker>> trackers;
-  std::vector<engine::BarcodeTracker*> told;
+  std::vector<engine::TowerTracker*> told;
 };
 
 Trackers trackers_of(const TowerRun& run, replay::PersWriter* pers) {
@@ -41,12 +41,12 @@ Trackers trackers_of(const TowerRun& run, replay::PersWriter* pers) {
 
 /// With --every: cells and Betti numbers now and then.
 void report_state(const TowerRun& run, const TowerOperation& operation, const replay::TowerReplay& tower,
-                  std::span<engine::BarcodeTracker* const> trackers) {
+                  std::span<const std::unique_ptr<engine::BarcodeTracker>> trackers) {
   const TowerArguments& arguments = run.arguments();
   if (arguments.every == 0 || run.operations() % arguments.every != 0 || !(run.prints() || arguments.json)) {
     return;
   }
-  for (const engine::BarcodeTracker* tracker : trackers) {
+  for (const auto& tracker : trackers) {
     if (arguments.json) {
       std::cout << fmt::format(R"({{"ops":{},"time":{},"ring":"{}","cells":[{}],"betti":[{}]}})", run.operations(),
                                replay::json_number_text(operation.time), sparse::ring_name(tracker->ring()),
@@ -73,7 +73,7 @@ Outcome run_barcodes(TowerRun& run) {
       run.read_all([&](const TowerOperation& operation) { return run.faces().apply(tower, operation); },
                    [&](const TowerOperation& operation) {
                      drawn.has_contractions |= operation.kind == TowerOperation::Kind::contract;
-                     report_state(run, operation, tower, over.told);
+                     report_state(run, operation, tower, over.trackers);
                    });
   drawn.top_dimension = static_cast<int>(tower.cells().size()) - 1;
   if (!run.is_reported(outcome)) {

@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "engine/group_tracker.hpp"
 #include "tools/commands/tower_loops.hpp"
 
 namespace sesame::tools {
@@ -9,10 +10,13 @@ using replay::TowerOperation;
 
 Outcome run_groups(TowerRun& run) {
   replay::GroupSequence groups(run.prints() ? &std::cout : nullptr, run.dimensions());
-  replay::EngineTower tower(run.rings()[0]);
-  const Outcome outcome = run.read_all(
-      [&](const TowerOperation& operation) { return run.faces().apply(tower, operation); },
-      [&](const TowerOperation& operation) { groups.add(operation.time, tower.engine().homology(), run.rings()[0]); });
+  engine::GroupTracker tracker;
+  replay::TowerReplay tower({&tracker});
+  const Outcome outcome =
+      run.read_all([&](const TowerOperation& operation) { return run.faces().apply(tower, operation); },
+                   [&](const TowerOperation& operation) {
+                     groups.add(operation.time, tracker.homology(tower.cells().size()), run.rings()[0]);
+                   });
   if (run.is_reported(outcome)) {
     run.write_groups(groups, run.operations());
   }
