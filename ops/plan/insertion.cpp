@@ -196,7 +196,7 @@ class InsertPlanner {
 
   /// The new cells join the bodies of the vertices that they have and make these one, or make a body.
   void write_bodies(Plan& plan) const {
-    std::vector<bool> is_used(labels_.size(), false);
+    PerVertex<bool> is_used(labels_.size(), false);
     for (const Layer& layer : layers_) {
       for (std::uint32_t number = 0; number < layer.simplices.size(); ++number) {
         for (const std::uint32_t position : layer.simplices[number]) {
@@ -263,7 +263,7 @@ Status check_simplex(const std::vector<std::string>& simplex, const Limits& limi
 
 /// The labels of all simplices.
 struct Labels {
-  std::vector<Label> sorted;             ///< none twice, as views of the operation
+  PerVertex<Label> sorted;               ///< none twice, as views of the operation
   std::vector<std::uint32_t> positions;  ///< of those of one simplex after the other, ascending in each
 };
 
@@ -300,7 +300,7 @@ class LabelCollector {
     return is_right ? Status{Done{}} : check_simplex(simplex, limits_);
   }
 
-  std::vector<std::string_view> texts;
+  PerVertex<std::string_view> texts;
   std::vector<std::uint32_t> numbers;  ///< of the labels of one simplex after the other
 
  private:
@@ -322,13 +322,13 @@ Result<Labels> labels_of(const Insert& operation, const Structure& structure, co
       return s.error();
     }
   }
-  std::vector<std::uint32_t> order(collector.texts.size());
+  PerVertex<std::uint32_t> order(collector.texts.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&collector](std::uint32_t a, std::uint32_t b) {
     return comes_before(collector.texts[a], collector.texts[b]);
   });
   Labels labels{{}, std::move(collector.numbers)};
-  std::vector<std::uint32_t> position_of(order.size());
+  PerVertex<std::uint32_t> position_of(order.size());
   VertexId next{structure.abstract().labels()};
   for (const std::uint32_t number : order) {
     position_of[number] = static_cast<std::uint32_t>(labels.sorted.size());
@@ -358,7 +358,7 @@ Status plan_insertion(const Insert& operation, const Structure& structure, const
   if (!labels) {
     return labels.error();
   }
-  InsertPlanner planner(structure, labels->sorted);
+  InsertPlanner planner(structure, {labels->sorted.data(), labels->sorted.size()});
   Positions rest{labels->positions};
   for (const std::vector<std::string>& simplex : operation.simplices) {
     const Positions positions = rest.first(simplex.size());
