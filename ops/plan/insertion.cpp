@@ -95,7 +95,10 @@ class InsertPlanner {
       Layer& layer = layers_[p];
       const TypeId type = structure_.types().simplex(static_cast<int>(p));
       layer.cells.resize(layer.simplices.size());
-      for (const std::uint32_t number : layer.simplices.sorted()) {
+      const bool has_order = layer.simplices.size() > 1;  // else no list is made
+      const std::vector<std::uint32_t> order = has_order ? layer.simplices.sorted() : std::vector<std::uint32_t>{};
+      for (std::uint32_t k = 0; k < layer.simplices.size(); ++k) {
+        const std::uint32_t number = has_order ? order[k] : k;
         const Positions simplex = layer.simplices[number];
         const std::size_t first_face = plan.faces.size();
         const std::size_t first_of_name = plan.names.size();
@@ -133,8 +136,8 @@ class InsertPlanner {
   struct Layer {
     explicit Layer(std::size_t vertices) : simplices{vertices} {}
     MissingSimplices simplices;
-    std::vector<Face> faces;    ///< of one simplex after the other; of vertices there are none
-    std::vector<CellId> cells;  ///< that they will be
+    boost::container::small_vector<Face, 4> faces;    ///< of one simplex after the other; of vertices there are none
+    boost::container::small_vector<CellId, 2> cells;  ///< that they will be
   };
 
   [[nodiscard]] PerVertex<VertexId> vertices_of(Positions simplex) const {
@@ -227,8 +230,8 @@ class InsertPlanner {
 
   const Structure& structure_;
   std::span<const Label> labels_;
-  std::vector<Layer> layers_;  ///< by dimension
-  std::int64_t count_ = 0;     ///< of all missing simplices
+  boost::container::small_vector<Layer, 3> layers_;  ///< by dimension
+  std::int64_t count_ = 0;                           ///< of all missing simplices
 };
 
 /// That it is checked as: a vertex is as small as an edge.

@@ -32,9 +32,6 @@ std::uint32_t MissingSimplices::note_last(std::uint64_t hash) {
 }
 
 std::vector<std::uint32_t> MissingSimplices::sorted() const {
-  if (size() < 2) {
-    return std::vector<std::uint32_t>(size(), 0);
-  }
   // The first two vertices decide between most of them, in one comparison and without a look at the others.
   struct Key {
     std::uint64_t first_two;

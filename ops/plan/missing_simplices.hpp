@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -74,8 +75,8 @@ class MissingSimplices {
   std::uint32_t note_last(std::uint64_t hash);
 
   std::size_t vertices_;
-  std::vector<Position> positions_;  ///< of one simplex after the other
-  sparse::HashIndex index_;          ///< when they are more than few
+  boost::container::small_vector<Position, 4> positions_;  ///< of one simplex after the other
+  sparse::HashIndex index_;                                ///< when they are more than few
 };
 
 }  // namespace sesame::ops
