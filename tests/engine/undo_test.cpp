@@ -196,7 +196,7 @@ TEST_CASE("a refused operation leaves everything as it was", "[engine]") {
 
 TEST_CASE("with a limit the last steps can be undone, as without one", "[engine][stream]") {
   const unsigned seed = GENERATE(range(100U, 120U));
-  const std::uint64_t limit = GENERATE(0, 1, 7);
+  const auto limit = GENERATE(as<std::uint64_t>{}, 0, 1, 7);
   const bool takes_splits_in = GENERATE(false, true);
   CAPTURE(seed, limit, takes_splits_in);
   const engine::RebasePolicy rebases = takes_splits_in ? taking_splits_in : engine::RebasePolicy{};
