@@ -25,9 +25,8 @@ struct RebasePolicy {
   std::uint64_t least_terms = 4096;
   std::uint64_t terms_per_face = 8;
   // Equivalences are kept for undo while their objects have together no more cells than this, and as often those of the
-  // present object; the last one always is. More of them would only have memory go in circles: small objects are as
-  // soon begun afresh when undo comes to them.
-  std::uint64_t least_cells_kept = 4'000;
+  // present object; the last one always is. Going back further looks at all cells ever made.
+  std::uint64_t least_cells_kept = 50'000;
   std::uint64_t objects_kept = 8;
 
   /// Never: every step is taken in by the equivalence of the whole history, whatever that costs.
