@@ -3,6 +3,14 @@
 #include <algorithm>
 
 namespace sesame::ops {
+namespace {
+
+/// Whether a node is not undone.
+bool is_there(CellId node, const CellStore& cells) {
+  return node < (is_asked_for(node) ? cells.asked() : cells.size());
+}
+
+}  // namespace
 
 std::vector<CellId> CofaceIndex::entries(CellId current) const {
   if (!is_made_) {
@@ -97,8 +105,8 @@ void CofaceIndex::tidy(CellId current) const {
   List& of = list(current);
   kept_.clear();
   for_each(of, [&](CellId node) {
-    if (!(node < (is_asked_for(node) ? cells_.asked() : cells_.size()))) {
-      return;  // undone
+    if (!is_there(node, cells_)) {
+      return;
     }
     if (is_origin(node) && values_.of(node).cell == current) {
       kept_.push_back(node);
@@ -161,7 +169,7 @@ void CofaceIndex::on_undo_of_removal(CellId current) {
 
 void CofaceIndex::on_end_of_step() {
   for (const CellId cell : overfull_) {
-    if (cell < (is_asked_for(cell) ? cells_.asked() : cells_.size()) && forest_.is_current(cell)) {
+    if (is_there(cell, cells_) && forest_.is_current(cell)) {
       tidy(cell);
     }
   }

@@ -1,8 +1,7 @@
 #include "ops/cells/cofaces.hpp"
 
 #include <algorithm>
-
-#include "sparse/hash_index.hpp"
+#include <iterator>
 
 namespace sesame::ops {
 namespace {
@@ -15,26 +14,7 @@ class Cofaces {
   [[nodiscard]] std::vector<CellId> of(CellId current) const;
 
  private:
-  /// Current cells, each once: different ones may have become one.
-  class Candidates {
-   public:
-    explicit Candidates(const Forest& forest) : forest_{forest} {}
-    void push_back(CellId node) {
-      const CellId cell = forest_.find(node);
-      const std::uint64_t hash = sparse::spread_bits(cell);
-      if (cell != none && index_.find(hash, [&](std::uint32_t each) { return each == cell; }) == none) {
-        index_.insert(hash, cell);
-        cells_.push_back(cell);
-      }
-    }
-    [[nodiscard]] const std::vector<CellId>& cells() const { return cells_; }
-
-   private:
-    const Forest& forest_;
-    sparse::HashIndex index_;
-    std::vector<CellId> cells_;
-  };
-
+  using Candidates = std::vector<CellId>;  ///< nodes; some may have become one
   void add_of_origin(CellId node, Candidates& out) const;
   void add_of_apex(FamilyId id, Candidates& out) const;
   void add_of_lazy(const LazyKey& key, CellId cell, Candidates& out) const;
@@ -45,7 +25,7 @@ class Cofaces {
 
 std::vector<CellId> Cofaces::of(CellId current) const {
   std::vector<CellId> cells;
-  Candidates lazy(structure_.forest());
+  Candidates lazy;
   add_of_origin(current, lazy);
   for (const CellId entry : structure_.coface_index().entries(current)) {
     if (structure_.values().of(entry).cell == current) {
@@ -54,11 +34,11 @@ std::vector<CellId> Cofaces::of(CellId current) const {
       cells.push_back(entry);
     }
   }
-  for (const CellId c : lazy.cells()) {
-    if (structure_.coface_index().is_coface(c, current)) {
-      cells.push_back(c);
-    }
-  }
+  std::transform(lazy.begin(), lazy.end(), lazy.begin(), [this](CellId c) { return structure_.find(c); });
+  std::sort(lazy.begin(), lazy.end());
+  lazy.erase(std::unique(lazy.begin(), lazy.end()), lazy.end());
+  std::copy_if(lazy.begin(), lazy.end(), std::back_inserter(cells),
+               [&](CellId c) { return c != none && structure_.coface_index().is_coface(c, current); });
   std::sort(cells.begin(), cells.end(), [this](CellId a, CellId b) {
     return lazy_.is_older(structure_.forest().oldest(a), structure_.forest().oldest(b));
   });

@@ -25,6 +25,15 @@ std::vector<Event> events_since(const Journal& journal, Journal::Position positi
   return events;
 }
 
+/// An event, which often goes on from the last one. `draw(n)`: a random number below n.
+template <class Draw>
+void append_random(Journal& journal, std::vector<Event>& plain, Draw draw) {
+  const bool goes_on = draw(3) != 0 && !plain.empty();
+  const auto kind = static_cast<EventKind>(draw(ops::event_kinds));
+  plain.push_back(goes_on ? Event{plain.back().first, plain.back().second + 1} : Event{kind, draw(100)});
+  journal.append(plain.back().first, plain.back().second);
+}
+
 }  // namespace
 
 TEST_CASE("a journal is what a plain list of events is, from every position", "[ops]") {
@@ -37,10 +46,7 @@ TEST_CASE("a journal is what a plain list of events is, from every position", "[
       REQUIRE(journal.pop() == plain.back().first);
       plain.pop_back();
     } else {
-      const bool goes_on = draw(3) != 0 && !plain.empty();
-      const auto kind = static_cast<EventKind>(draw(ops::event_kinds));
-      plain.push_back(goes_on ? Event{plain.back().first, plain.back().second + 1} : Event{kind, draw(100)});
-      journal.append(plain.back().first, plain.back().second);
+      append_random(journal, plain, draw);
     }
     REQUIRE(journal.end() == plain.size());
     const std::size_t from = draw(static_cast<unsigned>(plain.size()) + 1);
@@ -65,10 +71,7 @@ TEST_CASE("a journal that forgets knows what came after", "[ops]") {
       REQUIRE(journal.pop() == plain.back().first);
       plain.pop_back();
     } else {
-      const bool goes_on = draw(3) != 0 && !plain.empty();
-      const auto kind = static_cast<EventKind>(draw(ops::event_kinds));
-      plain.push_back(goes_on ? Event{plain.back().first, plain.back().second + 1} : Event{kind, draw(100)});
-      journal.append(plain.back().first, plain.back().second);
+      append_random(journal, plain, draw);
     }
     if (draw(10) == 0) {
       known_from += draw(static_cast<unsigned>(plain.size() - known_from) + 1);
