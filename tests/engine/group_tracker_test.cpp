@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <random>
 
-#include "sparse/matrix.hpp"
-#include "sparse/smith.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random_towers.hpp"
 #include "tests/support/ranks.hpp"
@@ -20,27 +18,11 @@ using sparse::Integer;
 using tests::PlainComplex;
 using tests::TowerStep;
 
-std::vector<Integer> factors_of(const PlainComplex& complex, std::size_t dimension) {
-  const std::vector<tests::DenseRow> rows = tests::boundary_rows(complex, dimension);
-  sparse::Matrix<sparse::Integers> matrix(sparse::Integers{},
-                                          rows.empty() ? 0 : static_cast<sparse::Index>(rows[0].size()), 0);
-  for (const tests::DenseRow& row : rows) {
-    sparse::Terms<sparse::Integers> column;
-    for (sparse::Index k = 0; k < row.size(); ++k) {
-      if (row[k] != 0) {
-        column.push_back({k, row[k]});
-      }
-    }
-    matrix.append_column(column);
-  }
-  return sparse::invariant_factors(matrix);
-}
-
 engine::Homology homology_of(const PlainComplex& complex) {
   engine::Homology homology;
   std::size_t rank_below = 0;
   for (std::size_t d = 0; !tests::numbered(complex, d).empty(); ++d) {
-    std::vector<Integer> factors = factors_of(complex, d + 1);
+    std::vector<Integer> factors = tests::invariant_factors(tests::boundary_rows(complex, d + 1));
     const std::size_t rank_above = factors.size();
     homology.betti.push_back(static_cast<std::int64_t>(tests::numbered(complex, d).size() - rank_below - rank_above));
     std::erase_if(factors, [](const Integer& factor) { return factor.is_unit(); });

@@ -1,16 +1,34 @@
 /// \file
-/// Ranks modulo p by plain elimination, and homology of plain simplicial complexes by them.
+/// Ranks modulo p by plain elimination, invariant factors, and homology of plain simplicial complexes by them.
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <vector>
 
+#include "sparse/matrix.hpp"
+#include "sparse/smith.hpp"
 #include "tests/support/random_towers.hpp"
 
 namespace sesame::tests {
 
 using DenseRow = std::vector<std::int64_t>;
+
+/// The invariant factors of a matrix over Z that are not 0, by its Smith form: as many as its rank over Q.
+inline std::vector<sparse::Integer> invariant_factors(const std::vector<DenseRow>& rows) {
+  sparse::Matrix<sparse::Integers> matrix(sparse::Integers{},
+                                          rows.empty() ? 0 : static_cast<sparse::Index>(rows[0].size()), 0);
+  for (const DenseRow& row : rows) {
+    sparse::Terms<sparse::Integers> column;
+    for (sparse::Index k = 0; k < row.size(); ++k) {
+      if (row[k] != 0) {
+        column.push_back({k, row[k]});
+      }
+    }
+    matrix.append_column(column);
+  }
+  return sparse::invariant_factors(matrix);
+}
 
 /// The rank modulo a small prime of a list of rows of one length.
 inline std::size_t rank_modulo(std::vector<DenseRow> rows, std::int64_t p) {
