@@ -92,7 +92,8 @@ class Replay(unittest.TestCase):
 
     def test_wrong_usage_is_status_1(self):
         for arguments in (["replay"], ["replay", "/nowhere/at/all.jsonl"], ["replay", "--ring", "Z/4", "-"], ["no"],
-                          ["replay", "--until", "0", "-"], ["replay", "/"], [], ["help", "nothing"],
+                          ["replay", "--until", "0", "-"], ["replay", "--undo-limit", "-1", "-"], ["replay", "/"], [],
+                          ["help", "nothing"],
                           ["import", "/nowhere.off"], ["replay", "--every", "-1", "-"], ["replay", "--every", "x", "-"],
                           ["import", "--weld", "nan", "/nowhere.off"]):
             done = run(*arguments, text="")

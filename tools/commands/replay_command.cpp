@@ -241,8 +241,10 @@ void add_replay_command(CLI::App& app, int& status) {
                    "Write cones over whole bodies of up to N cells out; of larger ones only the cells that are used")
       ->capture_default_str()
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
-  command->add_option("--undo-limit", arguments->undoable,
-                      "Keep what it takes to undo the last N steps only: less memory in long sessions; default: all");
+  command
+      ->add_option("--undo-limit", arguments->undoable,
+                   "Keep what it takes to undo the last N steps only: less memory in long sessions; default: all")
+      ->check(from_one_on());
   CLI::Option* log = command->add_option("--log", arguments->log, "Keep the steps that were applied in this file");
   const auto old_log = [&](const char* name, LogFile::Old old, const char* description) {
     const auto choose = [arguments, old](std::int64_t) { arguments->old_log = old; };
