@@ -9,6 +9,9 @@
 
 namespace sesame::replay {
 
+/// Of every panel, in pixels.
+constexpr double title_height = 28, axis_height = 44, right_margin = 16;
+
 /// An interval of numbers, never of length 0.
 struct Range {
   double low = 0, high = 1;

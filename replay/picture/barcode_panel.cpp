@@ -19,7 +19,7 @@ using engine::Bar;
 using engine::Barcode;
 
 // All in pixels.
-constexpr double title_height = 28, axis_height = 44, least_margin = 34;
+constexpr double least_margin = 34;
 constexpr double most_height = 1000;  // of the bars together
 constexpr double most_pitch = 14;     // from one bar to the next
 constexpr double least_pitch = 0.5;   // thinner lines cannot be seen even when the picture is enlarged

@@ -14,7 +14,6 @@ namespace {
 using engine::Barcode;
 
 // All in pixels.
-constexpr double title_height = 28, axis_height = 44, right_margin = 16;
 constexpr double most_raised = 10;  // the last curve above where it should be
 
 /// A step function as an SVG path, where it is not 0, that has at most a few steps per column of pixels: within one,

@@ -16,7 +16,6 @@ using engine::Bar;
 using engine::Barcode;
 
 // All in pixels.
-constexpr double title_height = 28, axis_height = 44, right_margin = 16;
 constexpr double infinity_height = 34;  // from the line of essential bars to the square of the others
 
 /// The bars that are drawn as one symbol.

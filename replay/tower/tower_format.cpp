@@ -14,8 +14,6 @@
 namespace sesame::replay {
 namespace {
 
-bool is_operation(std::string_view word) { return word == "i" || word == "c"; }
-
 struct NamedFormat {
   TowerFormat format;
   std::string_view name, description;
@@ -152,7 +150,7 @@ Result<TowerFormat> FormatFinder::format_of_words(std::string_view line) const {
   LineWords words(line);
   const std::string_view first = words.take();
   double time = 0;
-  if (is_operation(first) || (LineWords(first).take_number(time) && is_operation(words.word()))) {
+  if (is_tower_operation(first) || (LineWords(first).take_number(time) && is_tower_operation(words.word()))) {
     return TowerFormat::tower;
   }
   if (starts_facet_groups(line)) {

@@ -33,6 +33,9 @@ enum class TowerFormat {
 /// What people call it: "a boundary matrix of PHAT".
 [[nodiscard]] std::string_view format_description(TowerFormat format);
 
+/// Whether a word, the first of a line or the one after a time, is an operation of a tower.
+[[nodiscard]] constexpr bool is_tower_operation(std::string_view word) { return word == "i" || word == "c"; }
+
 /// Finds out what a text is from its first lines, as many as it takes until only one format is possible.
 ///
 /// A line that starts with `{"` is one of a script; a word `i` or `c` at the first or second place means a tower;

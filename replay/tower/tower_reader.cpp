@@ -15,8 +15,6 @@ namespace {
 
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
-bool is_operation(std::string_view word) { return word == "i" || word == "c"; }
-
 }  // namespace
 
 Result<std::unique_ptr<TowerReader>> TowerReader::open(const std::string& path, TowerFormat format,
@@ -155,7 +153,7 @@ Status TowerReader::read_time(LineWords& words, std::string_view what) {
 
 /// The time of an operation in a tower, given or not.
 Status TowerReader::read_optional_time(LineWords& words) {
-  const bool is_timed = !is_operation(words.word());
+  const bool is_timed = !is_tower_operation(words.word());
   if (operations_ == 0) {
     is_timed_ = is_timed;
     first_line_ = line_;
@@ -186,7 +184,7 @@ Result<bool> TowerReader::read_tower_line(TowerOperation& into) {
     return read.error();
   }
   const std::string_view operation = words.take();
-  if (!is_operation(operation)) {
+  if (!is_tower_operation(operation)) {
     return error(fmt::format("after the time, {} should be i (a simplex is included) or c (a vertex is contracted)",
                              shown(operation)));
   }
