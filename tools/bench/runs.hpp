@@ -33,8 +33,11 @@ namespace sesame::tools {
 /// Bars in any order: how many, and a number that other bars are most unlikely to have.
 struct BarSet {
   std::uint64_t size = 0, digest = 0;
+  std::vector<std::int64_t> betti;  ///< how many do not end, by dimension
   void add(const engine::Bar& bar);
-  friend bool operator==(const BarSet&, const BarSet&) = default;
+  friend bool operator==(const BarSet& one, const BarSet& other) {
+    return one.size == other.size && one.digest == other.digest;
+  }
 };
 /// All bars of a filtration, those that do not end too; times are the places of its cells.
 [[nodiscard]] BarSet bars_of(const Scenario& scenario, std::uint64_t size);
@@ -49,8 +52,8 @@ class FiltrationProgram {
  public:
   /// Writes the file that the program reads, in a process of its own. Requires: a method among program_methods().
   FiltrationProgram(const Scenario& scenario, std::uint64_t size, std::string method);
-  /// Runs the program and compares its bars with those of this one; of GUDHI the Betti numbers with the answer. The
-  /// first run finds the quickest options.
+  /// Runs the program and compares its bars with those of this one, and the Betti numbers with the answer; of
+  /// GUDHI these only. The first run finds the quickest options.
   [[nodiscard]] Sample run(unsigned most_seconds);
 
  private:

@@ -152,6 +152,10 @@ void BarSet::add(const engine::Bar& bar) {
   }
   ++size;
   digest += mixed * 0xbf58476d1ce4e5b9;
+  if (bar.death == engine::never) {
+    betti.resize(std::max(betti.size(), static_cast<std::size_t>(bar.dimension) + 1), 0);
+    ++betti[static_cast<std::size_t>(bar.dimension)];
+  }
 }
 
 std::span<const std::string> tracker_methods() {
