@@ -37,11 +37,10 @@ Fibres fibres_of(const VertexMap& map, const CellType& type) {
 
 }  // namespace
 
-Result<std::vector<Merge>> Congruence::close(std::vector<Equation> equations) {
-  entries_.clear();
-  touched_.clear();
+Result<std::vector<Merge>> Congruence::close(const std::vector<Equation>& equations) {
+  forget_entries();
   foldings_.clear();
-  pending_ = std::move(equations);
+  pending_ = equations;
   while (!pending_.empty()) {
     const Value one = value(pending_.back().first);
     const Value other = value(pending_.back().second);
@@ -86,29 +85,42 @@ bool Congruence::send(CellId cell, const Value& becomes) {
   if (becomes.cell == cell && !becomes.is_degenerate()) {
     return foldings_.emplace(cell, becomes.order).second;
   }
-  touch(cell);
+  const std::uint32_t entry = touch(cell);
   if (!becomes.is_degenerate()) {
     touch(becomes.cell);
   }
-  entries_[cell] = {becomes.is_degenerate() ? none : becomes.cell, becomes};
+  entries_[entry] = {cell, becomes.is_degenerate() ? none : becomes.cell, becomes};
   return true;
 }
 
-void Congruence::touch(CellId c) {
-  if (entries_.emplace(c, Entry{c, {}}).second) {
-    touched_.push_back(c);
+std::uint32_t Congruence::touch(CellId c) {
+  const std::uint32_t known = entry_of(c);
+  if (known != none) {
+    return known;
+  }
+  const auto entry = static_cast<std::uint32_t>(entries_.size());
+  index_.insert(hash_of(c), entry);
+  entries_.push_back({c, c, {}});
+  return entry;
+}
+
+/// One by one: the index may be much larger than they are many.
+void Congruence::forget_entries() {
+  while (!entries_.empty()) {
+    index_.erase(hash_of(entries_.back().cell), static_cast<std::uint32_t>(entries_.size()) - 1);
+    entries_.pop_back();
   }
 }
 
 Value Congruence::root(CellId c) {
-  const auto above = [this](CellId cell) {
-    const auto at = entries_.find(cell);
-    return at == entries_.end() || at->second.parent == cell || at->second.parent == none ? nullptr : &at->second;
+  const auto above = [this](CellId cell) -> Entry* {
+    const std::uint32_t k = entry_of(cell);
+    return k == none || entries_[k].parent == cell || entries_[k].parent == none ? nullptr : &entries_[k];
   };
   Value v = structure_.values().plain(c);
   while (Entry* at = above(v.cell)) {
     if (const Entry* next = above(at->parent)) {  // paths are halved as they are gone
-      *at = {next->parent, structure_.maps().compose(at->becomes, next->becomes)};
+      *at = {at->cell, next->parent, structure_.maps().compose(at->becomes, next->becomes)};
     }
     v = structure_.maps().compose(v, at->becomes);
   }
@@ -119,11 +131,11 @@ Value Congruence::value(Value v) {
   v = structure_.values().normal_form(v);
   while (true) {
     v = structure_.maps().compose(v, root(v.cell));
-    const auto at = entries_.find(v.cell);
-    if (at == entries_.end() || at->second.parent != none) {
+    const std::uint32_t k = entry_of(v.cell);
+    if (k == none || entries_[k].parent != none) {
       return v;
     }
-    v = structure_.maps().compose(v, at->second.becomes);
+    v = structure_.maps().compose(v, entries_[k].becomes);
   }
 }
 
@@ -164,39 +176,44 @@ Status Congruence::settle_foldings() {
                            structure_.name(cell), fmt::join(structure_.maps().permutation(order), "-"))};
 }
 
+/// By dimension, and there in the order in which the roots of the classes came.
 std::vector<Merge> Congruence::merges() {
-  std::unordered_map<CellId, std::vector<CellId>> classes;
-  for (const CellId c : touched_) {
-    classes[root(c).cell].push_back(c);
+  members_.clear();
+  for (std::uint32_t k = 0; k < entries_.size(); ++k) {
+    members_.push_back({structure_.dimension(entries_[k].cell), entry_of(root(entries_[k].cell).cell), k});
   }
+  std::sort(members_.begin(), members_.end());
   std::vector<Merge> all;
-  for (const CellId c : touched_) {
-    if (root(c).cell == c) {
-      add_merges(classes[c], c, all);
-    }
+  all.reserve(members_.size());
+  for (std::span<const Member> rest{members_}; !rest.empty();) {
+    const auto other = std::find_if(rest.begin(), rest.end(), [&](const Member& m) { return m.root != rest[0].root; });
+    const auto size = static_cast<std::size_t>(other - rest.begin());
+    add_merges(rest.first(size), all);
+    rest = rest.subspan(size);
   }
-  std::stable_sort(all.begin(), all.end(), [this](const Merge& x, const Merge& y) {
-    return structure_.dimension(x.removed) < structure_.dimension(y.removed);
-  });
   return all;
 }
 
 /// The survivor of a class is the cell that stands for the most cells (the oldest of those): with it every path of the
 /// union-find forest stays logarithmic without compression, which undo could not take back.
-void Congruence::add_merges(std::vector<CellId>& of_class, CellId root_of_class, std::vector<Merge>& out) {
-  std::sort(of_class.begin(), of_class.end(), [this](CellId a, CellId b) {
+void Congruence::add_merges(std::span<const Member> of_class, std::vector<Merge>& out) {
+  of_class_.clear();
+  for (const Member& member : of_class) {
+    of_class_.push_back(entries_[member.entry].cell);
+  }
+  std::sort(of_class_.begin(), of_class_.end(), [this](CellId a, CellId b) {
     const std::uint32_t m = structure_.forest().members(a);
     const std::uint32_t n = structure_.forest().members(b);
     return m != n ? m > n : structure_.lazy().is_older(structure_.forest().oldest(a), structure_.forest().oldest(b));
   });
   VertexMaps& maps = structure_.maps();
-  const CellId survivor = of_class[0];
+  const CellId survivor = of_class_[0];
   const Value seen_from_survivor = root(survivor);
   const OrderId back = maps.inverse(seen_from_survivor.order);
-  for (std::size_t k = 1; k < of_class.size(); ++k) {
-    out.push_back({of_class[k], survivor, {}, maps.compose(root(of_class[k]).order, back)});
+  for (std::size_t k = 1; k < of_class_.size(); ++k) {
+    out.push_back({of_class_[k], survivor, {}, maps.compose(root(of_class_[k]).order, back)});
   }
-  if (const Entry& entry = entries_.at(root_of_class); entry.parent == none) {
+  if (const Entry& entry = entries_[of_class[0].root]; entry.parent == none) {
     out.push_back({survivor, none, maps.compose(seen_from_survivor, entry.becomes)});
   }
 }

@@ -71,6 +71,7 @@ Status check_direction(const Degenerate& operation, const CellType& type) {
 
 Result<std::vector<Equation>> equations_of(const Identify& operation, const Structure& structure) {
   std::vector<Equation> equations;
+  equations.reserve(operation.pairs.size());
   for (std::size_t k = 0; k < operation.pairs.size(); ++k) {
     const auto& [one, other] = operation.pairs[k];
     const Result<Value> a = resolve_cell(one, structure);

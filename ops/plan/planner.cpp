@@ -64,7 +64,7 @@ Status Planner::plan_equations(Result<std::vector<Equation>> equations, Plan& pl
   if (!equations) {
     return equations.error();
   }
-  Result<std::vector<Merge>> merges = congruence_.close(std::move(*equations));
+  Result<std::vector<Merge>> merges = congruence_.close(*equations);
   if (!merges) {
     return merges.error();
   }
