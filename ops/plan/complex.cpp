@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -42,13 +44,15 @@ class ComplexPlanner {
   }
 
  private:
+  using Faces = boost::container::small_vector<CellId, 6>;
+
   [[nodiscard]] std::string title(std::uint32_t k) const {
-    return fmt::format("cell \"{}\" of complex \"{}\"", operation_.cells[k].id, operation_.name);
+    return fmt::format("cell \"{}\" of complex \"{}\"", operation_.cells.id(k), operation_.name);
   }
 
   Status index_cells() {
     for (std::uint32_t k = 0; k < operation_.cells.size(); ++k) {
-      const std::string& id = operation_.cells[k].id;
+      const std::string_view id = operation_.cells.id(k);
       if (!is_name(id)) {
         return Error{Errc::bad_input,
                      fmt::format("cell {} of complex \"{}\" needs an id without white space or control characters",
@@ -67,7 +71,7 @@ class ComplexPlanner {
   static std::uint64_t hash_of(std::string_view id) { return std::hash<std::string_view>{}(id); }
   /// The number of the cell with an id, or none.
   [[nodiscard]] std::uint32_t find(std::string_view id, std::uint64_t hash) const {
-    return index_.find(hash, [&](std::uint32_t k) { return operation_.cells[k].id == id; });
+    return index_.find(hash, [&](std::uint32_t k) { return operation_.cells.id(k) == id; });
   }
 
   /// Places cell k after its faces. A face's type is checked before the face is placed: types lose a dimension with
@@ -76,15 +80,13 @@ class ComplexPlanner {
     if (placed_[k] != none) {
       return Done{};
     }
-    const MakeComplex::Cell& cell = operation_.cells[k];
     const Result<TypeId> type = type_of(k);
     if (!type) {
       return type.error();
     }
-    std::vector<CellId> faces;
-    faces.reserve(cell.faces.size());
-    for (std::size_t f = 0; f < cell.faces.size(); ++f) {
-      const Result<CellId> face = place_face(k, f);
+    Faces faces;
+    for (const std::string_view id : operation_.cells.faces(k)) {
+      const Result<CellId> face = place_face(k, faces.size(), id);
       if (!face) {
         return face.error();
       }
@@ -94,16 +96,15 @@ class ComplexPlanner {
       return s;
     }
     placed_[k] = base_ + plan_.cells.size();
-    plan_.names.append(operation_.name).append(1, '.').append(cell.id);
+    plan_.names.append(operation_.name).append(1, '.').append(operation_.cells.id(k));
     const std::size_t first_face = plan_.faces.size();
     plan_.faces.insert(plan_.faces.end(), faces.begin(), faces.end());
     add_cell(*type, first_face, plan_);
     return Done{};
   }
 
-  /// Face f of cell k, placed.
-  Result<CellId> place_face(std::uint32_t k, std::size_t f) {
-    const std::string& id = operation_.cells[k].faces[f];
+  /// Face f of cell k, by its id, placed.
+  Result<CellId> place_face(std::uint32_t k, std::size_t f, std::string_view id) {
     const std::uint32_t face = find(id, hash_of(id));
     if (face == none) {
       return Error{Errc::unknown_name, fmt::format("{} names a face \"{}\" that is not listed there", title(k), id)};
@@ -122,14 +123,18 @@ class ComplexPlanner {
     if (declared_[k] != none) {
       return declared_[k];
     }
-    const MakeComplex::Cell& cell = operation_.cells[k];
+    const std::size_t faces = operation_.cells.faces(k).size();
+    const CellType* given = operation_.cells.type(k);
+    if (given == nullptr && faces < simplices_.size() && simplices_[faces] != none) {
+      return declared_[k] = simplices_[faces];
+    }
     CellType type;
-    if (cell.type) {
-      type = *cell.type;
-    } else if (cell.faces.size() == 1) {
+    if (given != nullptr) {
+      type = *given;
+    } else if (faces == 1) {
       return Error{Errc::bad_input, fmt::format("{} has 1 face: a vertex has none, an edge 2", title(k))};
-    } else if (!cell.faces.empty()) {
-      type = {static_cast<int>(cell.faces.size()) - 1};
+    } else if (faces > 0) {
+      type = {static_cast<int>(faces) - 1};
     }
     if (has_bad_entry(type)) {
       return Error{Errc::bad_input,
@@ -141,9 +146,13 @@ class ComplexPlanner {
     }
     declared_[k] = types_.intern(type);
     const std::size_t arity = types_.info(declared_[k]).faces.size();
-    if (arity != cell.faces.size()) {
+    if (arity != faces) {
       return Error{Errc::bad_input, fmt::format("{} is a {} and needs {} faces, but {} are listed", title(k),
-                                                describe(type), arity, cell.faces.size())};
+                                                describe(type), arity, faces)};
+    }
+    if (given == nullptr) {
+      simplices_.resize(std::max(simplices_.size(), faces + 1), none);
+      simplices_[faces] = declared_[k];
     }
     return declared_[k];
   }
@@ -157,7 +166,7 @@ class ComplexPlanner {
     const TypeId wanted = types_.info(declared_[k]).faces[f].type;
     if (*type != wanted) {
       return Error{Errc::bad_input, fmt::format("face {} of {} should be a {}, but \"{}\" is a {}", f, title(k),
-                                                describe(types_.info(wanted).type), operation_.cells[face].id,
+                                                describe(types_.info(wanted).type), operation_.cells.id(face),
                                                 describe(types_.info(*type).type))};
     }
     return Done{};
@@ -170,7 +179,7 @@ class ComplexPlanner {
     return std::string_view{plan_.names}.substr(begin, planned(c).name_end - begin);
   }
 
-  Status check_laws(std::uint32_t k, TypeId type, const std::vector<CellId>& faces) const {
+  Status check_laws(std::uint32_t k, TypeId type, const Faces& faces) const {
     for (const FaceLaw& law : types_.info(type).laws) {
       const CellId one = planned_face(faces[law.first], law.second);
       const CellId other = planned_face(faces[law.other_first], law.other_second);
@@ -190,9 +199,10 @@ class ComplexPlanner {
   CellId base_;
   const Limits& limits_;
   Plan& plan_;
-  sparse::HashIndex index_;       // of the listed cells, by id
-  std::vector<CellId> placed_;    // per listed cell: its id in the plan
-  std::vector<TypeId> declared_;  // per listed cell: its type
+  sparse::HashIndex index_;        // of the listed cells, by id
+  std::vector<CellId> placed_;     // per listed cell: its id in the plan
+  std::vector<TypeId> declared_;   // per listed cell: its type
+  std::vector<TypeId> simplices_;  // by number of faces, of cells without a type, or none
 };
 
 }  // namespace
@@ -204,8 +214,11 @@ Status plan_complex(const MakeComplex& operation, const Structure& structure, co
   if (Status s = check_room(static_cast<std::int64_t>(operation.cells.size()), structure, limits); !s) {
     return s;
   }
-  for (const MakeComplex::Cell& cell : operation.cells) {
-    if (const std::string full = operation.name + "." + cell.id; structure.is_name_taken(full)) {
+  std::string full = operation.name + ".";
+  const std::size_t base = full.size();
+  for (std::uint32_t k = 0; k < operation.cells.size(); ++k) {
+    full.replace(base, std::string::npos, operation.cells.id(k));
+    if (structure.is_name_taken(full)) {
       return Error{Errc::bad_input,
                    fmt::format("the name \"{}\" is in use: choose another name for the complex or the cell", full)};
     }

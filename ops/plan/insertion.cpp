@@ -235,16 +235,14 @@ class InsertPlanner {
 };
 
 /// That it is checked as: a vertex is as small as an edge.
-CellType type_of(const std::vector<std::string>& simplex) {
-  return {std::max(1, static_cast<int>(simplex.size()) - 1)};
-}
+CellType type_of(NameLists::List simplex) { return {std::max(1, static_cast<int>(simplex.size()) - 1)}; }
 
-Status check_simplex(const std::vector<std::string>& simplex, const Limits& limits) {
+Status check_simplex(NameLists::List simplex, const Limits& limits) {
   if (simplex.empty()) {
     return Error{Errc::bad_input,
                  "a simplex has at least one vertex: it should be a list of labels, such as [\"a\",\"b\"]"};
   }
-  for (const std::string& label : simplex) {
+  for (const std::string_view label : simplex) {
     if (!is_label(label)) {
       return Error{Errc::bad_input,
                    fmt::format("\"{}\" is not a label: a label is not empty, and has no white space, no control "
@@ -276,15 +274,15 @@ class LabelCollector {
   LabelCollector(const Limits& limits, bool is_one) : limits_{limits}, is_one_{is_one} {}
 
   /// Errors: for a list that is no simplex.
-  Status add(const std::vector<std::string>& simplex) {
+  Status add(NameLists::List simplex) {
     const std::size_t begin = numbers.size();
     if (is_one_) {
-      for (const std::string& label : simplex) {
+      for (const std::string_view label : simplex) {
         add_number(label);
       }
       return check_simplex(simplex, limits_);
     }
-    for (const std::string& label : simplex) {
+    for (const std::string_view label : simplex) {
       const std::uint64_t hash = std::hash<std::string_view>{}(label);
       const std::uint32_t known = met_.find(hash, [&](std::uint32_t k) { return texts[k] == label; });
       if (known != none) {
@@ -320,7 +318,7 @@ class LabelCollector {
 /// Errors: for a list that is no simplex, and for a label of a vertex that no insertion may touch.
 Result<Labels> labels_of(const Insert& operation, const Structure& structure, const Limits& limits) {
   LabelCollector collector(limits, operation.simplices.size() == 1);
-  for (const std::vector<std::string>& simplex : operation.simplices) {
+  for (const NameLists::List simplex : operation.simplices) {
     if (Status s = collector.add(simplex); !s) {
       return s.error();
     }
@@ -345,7 +343,7 @@ Result<Labels> labels_of(const Insert& operation, const Structure& structure, co
     label.vertex = known == none ? next++ : structure.abstract().vertex(known);
   }
   auto begin = labels.positions.begin();
-  for (const std::vector<std::string>& simplex : operation.simplices) {
+  for (const NameLists::List simplex : operation.simplices) {
     const auto end = begin + static_cast<std::ptrdiff_t>(simplex.size());
     std::transform(begin, end, begin, [&](std::uint32_t number) { return position_of[number]; });
     std::sort(begin, end);
@@ -363,7 +361,7 @@ Status plan_insertion(const Insert& operation, const Structure& structure, const
   }
   InsertPlanner planner(structure, {labels->sorted.data(), labels->sorted.size()});
   Positions rest{labels->positions};
-  for (const std::vector<std::string>& simplex : operation.simplices) {
+  for (const NameLists::List simplex : operation.simplices) {
     const Positions positions = rest.first(simplex.size());
     rest = rest.subspan(simplex.size());
     if (planner.add(positions)) {

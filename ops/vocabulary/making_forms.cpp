@@ -145,7 +145,9 @@ MakeComplex::Cell read_cell(const Json& value) {
 MakeComplex read_complex(Fields& in) {
   MakeComplex op;
   op.name = in.text("name");
-  op.cells = read_each(in.items("cells", in.need("cells"), "a list of cells"), read_cell);
+  for (const Json& item : in.items("cells", in.need("cells"), "a list of cells")) {
+    op.cells.push_back(read_cell(item));
+  }
   return op;
 }
 

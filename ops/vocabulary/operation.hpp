@@ -12,13 +12,13 @@
 #include <variant>
 #include <vector>
 
-#include "ops/cells/cell_type.hpp"
+#include "ops/vocabulary/cell_list.hpp"
+#include "ops/vocabulary/name_lists.hpp"
 #include "sparse/integer.hpp"
 #include "sparse/result.hpp"
 
 namespace sesame::ops {
 
-using Point = std::array<double, 3>;
 using sparse::Integer;
 
 /// A standard simplex with all its faces. `at`: empty, or a point per vertex.
@@ -37,14 +37,9 @@ struct MakeSimploid {
 
 /// An explicit complex; cells may be listed in any order.
 struct MakeComplex {
-  struct Cell {
-    std::string id;
-    std::optional<CellType> type;  ///< empty: a simplex with as many faces as are listed
-    std::vector<std::string> faces;
-    std::optional<Point> at;
-  };
+  using Cell = ListedCell;
   std::string name;
-  std::vector<Cell> cells;
+  CellList cells;
 };
 
 /// What a cone or a suspension is taken over: everything, a body, or the closure of some cells.
@@ -96,7 +91,7 @@ struct MakeProduct {
 /// Adds simplices, each a list of vertices, and their faces as far as they are missing, to an abstract simplicial
 /// complex. A label is a text; an integer is written in decimal, so 3 and "3" are the same label.
 struct Insert {
-  std::vector<std::vector<std::string>> simplices;
+  NameLists simplices;    ///< by their labels
   bool exist_ok = false;  ///< simplices that are there already, or stand in the list twice, are counted, not refused
 };
 

@@ -75,16 +75,16 @@ Point point(json::value value) {
   return p;
 }
 
-std::vector<std::string> texts(json::value value) {
-  std::vector<std::string> list;
-  each(value, [&](json::value item) { list.push_back(text(item)); });
-  return list;
-}
-
 /// Calls read(name, value) for each field of an operation but the first, its "op"; it answers its number, from 1 on.
 template <class Read>
 void each_field_but_op(json::object object, Read read) {
-  each_field(object, [&](std::string_view name, json::value value) { return name == "op" ? 0U : read(name, value); });
+  each_field(object, [&](std::string_view name, json::value value) -> unsigned {
+    if (name == "op") {
+      (void)got(value.get_string());  // else the parser would skip over whatever stands there
+      return 0;
+    }
+    return read(name, value);
+  });
 }
 
 MakeSimplex read_simplex(json::object object) {
@@ -111,34 +111,17 @@ MakeSimplex read_simplex(json::object object) {
   return op;
 }
 
-MakeComplex::Cell read_cell(json::value item) {
-  MakeComplex::Cell cell;
-  bool is_named = false;
-  each_field(got(item.get_object()), [&](std::string_view name, json::value value) -> unsigned {
-    if (name == "id") {
-      cell.id = text(value);
-      is_named = true;
-      return 0;
-    }
-    if (name == "type") {
-      CellType& type = cell.type.emplace();
-      each(value, [&](json::value a) { type.push_back(small(a, 1)); });
-      return 1;
-    }
-    if (name == "faces") {
-      cell.faces = texts(value);
-      return 2;
-    }
-    require(name == "at");
-    cell.at = point(value);
-    return 3;
-  });
-  require(is_named && (!cell.at || cell.faces.empty()));
-  return cell;
+CellType type(json::value value) {
+  CellType entries;
+  entries.reserve(4);  // more are rare
+  each(value, [&](json::value item) { entries.push_back(small(item, 1)); });
+  return entries;
 }
 
-MakeComplex read_complex(json::object object) {
-  MakeComplex op;
+/// An operation that has a name and one other field, which read(value, operation) reads.
+template <class Op, class Read>
+Op read_with_name(json::object object, std::string_view other, Read read) {
+  Op op;
   unsigned met = 0;
   each_field_but_op(object, [&](std::string_view name, json::value value) -> unsigned {
     ++met;
@@ -146,12 +129,55 @@ MakeComplex read_complex(json::object object) {
       op.name = text(value);
       return 1;
     }
-    require(name == "cells");
-    each(value, [&](json::value item) { op.cells.push_back(read_cell(item)); });
+    require(name == other);
+    read(value, op);
     return 2;
   });
   require(met == 2);
   return op;
+}
+
+/// One without positions.
+MakeSimploid read_simploid(json::object object) {
+  return read_with_name<MakeSimploid>(object, "type",
+                                      [](json::value value, MakeSimploid& op) { op.type = type(value); });
+}
+
+/// Reads into a cell that has been used before: its memory is.
+void read_cell(json::value item, ListedCell& cell) {
+  cell.type.reset();
+  cell.faces.clear();
+  cell.at.reset();
+  bool is_named = false;
+  each_field(got(item.get_object()), [&](std::string_view name, json::value value) -> unsigned {
+    if (name == "id") {
+      cell.id = got(value.get_string());
+      is_named = true;
+      return 0;
+    }
+    if (name == "type") {
+      cell.type = type(value);
+      return 1;
+    }
+    if (name == "faces") {
+      each(value, [&](json::value face) { cell.faces.emplace_back(got(face.get_string())); });
+      return 2;
+    }
+    require(name == "at");
+    cell.at = point(value);
+    return 3;
+  });
+  require(is_named && (!cell.at || cell.faces.empty()));
+}
+
+MakeComplex read_complex(json::object object) {
+  return read_with_name<MakeComplex>(object, "cells",
+                                     [cell = ListedCell{}](json::value value, MakeComplex& op) mutable {
+                                       each(value, [&](json::value item) {
+                                         read_cell(item, cell);
+                                         op.cells.push_back(cell);
+                                       });
+                                     });
 }
 
 /// [2,0,1] for a simplex, a list of such lists for a simploid: one for each component.
@@ -182,6 +208,7 @@ Identify read_identify(json::object object) {
   each_field_but_op(object, [&](std::string_view name, json::value value) -> unsigned {
     require(name == "pairs");
     has_pairs = true;
+    op.pairs.reserve(4);  // more are rare
     each(value, [&](json::value item) {
       std::pair<std::string, std::string> pair;
       unsigned parts = 0;
@@ -257,8 +284,8 @@ std::string label(json::value value) {
 Insert read_insert(json::object object) {
   Insert op;
   const auto simplex = [&](json::value value) {
-    std::vector<std::string>& labels = op.simplices.emplace_back();
-    each(value, [&](json::value item) { labels.push_back(label(item)); });
+    op.simplices.begin_list();
+    each(value, [&](json::value item) { op.simplices.add(label(item)); });
   };
   bool is_one = false, is_list = false;
   std::optional<bool> exist_ok;
@@ -301,6 +328,9 @@ Operation read_operation(json::object object) {
   (void)got(object.reset());
   if (op == "simplex") {
     return read_simplex(object);
+  }
+  if (op == "simploid") {
+    return read_simploid(object);
   }
   if (op == "identify") {
     return read_identify(object);

@@ -19,7 +19,7 @@ std::string read_label(Fields& in, const std::string& field, const Json& value) 
 }
 
 /// An integer that 64 bits can say as a number, any other label as a string.
-Json json_label(const std::string& label) {
+Json json_label(std::string_view label) {
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(label.data(), label.data() + label.size(), number);
   return error == std::errc{} && std::to_string(number) == label ? Json(number) : Json(label);
@@ -40,8 +40,9 @@ Insert read_insert(Fields& in) {
   if (one != nullptr) {
     op.simplices.push_back(simplex("simplex", *one));
   } else {
-    op.simplices = read_each(in.items("simplices", *many, "a list of simplices, [[\"a\",\"b\"],...]"),
-                             [&](const Json& item) { return simplex("simplices", item); });
+    for (const Json& item : in.items("simplices", *many, "a list of simplices, [[\"a\",\"b\"],...]")) {
+      op.simplices.push_back(simplex("simplices", item));
+    }
   }
   const Json* exist_ok = in.find("exist_ok");
   op.exist_ok = exist_ok != nullptr ? in.truth("exist_ok", *exist_ok) : many != nullptr;
@@ -51,9 +52,9 @@ Insert read_insert(Fields& in) {
 void write_insert(const Insert& op, Json& out) {
   const bool is_one = op.simplices.size() == 1;
   Json simplices = Json::array();
-  for (const auto& labels : op.simplices) {
+  for (const NameLists::List labels : op.simplices) {
     Json& simplex = simplices.emplace_back(Json::array());
-    for (const std::string& label : labels) {
+    for (const std::string_view label : labels) {
       simplex.push_back(json_label(label));
     }
   }

@@ -256,11 +256,12 @@ Result<std::vector<Facet>> read_facets(LineSource lines) {
   }
 }
 
-std::string script_of(std::vector<Facet> facets, const std::string& ring, const std::string& title, FacetSteps steps) {
+std::string script_of(const std::vector<Facet>& facets, const std::string& ring, const std::string& title,
+                      FacetSteps steps) {
   std::string script = ops::to_text(ops::Header{1, ring, title}) + "\n";
   ops::Insert insert{{}, true};
-  for (Facet& facet : facets) {
-    insert.simplices.push_back(std::move(facet.labels));
+  for (const Facet& facet : facets) {
+    insert.simplices.push_back(facet.labels);
     if (steps == FacetSteps::each) {
       script += ops::to_text(insert) + "\n";
       insert.simplices.clear();

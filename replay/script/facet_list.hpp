@@ -81,7 +81,7 @@ enum class FacetSteps {
   each,  ///< an `insert` for each of them
 };
 /// A construction script of a list: its header and its steps, a line each.
-[[nodiscard]] std::string script_of(std::vector<Facet> facets, const std::string& ring, const std::string& title,
+[[nodiscard]] std::string script_of(const std::vector<Facet>& facets, const std::string& ring, const std::string& title,
                                     FacetSteps steps);
 
 }  // namespace sesame::replay

@@ -40,7 +40,8 @@ std::set<std::set<std::string>> simplices_of(const AbstractComplex& complex) {
 
 /// Carries an operation out without any planner: the slow way.
 void apply(AbstractComplex& complex, CellId& next_cell, const Insert& op) {
-  const std::vector<std::string>& simplex = op.simplices.front();
+  const NameLists::List labels = *op.simplices.begin();
+  const std::vector<std::string> simplex(labels.begin(), labels.end());
   for (std::uint64_t subset = 1; subset < std::uint64_t{1} << simplex.size(); ++subset) {
     Vertices vertices;
     for (std::size_t k = 0; k < simplex.size(); ++k) {

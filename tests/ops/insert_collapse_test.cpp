@@ -98,8 +98,9 @@ TEST_CASE("a list makes the complex that its simplices make one after the other"
     while (random.in(0, 2) > 0 && simplex.size() < 5) {
       simplex.insert(labels[static_cast<std::size_t>(random.in(0, static_cast<int>(labels.size()) - 1))]);
     }
-    list.simplices.emplace_back(simplex.rbegin(), simplex.rend());
-    carry_out(one, Insert{{list.simplices.back()}, true});
+    const std::vector<std::string> reversed(simplex.rbegin(), simplex.rend());
+    list.simplices.push_back(reversed);
+    carry_out(one, Insert{{reversed}, true});
   }
   const std::string before = dump(other.structure());
   const StructureMark mark = mark_of(other.structure());
@@ -223,8 +224,8 @@ class LabelsNow {
  public:
   void follow(const Operation& op) {
     if (const auto* inserted = std::get_if<Insert>(&op)) {
-      for (const std::string& label : inserted->simplices.front()) {
-        now_.emplace(label, label);
+      for (const std::string_view label : inserted->simplices[0]) {
+        now_.emplace(std::string{label}, std::string{label});
       }
     } else {
       const auto& collapsed = std::get<Collapse>(op);
@@ -505,14 +506,14 @@ TEST_CASE("a list that would make too many cells is refused before they are made
   Plan plan;
   Insert list{{}, true};
   for (int k = 0; k < 100; ++k) {  // 2^18 cells each
-    std::vector<std::string>& simplex = list.simplices.emplace_back();
+    list.simplices.begin_list();
     for (int j = 0; j < 18; ++j) {
-      simplex.push_back(std::to_string(100 * k + j));
+      list.simplices.add(std::to_string(100 * k + j));
     }
   }
   CHECK_THAT(planner.plan(list, plan).error().what, Contains("more than 1000 cells"));
-  list.simplices.resize(1);
-  list.simplices[0].resize(9);  // 2^9 - 1
+  list.simplices.clear();
+  list.simplices.push_back({"0", "1", "2", "3", "4", "5", "6", "7", "8"});  // 2^9 - 1
   CHECK(planner.plan(list, plan));
 }
 

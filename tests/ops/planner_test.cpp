@@ -131,7 +131,7 @@ TEST_CASE("limits are those given: per standard cell, per step, and for the work
   CHECK_THAT(refused(shop, MakeSimplex{"b", 4, {}}).what, Contains("31") && Contains("15"));
   CHECK_THAT(refused(shop, MakeComplex{"K", {{"a", {}, {"a", "a", "a", "a", "a"}, {}}}}).what, Contains("at most 15"));
   CHECK_THAT(refused(shop, MakeCone{"v", {}, {}}).what, Contains("16 cells") && Contains("one step"));
-  CHECK_THAT(refused(shop, MakeComplex{"K", std::vector<MakeComplex::Cell>(16)}).what, Contains("one step"));
+  CHECK_THAT(refused(shop, MakeComplex{"K", CellList(std::vector<MakeComplex::Cell>(16))}).what, Contains("one step"));
   CHECK(shop.apply(MakeSimploid{"q", {1, 1}, {}}));
   CHECK_THAT(refused(shop, MakeSimplex{"c", 2, {}}).what, Contains("workspace") && Contains("31") && Contains("30"));
   CHECK(shop.apply(MakeSimplex{"d", 1, {}}));
@@ -212,8 +212,7 @@ TEST_CASE("deep and malicious listings neither overflow the stack nor take long"
 
 TEST_CASE("the order of a listing does not matter for what is made", "[ops]") {
   const Operation straight = operation(triangle_with(R"({"id":"T","faces":["bc","ac","ab"]})"));
-  MakeComplex shuffled = std::get<MakeComplex>(straight);
-  std::reverse(shuffled.cells.begin(), shuffled.cells.end());
+  const MakeComplex shuffled{"K", std::get<MakeComplex>(straight).cells.reversed()};
   Workshop one;
   Workshop other;
   REQUIRE(one.apply(straight));

@@ -72,11 +72,7 @@ class Loops {
   void kill(const std::string& loop) { add_triangle("k" + std::to_string(++count_), "c", loop, "c"); }
 
   ops::MakeComplex take() { return complex_; }
-  ops::MakeComplex reversed() const {
-    ops::MakeComplex complex = complex_;
-    std::reverse(complex.cells.begin(), complex.cells.end());
-    return complex;
-  }
+  ops::MakeComplex reversed() const { return {complex_.name, complex_.cells.reversed()}; }
 
  private:
   ops::MakeComplex complex_;

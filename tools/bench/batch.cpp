@@ -46,9 +46,9 @@ Operations rips_at_once(std::uint32_t points, std::size_t cells, std::uint64_t s
   const Filtration rips = rips_filtration(points, cells, seed);
   ops::Insert insert{{}, false};
   for (std::size_t k = 0; k < rips.size(); ++k) {
-    std::vector<std::string>& simplex = insert.simplices.emplace_back();
+    insert.simplices.begin_list();
     for (const std::uint32_t v : rips.vertices[k]) {
-      simplex.push_back(std::to_string(v));
+      insert.simplices.add(std::to_string(v));
     }
   }
   return {std::move(insert)};

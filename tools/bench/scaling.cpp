@@ -35,7 +35,6 @@ std::string place(const std::string& kind, std::uint64_t i, std::uint64_t j) {
 /// The torus of n x n squares as one complex K of 4 n^2 cells: vertices v, edges h and u, squares s.
 ops::MakeComplex given_torus(std::uint64_t n) {
   ops::MakeComplex complex{"K", {}};
-  complex.cells.reserve(4 * n * n);
   for (std::uint64_t i = 0; i < n; ++i) {
     for (std::uint64_t j = 0; j < n; ++j) {
       const std::uint64_t right = (i + 1) % n, up = (j + 1) % n;

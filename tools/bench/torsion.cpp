@@ -15,7 +15,7 @@ namespace {
 using Simplex = std::vector<std::string>;
 
 /// Adds all matchings of the vertices that are left to one that is begun; one vertex may stay alone when `may_leave`.
-void add_matchings(std::vector<std::uint32_t> left, const Simplex& begun, bool may_leave, std::vector<Simplex>& all) {
+void add_matchings(std::vector<std::uint32_t> left, const Simplex& begun, bool may_leave, ops::NameLists& all) {
   if (left.empty()) {
     all.push_back(begun);
     return;
@@ -101,9 +101,9 @@ Operations chessboard_complex(std::uint32_t n) {
   std::iota(column.begin(), column.end(), 0U);
   ops::Insert insert{{}, true};
   do {
-    Simplex& simplex = insert.simplices.emplace_back();
+    insert.simplices.begin_list();
     for (std::uint32_t row = 0; row < n; ++row) {
-      simplex.push_back(std::to_string(row) + "-" + std::to_string(column[row]));
+      insert.simplices.add(std::to_string(row) + "-" + std::to_string(column[row]));
     }
   } while (std::next_permutation(column.begin(), column.end()));
   return {insert};

@@ -76,7 +76,7 @@ int import_facets(const Arguments& arguments) {
   }
   const std::size_t count = facets->size();
   const int status = write_script(arguments, [&](std::ostream& out) {
-    out << replay::script_of(std::move(*facets), arguments.ring, name,
+    out << replay::script_of(*facets, arguments.ring, name,
                              arguments.assemble ? replay::FacetSteps::each : replay::FacetSteps::one);
     return 0;
   });

@@ -1,0 +1,83 @@
+/// \file
+/// The cells of an explicit complex, as an operation lists them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ops/cells/cell_type.hpp"
+#include "ops/vocabulary/name_lists.hpp"
+
+namespace sesame::ops {
+
+/// A position; z = 0 in the plane.
+using Point = std::array<double, 3>;
+
+struct ListedCell {
+  std::string id;
+  std::optional<CellType> type;  ///< empty: a simplex with as many faces as are listed
+  std::vector<std::string> faces;
+  std::optional<Point> at;
+};
+
+/// Cells with their faces, in any order, in little room: see NameLists. What most cells have not takes none.
+class CellList {
+ public:
+  CellList() = default;
+  CellList(std::initializer_list<ListedCell> cells) : CellList(std::vector<ListedCell>(cells)) {}
+  explicit CellList(const std::vector<ListedCell>& cells) {
+    for (const ListedCell& cell : cells) {
+      push_back(cell);
+    }
+  }
+
+  void push_back(const ListedCell& cell);
+
+  [[nodiscard]] std::size_t size() const { return names_.size(); }
+  [[nodiscard]] bool empty() const { return names_.empty(); }
+  [[nodiscard]] std::string_view id(std::size_t k) const { return names_[k].front(); }
+  [[nodiscard]] NameLists::List faces(std::size_t k) const { return names_[k].without_first(); }
+  /// Null where none is given.
+  [[nodiscard]] const CellType* type(std::size_t k) const {
+    return k < type_of_.size() && type_of_[k] != 0 ? types_.data() + (type_of_[k] - 1) : nullptr;
+  }
+  [[nodiscard]] const Point* at(std::size_t k) const;
+  /// A copy of all that is said of cell k.
+  [[nodiscard]] ListedCell operator[](std::size_t k) const;
+
+  /// The same, the last one first.
+  [[nodiscard]] CellList reversed() const;
+
+  class Iterator {
+   public:
+    Iterator(const CellList& cells, std::size_t k) : cells_{&cells}, k_{k} {}
+    ListedCell operator*() const { return (*cells_)[k_]; }
+    Iterator& operator++() {
+      ++k_;
+      return *this;
+    }
+    bool operator==(const Iterator&) const = default;
+
+   private:
+    const CellList* cells_;
+    std::size_t k_;
+  };
+  [[nodiscard]] Iterator begin() const { return {*this, 0}; }
+  [[nodiscard]] Iterator end() const { return {*this, size()}; }
+
+ private:
+  NameLists names_;                                ///< of each cell its id, then its faces
+  std::vector<std::uint32_t> type_of_;             ///< up to the last cell with one: 1 + its number in types_, or 0
+  std::vector<CellType> types_;                    ///< none twice
+  std::map<CellType, std::uint32_t> numbers_;      ///< where in types_
+  std::vector<std::pair<std::size_t, Point>> at_;  ///< by cell, ascending
+};
+
+}  // namespace sesame::ops
