@@ -83,7 +83,9 @@ void expect_memory_to_run_out_anywhere() {
 }
 
 int run(int argc, char** argv, sesame::tools::ProgramLog& log) {
-  CLI::App app{"sesame: integer homology, live, while an object is built", "sesame"};
+  // Never destroyed: what a command has left in it, such as the engine of a replay, takes long to free, and the program
+  // ends.
+  static CLI::App& app = *new CLI::App{"sesame: integer homology, live, while an object is built", "sesame"};
   app.set_version_flag("--version", std::string{"sesame "} + SESAME_VERSION);
   app.require_subcommand(1);
   int status = 0;

@@ -52,7 +52,11 @@ class Run {
     expects_torsion_ = own_ring && *own_ring == *ring;
     expects_betti_ = own_ring && characteristic(*own_ring) == characteristic(*ring);
     replay_log().info("{}a script over {}, taken over {}", script_.place(), header->ring, sparse::ring_name(*ring));
-    engine::Engine engine(*ring, options_.limits, {}, {options_.undoable, false});
+    std::unique_ptr<engine::Engine> own;
+    std::unique_ptr<engine::Engine>& owner = options_.engine != nullptr ? *options_.engine : own;
+    owner = std::make_unique<engine::Engine>(*ring, options_.limits, engine::RebasePolicy{},
+                                             engine::HistoryPolicy{options_.undoable, false});
+    engine::Engine& engine = *owner;
     Outcome outcome = options_.older_steps != nullptr ? take_older_steps(engine) : begin_log(*header, *ring);
     if (outcome == Outcome::done) {
       outcome = all_steps(engine);

@@ -74,6 +74,7 @@ Result<std::optional<ops::Operation>> ScriptReader::next() {
   if (!operation) {
     return Error{operation.error().code, place() + operation.error().what};
   }
+  lines_.drop();  // a mesh is one line: what is read of it takes enough
   return std::optional{std::move(*operation)};
 }
 

@@ -1,5 +1,6 @@
 #include "replay/text/byte_source.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace sesame::replay {
@@ -90,6 +91,17 @@ void ByteSource::make_room() {
   if (end_ > capacity / 2) {
     words_.resize(2 * words_.size());
   }
+}
+
+void ByteSource::shrink() {
+  constexpr std::size_t large = std::size_t{1} << 20;
+  if (words_.size() * sizeof(std::uint64_t) < large || end_ - begin_ >= large / 2) {
+    return;
+  }
+  make_room();
+  std::vector<std::uint64_t> words(std::max(first_window, end_ + sizeof(std::uint64_t)) / sizeof(std::uint64_t));
+  std::memcpy(words.data(), words_.data(), end_);
+  words_.swap(words);
 }
 
 Result<bool> ByteSource::more() {

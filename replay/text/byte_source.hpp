@@ -39,6 +39,8 @@ class ByteSource {
   [[nodiscard]] std::string_view window() const { return {bytes() + begin_, end_ - begin_}; }
   /// Removes the first `count` bytes of the window.
   void consume(std::size_t count) { begin_ += count; }
+  /// Gives back most of the room that a large window has taken, when what is left of it is small. The window moves.
+  void shrink();
   /// Adds bytes to the window, as many as there are without waiting, one at least; false at the end of the input.
   /// Errors: io when the input cannot be read; bad_input when gzip data are damaged or cut off.
   Result<bool> more();

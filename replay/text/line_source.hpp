@@ -33,6 +33,8 @@ class LineSource {
   /// The next line without its line feed, the first one without a byte order mark; nothing at the end. Valid until the
   /// next one is read. Errors: those of the source; bad_input, with its place, when a line is too long.
   Result<std::optional<std::string_view>> next();
+  /// Gives back the memory that the line read last has taken, if it was a long one; then it is not valid any more.
+  void drop() { source_.shrink(); }
   /// The line read last, or that could not be read, counted from 1.
   [[nodiscard]] std::uint64_t line() const { return line_; }
   /// `NAME:LINE: ` of the line read last.

@@ -87,6 +87,27 @@ TEST_CASE("an error says where it is, before what it is", "[replay]") {
   CHECK(reader.place() == "s.jsonl:3: ");
 }
 
+TEST_CASE("lines of any length follow each other", "[replay]") {
+  const auto complex = [](const std::string& name, int cells) {
+    std::string line = R"({"op":"complex","name":")" + name + R"(","cells":[)";
+    for (int k = 0; k < cells; ++k) {
+      line += (k == 0 ? R"({"id":")" : R"(,{"id":")") + std::to_string(k) + R"("})";
+    }
+    return line + "]}";
+  };
+  // The long ones take more than a mebibyte, and give it back.
+  const std::string text = header_line + "\n" + complex("K", 3) + "\n" + complex("L", 100'000) + "\n" + vertex_a +
+                           "\n" + complex("M", 200'000) + "\n" + complex("N", 70'000);
+  const auto seen = read_text(text);
+  REQUIRE(seen.size() == 6);
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    CHECK((seen[k] == std::to_string(k + 1) + " " + text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+}
+
 TEST_CASE("a script without an object is called empty", "[replay]") {
   for (const std::string text : {"", "\n", "# only a comment", "\r\n\r\n#\n", "\xEF\xBB\xBF"}) {
     CAPTURE(text);

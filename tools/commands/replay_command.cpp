@@ -39,6 +39,7 @@ class PromptedInput final : public replay::ByteInput {
 };
 
 struct Arguments {
+  std::unique_ptr<engine::Engine> engine;  ///< of the replay, once there is one: as long as the command
   std::string file;
   std::string ring;
   std::uint64_t until = 0;
@@ -121,7 +122,7 @@ Result<Script> as_script(replay::ByteSource source, const Arguments& arguments) 
   if (!arguments.quiet) {
     std::cerr << fmt::format("{}: read as a list of facets: {} facets, in one insertion\n", name, facets->size());
   }
-  const std::string script = script_of(std::move(*facets), "Z", name, replay::FacetSteps::one);
+  const std::string script = script_of(*facets, "Z", name, replay::FacetSteps::one);
   return Script{replay::ByteSource::of_text(script, name + " as a script"), true};
 }
 
@@ -142,7 +143,7 @@ int close_log(LogFile* log, const std::string& path, Outcome outcome, bool goes_
   return static_cast<int>(outcome);
 }
 
-int run_replay(const Arguments& arguments) {
+int run_replay(Arguments& arguments) {
   replay::ReplayOptions options;
   if (!arguments.ring.empty()) {
     Result<sparse::AnyRing> ring = sparse::parse_ring(arguments.ring);
@@ -200,6 +201,7 @@ int run_replay(const Arguments& arguments) {
   options.limits.cells_of_explicit_cone = arguments.explicit_cones;
   options.undoable = arguments.undoable;
   options.generators = arguments.generators;
+  options.engine = &arguments.engine;
   options.stop = &stop_requested();
   options.keep_going = arguments.keep_going || is_prompted(arguments);
   options.notes = arguments.quiet ? nullptr : &std::cerr;
