@@ -220,9 +220,12 @@ TEST_CASE("an experiment says how cost grows, and counts do not depend on the ma
     CHECK(scaling.remark.empty());
     CHECK(std::ranges::is_sorted(scaling.points, {}, &ScalingPoint::x));
     REQUIRE(fit_times(scaling, &Latency::mean).has_value());
-    REQUIRE(fit_counts(scaling).has_value());
-    // What generators cost grows with their length, and splits of the same place cost more each time.
-    if (!experiment.with_generators && experiment.name != "history of splits") {
+    const bool is_counted = experiment.name != "homology: products";  // the boundary of a product is none of the counts
+    REQUIRE(fit_counts(scaling).has_value() == is_counted);
+    // What generators cost grows with their length, and splits of the same place cost more each time; the coefficients
+    // of a class are not counted.
+    if (is_counted && !experiment.with_generators && experiment.name != "history of splits" &&
+        experiment.name != "homology: classes") {
       CHECK(fit_counts(scaling)->exponent == Approx(experiment.expected).margin(0.05));
     }
   }

@@ -79,6 +79,12 @@ void add_editing(std::vector<Scenario>& list) {
       edited("graph-300-undo", "the same, and hundreds of steps are undone at times", 300, true, {20'000, 900}));
   list.push_back(
       edited("graph-3000", "3000 edges, whose vertices are glued and split at random", 3000, false, {20'000, 0}));
+  list.push_back(edited("graph-100000", "100000 edges, made, and then vertices glued and split at random", 100'000,
+                        false, {150'000, 0}));
+  Scenario over_field = edited("graph-120-mod-2", "120 edges, whose vertices are glued and split at random, over Z/2",
+                               120, false, {20'000, 300});
+  over_field.ring = "Z/2";
+  list.push_back(std::move(over_field));
   const GraphContraction contraction(2000, 1);
   list.push_back(scenario("contracted-graph",
                           "edges inserted between 2000 vertices, and one step in ten a collapse of one",

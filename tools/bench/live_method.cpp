@@ -26,7 +26,8 @@ class LiveMethod final : public Method {
     return {{"boundary_entries", work.boundary_entries},
             {"rewritten_terms", work.rewritten_terms},
             {"rule_terms", work.rule_terms},
-            {"path_links", work.path_links}};
+            {"path_links", work.path_links},
+            {"rebases", engine_.rebases()}};
   }
 
  private:
