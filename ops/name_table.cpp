@@ -55,9 +55,9 @@ std::uint32_t NameTable::number_of(std::string_view text, std::uint32_t hash) co
 static_assert(sparse::HashIndex::nothing == none);
 
 void NameTable::add(std::string_view text, CellId cell, BodyId body, TypeId standard) {
-  const std::uint32_t hash = hash_of(text);
-  sparse::expects(find(text, hash) == nullptr, "a plan's new names are free");
-  index_.insert(key(hash), size());
+  const bool is_new =
+      index_.insert_new(key(hash_of(text)), size(), [&](std::uint32_t each) { return names_[each].text == text; });
+  sparse::expects(is_new, "a plan's new names are free");
   names_.push_back({std::string{text}, cell, body, standard});
 }
 

@@ -58,11 +58,30 @@ class HashIndex {
 
   /// Requires: the number is not there under this hash.
   void insert(std::uint64_t hash, std::uint32_t number) {
-    if (tables_.empty() && size_ == most_in_one_table) {
-      divide();
-    }
+    make_room_for_one();
     table_of(hash).insert((hash & tag_mask) | number);
     ++size_;
+  }
+
+  /// The same, unless is_it(other) holds for a number that is there under this hash. Returns whether it was inserted.
+  template <class IsIt>
+  bool insert_new(std::uint64_t hash, std::uint32_t number, IsIt&& is_it) {
+    make_room_for_one();
+    Table& table = table_of(hash);
+    table.make_room_for_one();
+    const std::uint64_t tag = hash & tag_mask;
+    for (std::size_t at = table.home(hash);; at = (at + 1) & table.mask) {
+      std::uint64_t& entry = table.entries[at];
+      if (entry == empty) {
+        entry = tag | number;
+        ++table.size;
+        ++size_;
+        return true;
+      }
+      if ((entry & tag_mask) == tag && is_it(static_cast<std::uint32_t>(entry))) {
+        return false;
+      }
+    }
   }
 
   /// Requires: the number is there under this hash.
@@ -106,10 +125,13 @@ class HashIndex {
       }
       entries[at] = entry;
     }
-    void insert(std::uint64_t entry) {
+    void make_room_for_one() {
       if (2 * (size + 1) > entries.size()) {
         rebuild(std::max(least_entries, 2 * entries.size()));
       }
+    }
+    void insert(std::uint64_t entry) {
+      make_room_for_one();
       place(entry);
       ++size;
     }
@@ -126,6 +148,11 @@ class HashIndex {
     }
   };
 
+  void make_room_for_one() {
+    if (tables_.empty() && size_ == most_in_one_table) {
+      divide();
+    }
+  }
   [[nodiscard]] static std::size_t room_for(std::size_t numbers) {
     return std::max(least_entries, std::bit_ceil(2 * numbers));
   }

@@ -216,7 +216,8 @@ Status plan_complex(const MakeComplex& operation, const Structure& structure, co
   }
   std::string full = operation.name + ".";
   const std::size_t base = full.size();
-  for (std::uint32_t k = 0; k < operation.cells.size(); ++k) {
+  const bool are_free = is_free_beginning(full, structure, operation.cells.size());
+  for (std::uint32_t k = 0; !are_free && k < operation.cells.size(); ++k) {
     full.replace(base, std::string::npos, operation.cells.id(k));
     if (structure.is_name_taken(full)) {
       return Error{Errc::bad_input,

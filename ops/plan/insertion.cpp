@@ -91,6 +91,7 @@ class InsertPlanner {
     AbstractChange& change = plan.abstract.emplace();
     plan.first = structure_.cells().size();
     CellId next = plan.first;
+    const bool are_free = is_free_beginning("{", structure_, static_cast<std::size_t>(count_));
     for (std::size_t p = 0; p < layers_.size(); ++p) {
       Layer& layer = layers_[p];
       const TypeId type = structure_.types().simplex(static_cast<int>(p));
@@ -110,7 +111,7 @@ class InsertPlanner {
           change.vertices.push_back(labels_[position].vertex);
         }
         write_name(simplex, plan.names);
-        if (const auto own = std::string_view{plan.names}.substr(first_of_name); is_taken(own)) {
+        if (const auto own = std::string_view{plan.names}.substr(first_of_name); !are_free && is_taken(own)) {
           return Error{
               Errc::bad_input,
               fmt::format("the name \"{}\", which a new cell would have, is in use: choose other labels", own)};

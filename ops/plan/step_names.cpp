@@ -101,6 +101,15 @@ Status check_new_name(const std::string& name, const Structure& structure) {
   return Done{};
 }
 
+bool is_free_beginning(std::string_view beginning, const Structure& structure, std::size_t most) {
+  const NameTable& names = structure.directory().names();
+  bool is_free = names.size() <= most;
+  for (std::uint32_t number = 0; is_free && number < names.size(); ++number) {
+    is_free = !names[number].text.starts_with(beginning);
+  }
+  return is_free;
+}
+
 Status check_new_apex(const std::string& name, const Structure& structure) {
   if (Status s = check_new_name(name, structure); !s) {
     return s;

@@ -2,7 +2,9 @@
 /// The names in a step: what those denote that should exist, and whether those are free that it gives.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "ops/cells/structure.hpp"
 #include "sparse/result.hpp"
@@ -19,6 +21,9 @@ namespace sesame::ops {
 
 /// May a cell or a body be given this name? Errors: bad_input, as for those below.
 Status check_new_name(const std::string& name, const Structure& structure);
+/// Whether no name is in use that begins with a text, as far as is seen by looking at `most` names: those of faces and of
+/// cells of families begin with a name that was given. For steps that give many names; false decides nothing.
+[[nodiscard]] bool is_free_beginning(std::string_view beginning, const Structure& structure, std::size_t most);
 /// May an apex, after which cells of its cone are named?
 Status check_new_apex(const std::string& name, const Structure& structure);
 /// May a lazy family, whose cells' names all begin with it and are not looked up one by one?

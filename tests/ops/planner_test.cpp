@@ -210,6 +210,25 @@ TEST_CASE("deep and malicious listings neither overflow the stack nor take long"
   CHECK(shop.structure().counts()[1] == 20'000);
 }
 
+TEST_CASE("cells made in one step cannot have names that are in use, whatever others there are", "[ops]") {
+  const int others = GENERATE(0, 1, 60);
+  CAPTURE(others);
+  Workshop shop;
+  shop.build({R"({"op":"simplex","name":"K.b","dim":1})", R"({"op":"simplex","name":"Kc","dim":0})",
+              R"({"op":"simplex","name":"{u}","dim":0})"});
+  for (int k = 0; k < others; ++k) {
+    REQUIRE(shop.apply(MakeSimplex{"p" + std::to_string(k), 0, {}}));
+  }
+  for (const std::string taken : {"b", "b.0", "b.1"}) {
+    MakeComplex complex{"K", {{"a", {}, {}, {}}, {taken, {}, {}, {}}, {"c", {}, {}, {}}, {"d", {}, {}, {}}}};
+    CHECK_THAT(refused(shop, complex).what, Contains("the name \"K." + taken + "\" is in use"));
+  }
+  CHECK_THAT(refused(shop, Insert{{{"v"}, {"u"}, {"w"}, {"x"}, {"y"}}, true}).what,
+             Contains("the name \"{u}\", which a new cell would have, is in use"));
+  CHECK(shop.apply(MakeComplex{"K", {{"a", {}, {}, {}}, {"c", {}, {}, {}}, {"b.2", {}, {}, {}}, {"e", {}, {}, {}}}}));
+  CHECK(shop.apply(Insert{{{"v"}, {"w"}, {"x"}, {"y"}}, true}));
+}
+
 TEST_CASE("the order of a listing does not matter for what is made", "[ops]") {
   const Operation straight = operation(triangle_with(R"({"id":"T","faces":["bc","ac","ab"]})"));
   const MakeComplex shuffled{"K", std::get<MakeComplex>(straight).cells.reversed()};

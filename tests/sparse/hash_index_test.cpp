@@ -23,11 +23,21 @@ TEST_CASE("HashIndex: finds what a map from keys finds, whatever was erased", "[
     const std::uint64_t key = below(random, 300);
     const auto found = twin.find(key);
     REQUIRE(find(key) == (found == twin.end() ? HashIndex::nothing : found->second));
+    const auto insert_new = [&] {
+      return index.insert_new(hash_of(key), static_cast<std::uint32_t>(keys.size() - 1),
+                              [&](std::uint32_t number) { return keys[number] == key; });
+    };
     if (found == twin.end()) {
       keys.push_back(key);
       const auto number = static_cast<std::uint32_t>(keys.size() - 1);
-      index.insert(hash_of(key), number);
+      if (below(random, 2) == 0) {
+        index.insert(hash_of(key), number);
+      } else {
+        REQUIRE(insert_new());
+      }
       twin.emplace(key, number);
+    } else if (below(random, 4) == 0) {
+      REQUIRE(!insert_new());
     } else if (below(random, 3) != 0) {
       index.erase(hash_of(key), found->second);
       twin.erase(found);
