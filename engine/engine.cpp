@@ -249,9 +249,10 @@ Result<Barcode> Engine::barcode() const {
     return Error{Errc::refused,
                  "there is no barcode: only the last " + std::to_string(history_.undoable) + " steps are kept"};
   }
-  for (std::size_t k = 0; k < numbers_.size(); ++k) {
+  const std::vector<std::uint64_t> numbers = numbers_.all();
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
     if (const char* reason = why_no_map(workspace_.steps()[k].kind); reason != nullptr) {
-      return Error{Errc::refused, "there is no barcode: step " + std::to_string(numbers_[k]) + " " + reason};
+      return Error{Errc::refused, "there is no barcode: step " + std::to_string(numbers[k]) + " " + reason};
     }
   }
   Barcode barcode;
@@ -259,8 +260,8 @@ Result<Barcode> Engine::barcode() const {
     if (life.born == life.died) {
       continue;  // born and dead within one step: no class of any space; two steps never have one time
     }
-    const Time death = life.died == Lifetime::never ? never : Time{numbers_[life.died]};
-    barcode.bars.push_back({life.degree, numbers_[life.born], death});
+    const Time death = life.died == Lifetime::never ? never : Time{numbers[life.died]};
+    barcode.bars.push_back({life.degree, numbers[life.born], death});
   }
   std::sort(barcode.bars.begin(), barcode.bars.end());
   return barcode;
@@ -290,7 +291,7 @@ Result<StepReport> Engine::take_back(const ops::Undo& operation) {
   if (Status status = workspace_.take_back(operation.steps); !status) {
     return status.error();
   }
-  numbers_.erase(numbers_.end() - static_cast<std::ptrdiff_t>(operation.steps), numbers_.end());
+  numbers_.pop_back(operation.steps);
   equivalences_.undo(operation.steps);
   report.after = ops::now(structure());
   return report;

@@ -14,6 +14,7 @@
 
 #include "engine/equivalences.hpp"
 #include "engine/homology_tracker.hpp"
+#include "engine/step_numbers.hpp"
 #include "engine/towers/barcode.hpp"
 #include "ops/cells/structure.hpp"
 #include "ops/plan/step_sequence.hpp"
@@ -124,6 +125,8 @@ class Engine {
   /// The generators of H_p one after another, as HomologyTracker::visit_generators. The cells of products and cones
   /// that are written out for one are forgotten before the next, so memory is that of one; chains are not to be kept.
   void visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit);
+  /// The class of a chain, if it is a cycle, and what it bounds. Cost: its expansion in S, and a coefficient for each
+  /// generator of its degree; of the first one after a step, an elimination of the core too.
   [[nodiscard]] ClassAnswer classify(const CellChain& chain) { return equivalences_.now().classify(chain); }
   /// F, G, K and the boundaries, applied to chains: see HomologyTracker.
   [[nodiscard]] HomologyTracker& maps() { return equivalences_.now(); }
@@ -172,9 +175,9 @@ class Engine {
   Equivalences equivalences_;
   HistoryPolicy history_;
   std::deque<ops::Operation> log_;
-  std::uint64_t applied_ = 0;          ///< operations
-  std::deque<std::uint64_t> numbers_;  ///< of these, from 1, the steps that can be undone
-  bool has_forgotten_ = false;         ///< steps that could be undone
+  std::uint64_t applied_ = 0;   ///< operations
+  StepNumbers numbers_;         ///< of these, from 1, the steps that can be undone
+  bool has_forgotten_ = false;  ///< steps that could be undone
   std::vector<Observer> observers_;
   bool is_broken_ = false;  ///< a step began and has not come to its end
 };

@@ -52,7 +52,7 @@ Moment Workspace::before(std::size_t step) const {
 }
 
 void Workspace::carry_out() {
-  steps_.push_back({structure_.journal().end(), plan_.kind()});
+  steps_.emplace_back(structure_.journal().end(), plan_.kind());
   structure_.apply(plan_);
 }
 

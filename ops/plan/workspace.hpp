@@ -15,10 +15,12 @@ namespace sesame::ops {
 /// Plans steps, carries them out and takes them back. What a step is, is said once, here: everybody else reads it.
 class Workspace {
  public:
-  /// A step that is not taken back.
+  /// A step that is not taken back, in one word.
   struct Step {
-    Journal::Position begin;  ///< its events come from here on
-    StepKind kind;
+    static constexpr Journal::Position largest = (Journal::Position{1} << 56) - 1;
+    Step(Journal::Position position, StepKind what) : begin{position & largest}, kind{what} {}
+    Journal::Position begin : 56;  ///< its events come from here on
+    StepKind kind : 8;
   };
 
   explicit Workspace(const Limits& limits = {}) : planner_{structure_, limits} {}
@@ -39,7 +41,7 @@ class Workspace {
   /// Does what is planned, as a step. Requires: nothing has happened since it was planned. Cost: the size of the plan.
   void carry_out();
   /// A step that does nothing to the object.
-  void pass() { steps_.push_back({structure_.journal().end(), StepKind::nothing}); }
+  void pass() { steps_.emplace_back(structure_.journal().end(), StepKind::nothing); }
 
   /// Those that can be taken back, oldest first.
   [[nodiscard]] const std::deque<Step>& steps() const { return steps_; }
