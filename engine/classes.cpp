@@ -22,6 +22,15 @@ Homology Classes<R>::homology(std::size_t dimensions) {
 }
 
 template <Ring R>
+std::shared_ptr<const Group<R>> Classes<R>::group(int degree) {
+  std::shared_ptr<const Group<R>>& known = known_[degree];
+  if (known == nullptr) {
+    known = std::make_shared<const Group<R>>(groups_.of(degree));
+  }
+  return known;
+}
+
+template <Ring R>
 void Classes<R>::visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit) {
   KnownTraces<R> known;
   const auto write_out = [&](int p, const Terms<R, Symbol>& symbols, CellChain& chain, std::uint64_t& terms) {
@@ -34,7 +43,8 @@ void Classes<R>::visit_generators(int degree, std::uint64_t most_terms, const Ge
       chain = chains_.f(p, lift);
     }
   };
-  groups_.of(degree).for_each_generator(ring_, [&](const GroupGenerator<R>& found) {
+  const std::shared_ptr<const Group<R>> group = this->group(degree);
+  group->for_each_generator(ring_, [&](const GroupGenerator<R>& found) {
     Generator generator;
     generator.degree = degree;
     generator.order = found.order;
@@ -54,7 +64,7 @@ ClassAnswer Classes<R>::classify(const CellChain& chain) {
   }
   answer.is_cycle = true;
   const Terms<R, GeneratorId> z = chains_.g(chain);
-  auto [coefficients, rest_bounds] = groups_.of(chain.degree).class_of(ring_, rewriter_.rewrite(z));
+  auto [coefficients, rest_bounds] = group(chain.degree)->class_of(ring_, rewriter_.rewrite(z));
   answer.coefficients = std::move(coefficients);
   answer.is_zero = std::all_of(answer.coefficients.begin(), answer.coefficients.end(),
                                [](const Rational& a) { return a.is_zero(); });
