@@ -78,6 +78,7 @@ std::vector<CellId> LiveEquivalence<R>::current_cells() const {
 
 template <Ring R>
 bool LiveEquivalence<R>::extend(std::uint64_t budget) {
+  classes_.forget_groups();
   rewriter_.set_budget(window_.has_splits() ? budget : unlimited);
   try {
     take_in_step();
@@ -135,7 +136,7 @@ void LiveEquivalence<R>::take_in_step() {
   if (first_move != ops::none) {
     expects(first_copy != ops::none, "incidences move to copies made in the same step");
     const std::vector<GeneratorId> changed =
-        big_.split(first_copy, structure_.splits().moves().subspan(first_move, last_move - first_move + 1));
+        big_.split(first_copy, {first_move, last_move + 1});
     if (!changed.empty()) {
       rewriter_.perturb(time, first_copy, changed);
     }
@@ -182,6 +183,7 @@ void LiveEquivalence<R>::forget_oldest_mark() {
 
 template <Ring R>
 void LiveEquivalence<R>::go_back_to(const Mark& mark) {
+  classes_.forget_groups();
   rewriter_.undo(mark.rewriter);
   big_.truncate(mark.big);
   frozen_.truncate(mark.frozen);

@@ -131,7 +131,7 @@ void BigComplex<R>::append_column(GeneratorId generator) {
 // --------------------------------------------------------------------------------------------------- de-identification
 
 template <Ring R>
-std::vector<GeneratorId> BigComplex<R>::split(GeneratorId first, std::span<const ops::SplitHistory::MadeMove> moves) {
+std::vector<GeneratorId> BigComplex<R>::split(GeneratorId first, ops::MoveRange moves) {
   Changes changes = gains_of_moves(first, moves);
   shift_basis(first, moves, changes);
   std::vector<GeneratorId> changed;
@@ -151,10 +151,10 @@ std::vector<GeneratorId> BigComplex<R>::split(GeneratorId first, std::span<const
 
 /// What boundaries gain by moves in the basis as it was.
 template <Ring R>
-typename BigComplex<R>::Changes BigComplex<R>::gains_of_moves(GeneratorId first,
-                                                              std::span<const ops::SplitHistory::MadeMove> moves) {
+typename BigComplex<R>::Changes BigComplex<R>::gains_of_moves(GeneratorId first, ops::MoveRange moves) {
   std::map<CellId, RawTerms<R, GeneratorId>> gathered;  // per cell: what its boundary gains
-  for (const ops::SplitHistory::MadeMove& move : moves) {
+  for (std::uint32_t number = moves.begin; number < moves.end; ++number) {
+    const ops::SplitHistory::MadeMove move = structure_.splits().move(number);
     const int sign = structure_.faces().sign(move.cell, move.slot);
     gathered[move.cell].push_back({generators_.of(move.after), ring_.from(sign)});
   }
@@ -195,13 +195,13 @@ void BigComplex<R>::add_gains(CellId cell, const Terms<R, GeneratorId>& gain, Ge
 
 /// Changes the basis where that saves changing boundaries.
 template <Ring R>
-void BigComplex<R>::shift_basis(GeneratorId first, std::span<const ops::SplitHistory::MadeMove> moves,
-                                Changes& changes) {
+void BigComplex<R>::shift_basis(GeneratorId first, ops::MoveRange moves, Changes& changes) {
   MoveSet made;
   std::set<std::pair<CellId, CellId>> candidates;
-  for (const ops::SplitHistory::MadeMove& move : moves) {
+  for (std::uint32_t number = moves.begin; number < moves.end; ++number) {
+    const ops::SplitHistory::MadeMove move = structure_.splits().move(number);
     made.emplace(move.cell, move.slot, move.after);
-    if (const CellId before = window_.known(move.before); !window_.is_lazy(before)) {
+    if (const CellId before = window_.known(structure_.splits().face_before(number)); !window_.is_lazy(before)) {
       candidates.emplace(before, move.after);
     }
   }

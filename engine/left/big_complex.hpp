@@ -77,7 +77,7 @@ class BigComplex {
   GeneratorId append_copy(CellId copy);
   /// The boundaries of old generators gain what the moves of a de-identification give them, in the generators from
   /// `first` on, those of the copies. Returns the generators whose boundaries have changed.
-  std::vector<GeneratorId> split(GeneratorId first, std::span<const ops::SplitHistory::MadeMove> moves);
+  std::vector<GeneratorId> split(GeneratorId first, ops::MoveRange moves);
 
   /// Begins to remember the columns that get an entry at the generator of a cell: it may come up where none of those
   /// who have the cell as a face or were removed next to it are appended.
@@ -101,10 +101,10 @@ class BigComplex {
   void begin_column();
   void add_to_column(CellId cell, int sign);
   void append_column(GeneratorId generator);
-  [[nodiscard]] Changes gains_of_moves(GeneratorId first, std::span<const ops::SplitHistory::MadeMove> moves);
+  [[nodiscard]] Changes gains_of_moves(GeneratorId first, ops::MoveRange moves);
   void add_gains(CellId cell, const Terms<R, GeneratorId>& gain, GeneratorId first, Changes& changes,
                  typename Families<R>::Gains& of_lazy) const;
-  void shift_basis(GeneratorId first, std::span<const ops::SplitHistory::MadeMove> moves, Changes& changes);
+  void shift_basis(GeneratorId first, ops::MoveRange moves, Changes& changes);
   [[nodiscard]] bool moves_wholly(CellId node, CellId copy, const MoveSet& moves) const;
   void add_changes_of_shift(CellId node, CellId copy, GeneratorId first, Changes& changes) const;
   [[nodiscard]] std::vector<GeneratorId> columns_with(GeneratorId generator) const;

@@ -95,7 +95,7 @@ class Window {
   }
 
   /// Whether there have been copies or moves.
-  [[nodiscard]] bool has_splits() const { return copies() > 0 || structure_->splits().moves().size() > begin_.moves; }
+  [[nodiscard]] bool has_splits() const { return copies() > 0 || structure_->splits().moves() > begin_.moves; }
   [[nodiscard]] std::uint32_t copies() const { return structure_->splits().copies() - begin_.copies; }
   /// What c is a copy of, or null.
   [[nodiscard]] const Copy* copy(CellId c) const { return is_first(c) ? nullptr : structure_->splits().copy(c); }

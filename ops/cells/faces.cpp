@@ -5,7 +5,7 @@ namespace sesame::ops {
 OrientedCell Faces::at(CellId c, std::uint32_t k, const Moment& moment) const {
   CellId node = cells_.faces(c)[k];
   int sign = sign_as_created(c, k);
-  if (const MadeMove* made = splits_.last_move_of(c, k, moment.moves)) {
+  if (const auto made = splits_.last_move_of(c, k, moment.moves)) {
     node = made->after;
     sign = sign_after(*made);
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sparse/contract.hpp"
+
 namespace sesame::ops {
 namespace {
 
@@ -50,37 +52,50 @@ void SplitHistory::add_row(CellId cell, std::span<const CellId> faces) {
   rows_.push_back({cell, static_cast<std::uint32_t>(faces_.size()), arity});
   for (const CellId face : faces) {
     faces_.push_back(face);
+    first_faces_.push_back(face);
     last_moves_.push_back(none);
   }
 }
 
 void SplitHistory::record(const Move& move, LinkId links) {
-  const auto number = static_cast<std::uint32_t>(moves_.size());
+  sparse::expects(move.slot <= UINT8_MAX, "a cell has few faces: see Limits::cells_of_standard");
+  const std::uint32_t number = moves();
   const std::uint32_t at = rows_[row_of(move.cell)].first + move.slot;
   const std::uint32_t previous_onto = last_move_onto(move.to);
-  const CellId before = std::exchange(faces_[at], move.to);
-  const OrderId order_before = std::exchange(orders_[at], move.order);
-  moves_.push_back({move.cell, move.slot, before, move.to, links, order_before, move.order,
-                    std::exchange(last_moves_[at], number), previous_onto});
+  faces_[at] = move.to;
+  orders_[at] = move.order;
+  moves_.push_back({move.cell, move.to, links, std::exchange(last_moves_[at], number), previous_onto});
+  slots_.push_back(static_cast<std::uint8_t>(move.slot));
+  if (move.order != same_order) {
+    orders_after_.emplace(number, move.order);
+  }
   replace(last_moves_onto_, hash_of(move.to), previous_onto, number);
 }
 
 void SplitHistory::undo_last_move() {
-  const MadeMove made = moves_.back();
-  replace(last_moves_onto_, hash_of(made.after), static_cast<std::uint32_t>(moves_.size() - 1), made.previous_onto);
-  moves_.pop_back();
+  const std::uint32_t number = moves() - 1;
+  const Record made = moves_.back();
   const std::uint32_t row = row_of(made.cell);
   const Row of = rows_[row];
-  faces_[of.first + made.slot] = made.before;
-  orders_[of.first + made.slot] = made.order_before;
-  last_moves_[of.first + made.slot] = made.previous;
+  const std::uint32_t at = of.first + slots_.back();
+  faces_[at] = face_before(number);
+  orders_[at] = made.previous != none ? order_after(made.previous) : first_orders_[at];
+  last_moves_[at] = made.previous;
+  replace(last_moves_onto_, hash_of(made.after), number, made.previous_onto);
+  orders_after_.erase(number);
+  moves_.pop_back();
+  slots_.pop_back();
   // A row begins with the first move of its cell, so the last row goes first.
   if (std::all_of(last_moves_.begin() + of.first, last_moves_.begin() + of.first + of.arity,
-                  [](std::uint32_t number) { return number == none; })) {
+                  [](std::uint32_t last) { return last == none; })) {
     row_index_.erase(hash_of(of.cell), row);
     rows_.pop_back();
-    faces_.truncate(of.first);
-    orders_.truncate(of.first);
+    for (auto* list : {&faces_, &first_faces_}) {
+      list->truncate(of.first);
+    }
+    for (auto* list : {&orders_, &first_orders_}) {
+      list->truncate(of.first);
+    }
     last_moves_.truncate(of.first);
   }
 }

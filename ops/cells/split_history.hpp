@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <unordered_map>
 
 #include "ops/cells/moment.hpp"
 #include "ops/cells/plan.hpp"
@@ -15,9 +16,14 @@
 
 namespace sesame::ops {
 
+/// Moves by their numbers, from `begin` to before `end`.
+struct MoveRange {
+  std::uint32_t begin, end;
+};
+
 /// Which cells are copies of which, and what faces cells have had. Append-only but for undo, the last one first.
-/// Cost of every query and change: O(1) or as said, without pauses for tables that grow. Memory: 36 bytes a copy, 36 a
-/// move, 12 for each face of a cell with moved ones, and an entry in a table or two for each.
+/// Cost of every query and change: O(1) or as said, without pauses for tables that grow. Memory: 36 bytes a copy, 21 a
+/// move, 20 for each face of a cell with moved ones, and an entry in a table or two for each.
 class SplitHistory {
  public:
   /// A copy: made of `source` at a moment.
@@ -26,15 +32,13 @@ class SplitHistory {
     Moment moment;
     std::uint32_t previous = none;  ///< the number of the copy that was made of the same source before
   };
-  /// A move as it happened: face `slot` of `cell` was `before` and became `after` when there were `links` removals.
+  /// A move as it happened: face `slot` of `cell` became `after`, in an order, when there were `links` removals.
   struct MadeMove {
     CellId cell;
     std::uint32_t slot;
-    CellId before, after;
+    CellId after;
     LinkId links;
-    OrderId order_before, order_after;
-    std::uint32_t previous = none;       ///< the number of the move of the same face before
-    std::uint32_t previous_onto = none;  ///< of the one that ended at the same node before
+    OrderId order_after;
   };
   /// The faces of a cell some of which have moved, as they are now, and their orders. Valid until the next change.
   struct MovedFaces {
@@ -62,11 +66,22 @@ class SplitHistory {
   }
 
   // ---- moves
-  [[nodiscard]] std::span<const MadeMove> moves() const { return {moves_.begin(), moves_.size()}; }
-  /// The last move of face k of a cell among the first `moves` ones, or null. Cost: the moves of the face since then.
-  [[nodiscard]] const MadeMove* last_move_of(CellId c, std::uint32_t k, std::uint32_t moves) const {
+  [[nodiscard]] std::uint32_t moves() const { return static_cast<std::uint32_t>(moves_.size()); }
+  [[nodiscard]] MadeMove move(std::uint32_t number) const {
+    const Record& record = moves_[number];
+    return {record.cell, slots_[number], record.after, record.links, order_after(number)};
+  }
+  /// What the face was before a move.
+  [[nodiscard]] CellId face_before(std::uint32_t number) const {
+    const Record& record = moves_[number];
+    return record.previous != none ? moves_[record.previous].after
+                                   : first_faces_[rows_[row_of(record.cell)].first + slots_[number]];
+  }
+  /// The last move of face k of a cell among the first `moves` ones, if there is one. Cost: the moves of the face since
+  /// then.
+  [[nodiscard]] std::optional<MadeMove> last_move_of(CellId c, std::uint32_t k, std::uint32_t moves) const {
     const std::uint32_t number = last_number_of(c, k, moves);
-    return number == none ? nullptr : &moves_[number];
+    return number == none ? std::nullopt : std::optional{move(number)};
   }
   /// Calls visit(move) for the moves of face k of a cell whose numbers are in [first, last), in order.
   /// Cost: the moves of the face since the first of them.
@@ -78,7 +93,7 @@ class SplitHistory {
       numbers.push_back(number);
     }
     for (; !numbers.empty(); numbers.pop_back()) {
-      visit(moves_[numbers.back()]);
+      visit(move(numbers.back()));
     }
   }
   /// Calls visit(move) for the moves that ended at a node, as far as they are none of the first `since` ones, the
@@ -87,7 +102,7 @@ class SplitHistory {
   void for_each_move_onto(CellId node, std::uint32_t since, Visit&& visit) const {
     for (std::uint32_t number = last_move_onto(node); number != none && number >= since;
          number = moves_[number].previous_onto) {
-      visit(moves_[number]);
+      visit(move(number));
     }
   }
   /// Nothing when no face of c has moved.
@@ -107,6 +122,7 @@ class SplitHistory {
       add_row(move.cell, faces);
       for (std::uint32_t k = 0; k < faces.size(); ++k) {
         orders_.push_back(order(k));
+        first_orders_.push_back(order(k));
       }
     }
     record(move, links);
@@ -114,6 +130,13 @@ class SplitHistory {
   void undo_last_move();
 
  private:
+  /// What is not rare of a move.
+  struct Record {
+    CellId cell, after;
+    LinkId links;
+    std::uint32_t previous;       ///< the number of the move of the same face before, or none
+    std::uint32_t previous_onto;  ///< of the one that ended at the same node before
+  };
   /// A cell with moved faces: where they are in the lists of these.
   struct Row {
     CellId cell;
@@ -135,6 +158,13 @@ class SplitHistory {
   [[nodiscard]] std::uint32_t last_move_onto(CellId node) const {
     return last_moves_onto_.find(hash_of(node), [&](std::uint32_t k) { return moves_[k].after == node; });
   }
+  [[nodiscard]] OrderId order_after(std::uint32_t number) const {
+    if (orders_after_.empty()) [[likely]] {
+      return same_order;
+    }
+    const auto known = orders_after_.find(number);
+    return known == orders_after_.end() ? OrderId{same_order} : known->second;
+  }
   [[nodiscard]] std::uint32_t last_number_of(CellId c, std::uint32_t k, std::uint32_t moves) const;
   void add_row(CellId cell, std::span<const CellId> faces);
   void record(const Move& move, LinkId links);
@@ -142,13 +172,15 @@ class SplitHistory {
   sparse::GrowingArray<Copy> copies_;
   sparse::HashIndex copy_index_;
   sparse::HashIndex last_copies_;  ///< of sources: the numbers of the copies that were made of them last
-  sparse::GrowingArray<MadeMove> moves_;
-  sparse::HashIndex last_moves_onto_;  ///< of nodes: the moves that ended at them last
+  sparse::GrowingArray<Record> moves_;
+  sparse::GrowingArray<std::uint8_t> slots_;                 ///< per move
+  std::unordered_map<std::uint32_t, OrderId> orders_after_;  ///< by move, where it is not the same
+  sparse::HashIndex last_moves_onto_;                        ///< of nodes: the moves that ended at them last
   // Cells that have moved incidences, in the order in which that began; and per face of theirs:
   sparse::GrowingArray<Row> rows_;
   sparse::HashIndex row_index_;
-  sparse::GrowingArray<CellId> faces_;
-  sparse::GrowingArray<OrderId> orders_;
+  sparse::GrowingArray<CellId> faces_, first_faces_;  ///< now, and as created
+  sparse::GrowingArray<OrderId> orders_, first_orders_;
   sparse::GrowingArray<std::uint32_t> last_moves_;
 };
 

@@ -86,8 +86,7 @@ class Structure {
   /// The number of current cells of each dimension, up to the largest that has one.
   [[nodiscard]] std::span<const std::uint64_t> counts() const;
   [[nodiscard]] Moment now() const {
-    return {cells_.size(),    forest_.links(),  static_cast<std::uint32_t>(splits_.moves().size()),
-            lazy_.families(), splits_.copies(), cells_.asked()};
+    return {cells_.size(), forest_.links(), splits_.moves(), lazy_.families(), splits_.copies(), cells_.asked()};
   }
   /// Whether c was a current cell of the object at a moment.
   [[nodiscard]] bool was_current(CellId c, const Moment& moment) const;

@@ -224,7 +224,7 @@ void Structure::make_move(const Move& move) {
   splits_.add_move(move, forest_.links(), cells_.faces(move.cell),
                    [&](std::uint32_t k) { return cells_.order(move.cell, k); });
   coface_index_.on_new_face(move.cell, move.to);
-  note(EventKind::move, splits_.moves().size() - 1);
+  note(EventKind::move, splits_.moves() - 1);
 }
 
 void Structure::join_bodies(BodyId a, BodyId b) {

@@ -42,9 +42,10 @@ void Structure::undo_last_removal() {
 }
 
 void Structure::undo_last_move() {
-  const SplitHistory::MadeMove made = splits_.moves().back();
+  const std::uint32_t last = splits_.moves() - 1;
+  const CellId cell = splits_.move(last).cell, before = splits_.face_before(last);
   splits_.undo_last_move();
-  coface_index_.on_new_face(made.cell, made.before);
+  coface_index_.on_new_face(cell, before);
 }
 
 void Structure::undo_last_event() {

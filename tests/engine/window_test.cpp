@@ -138,9 +138,9 @@ TEST_CASE("a window finds members, copies and places of a node as a look at ever
       }
     }
   }
-  const auto moves = structure.splits().moves();
-  for (std::size_t m = window.begin().moves; m < moves.size(); ++m) {
-    places[moves[m].after].emplace(moves[m].cell, moves[m].slot);
+  for (std::uint32_t m = window.begin().moves; m < structure.splits().moves(); ++m) {
+    const ops::SplitHistory::MadeMove move = structure.splits().move(m);
+    places[move.after].emplace(move.cell, move.slot);
   }
   for (const CellId node : nodes) {
     if (structure.is_current(node)) {

@@ -22,6 +22,7 @@ TEST_CASE("faces that move and copies are what plain lists say, through undo", "
   };
   SplitHistory splits;
   std::vector<SplitHistory::MadeMove> moves;
+  std::vector<CellId> before;  // per move
   std::vector<SplitHistory::Copy> copies;
   const auto faces_of = [&](CellId cell) {
     Faces faces = as_created(cell);
@@ -37,14 +38,15 @@ TEST_CASE("faces that move and copies are what plain lists say, through undo", "
     const std::uint32_t what = draw(6);
     if (what < 3) {
       const ops::Move move{CellId{draw(6)}, draw(3), CellId{1000 + draw(4)}, ops::OrderId{draw(3)}};
-      const Faces before = faces_of(move.cell), created = as_created(move.cell);
+      const Faces created = as_created(move.cell);
+      before.push_back(faces_of(move.cell).faces[move.slot]);
       const ops::LinkId links{static_cast<unsigned>(step)};
       splits.add_move(move, links, created.faces, [&](std::uint32_t k) { return created.orders[k]; });
-      moves.push_back(
-          {move.cell, move.slot, before.faces[move.slot], move.to, links, before.orders[move.slot], move.order});
+      moves.push_back({move.cell, move.slot, move.to, links, move.order});
     } else if (what == 3 && !moves.empty()) {
       splits.undo_last_move();
       moves.pop_back();
+      before.pop_back();
     } else if (what == 4) {
       const SplitHistory::Copy copy{
           static_cast<CellId>(2000 + copies.size()), CellId{draw(5)}, {CellId{static_cast<unsigned>(step)}}};
@@ -54,7 +56,13 @@ TEST_CASE("faces that move and copies are what plain lists say, through undo", "
       splits.undo_last_copy();
       copies.pop_back();
     }
-    REQUIRE(splits.moves().size() == moves.size());
+    REQUIRE(splits.moves() == moves.size());
+    for (std::uint32_t number = 0; number < moves.size(); ++number) {
+      REQUIRE(splits.face_before(number) == before[number]);
+      REQUIRE(splits.move(number).cell == moves[number].cell);
+      REQUIRE(splits.move(number).slot == moves[number].slot);
+      REQUIRE(splits.move(number).order_after == moves[number].order_after);
+    }
     REQUIRE(splits.copies() == copies.size());
     for (CellId cell = 0; cell < 6; ++cell) {
       const auto moved = splits.moved_faces(cell);
@@ -81,9 +89,9 @@ TEST_CASE("faces that move and copies are what plain lists say, through undo", "
           }
         }
         REQUIRE(seen == expected);
-        const SplitHistory::MadeMove* last_move = splits.last_move_of(cell, k, last);
-        REQUIRE((last_move == nullptr) == (last_expected == nullptr));
-        if (last_move != nullptr) {
+        const auto last_move = splits.last_move_of(cell, k, last);
+        REQUIRE(last_move.has_value() == (last_expected != nullptr));
+        if (last_move) {
           REQUIRE(last_move->after == last_expected->after);
           REQUIRE(last_move->links == last_expected->links);
         }

@@ -92,7 +92,7 @@ class LeftSide {
       });
     }
     if (!moves.empty()) {
-      const auto made = structure().splits().moves().subspan(moves.front(), moves.back() - moves.front() + 1);
+      const ops::MoveRange made{moves.front(), moves.back() + 1};
       if (const std::vector<GeneratorId> changed = big_.split(first_copy, made); !changed.empty()) {
         rewriter_.perturb(time, first_copy, changed);
       }

@@ -257,10 +257,11 @@ inline std::string dump(const ops::Structure& structure) {
     }
     text += "\n";
   }
-  for (const ops::SplitHistory::MadeMove& move : structure.splits().moves()) {
+  for (std::uint32_t number = 0; number < structure.splits().moves(); ++number) {
+    const ops::SplitHistory::MadeMove move = structure.splits().move(number);
     text += "move " + label(structure, move.cell) + " " + std::to_string(move.slot) + " from " +
-            label(structure, move.before) + " to " + label(structure, move.after) + " after " +
-            std::to_string(move.links) + "\n";
+            label(structure, structure.splits().face_before(number)) + " to " + label(structure, move.after) +
+            " after " + std::to_string(move.links) + "\n";
   }
   for (ops::FamilyId f = 0; f < structure.lazy().families(); ++f) {
     const ops::LazyFamily& family = structure.lazy().family(f);
