@@ -99,6 +99,9 @@ std::uint32_t Congruence::touch(CellId c) {
     return known;
   }
   const auto entry = static_cast<std::uint32_t>(entries_.size());
+  if (entries_.size() == entries_.capacity()) {  // first what may fail: the index has no entry that there is not
+    entries_.reserve(2 * entries_.size() + 16);
+  }
   index_.insert(hash_of(c), entry);
   entries_.push_back({c, c, {}});
   return entry;
