@@ -88,7 +88,8 @@ void CofaceIndex::push(CellId current, CellId node) const {
   pool_[at] = {node, of.first};
   of.first = at;
   ++of.size;
-  if (of.size == 2 * of.size_when_tidy + most_entries_unread) {
+  // Not only when it becomes so: a cell that was removed then, and is there again by undo, would never be tidied.
+  if (of.size >= 2 * of.size_when_tidy + most_entries_unread) {
     overfull_.push_back(current);
   }
 }
@@ -142,6 +143,9 @@ void CofaceIndex::before_removal(CellId removed, CellId becomes) {
   if (!is_made_) {
     return;
   }
+  if (const List& of = list(removed); of.size >= 2 * of.size_when_tidy + most_entries_unread) {
+    tidy(removed);  // undo may have filled it, and the end of the step will not find it
+  }
   removals_.push_back({list(becomes).size, list(becomes).times_tidied, becomes});
   for (std::uint32_t at = list(removed).first; at != none; at = pool_[at].next) {
     push(becomes, pool_[at].node);
@@ -169,7 +173,10 @@ void CofaceIndex::on_undo_of_removal(CellId current) {
 
 void CofaceIndex::on_end_of_step() {
   for (const CellId cell : overfull_) {
-    if (is_there(cell, cells_) && forest_.is_current(cell)) {
+    if (!is_there(cell, cells_) || !forest_.is_current(cell)) {
+      continue;
+    }
+    if (const List& of = list(cell); of.size >= 2 * of.size_when_tidy + most_entries_unread) {  // once of many
       tidy(cell);
     }
   }
