@@ -89,7 +89,7 @@ void CofaceIndex::push(CellId current, CellId node) const {
   of.first = at;
   ++of.size;
   // Not only when it becomes so: a cell that was removed then, and is there again by undo, would never be tidied.
-  if (of.size >= 2 * of.size_when_tidy + most_entries_unread) {
+  if (of.is_overfull()) {
     overfull_.push_back(current);
   }
 }
@@ -143,7 +143,7 @@ void CofaceIndex::before_removal(CellId removed, CellId becomes) {
   if (!is_made_) {
     return;
   }
-  if (const List& of = list(removed); of.size >= 2 * of.size_when_tidy + most_entries_unread) {
+  if (list(removed).is_overfull()) {
     tidy(removed);  // undo may have filled it, and the end of the step will not find it
   }
   removals_.push_back({list(becomes).size, list(becomes).times_tidied, becomes});
@@ -173,10 +173,7 @@ void CofaceIndex::on_undo_of_removal(CellId current) {
 
 void CofaceIndex::on_end_of_step() {
   for (const CellId cell : overfull_) {
-    if (!is_there(cell, cells_) || !forest_.is_current(cell)) {
-      continue;
-    }
-    if (const List& of = list(cell); of.size >= 2 * of.size_when_tidy + most_entries_unread) {  // once of many
+    if (is_there(cell, cells_) && forest_.is_current(cell) && list(cell).is_overfull()) {  // once of many
       tidy(cell);
     }
   }

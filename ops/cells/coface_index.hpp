@@ -75,6 +75,8 @@ class CofaceIndex {
     std::uint32_t size = 0;
     std::uint32_t size_when_tidy = 0;
     std::uint32_t times_tidied = 0;
+
+    [[nodiscard]] bool is_overfull() const { return size >= 2 * size_when_tidy + most_entries_unread; }
   };
   /// The list that a removal added to, as it was.
   struct Removal {

@@ -30,14 +30,6 @@ const Point* CellList::at(std::size_t k) const {
   return place != at_.end() && place->first == k ? &place->second : nullptr;
 }
 
-CellList CellList::reversed() const {
-  CellList cells;
-  for (std::size_t k = size(); k-- > 0;) {
-    cells.push_back((*this)[k]);
-  }
-  return cells;
-}
-
 ListedCell CellList::operator[](std::size_t k) const {
   const NameLists::List faces_of_cell = faces(k);
   ListedCell cell{std::string{id(k)}, {}, {faces_of_cell.begin(), faces_of_cell.end()}, {}};

@@ -52,23 +52,7 @@ class CellList {
   /// A copy of all that is said of cell k.
   [[nodiscard]] ListedCell operator[](std::size_t k) const;
 
-  /// The same, the last one first.
-  [[nodiscard]] CellList reversed() const;
-
-  class Iterator {
-   public:
-    Iterator(const CellList& cells, std::size_t k) : cells_{&cells}, k_{k} {}
-    ListedCell operator*() const { return (*cells_)[k_]; }
-    Iterator& operator++() {
-      ++k_;
-      return *this;
-    }
-    bool operator==(const Iterator&) const = default;
-
-   private:
-    const CellList* cells_;
-    std::size_t k_;
-  };
+  using Iterator = IteratorByNumber<CellList>;
   [[nodiscard]] Iterator begin() const { return {*this, 0}; }
   [[nodiscard]] Iterator end() const { return {*this, size()}; }
 

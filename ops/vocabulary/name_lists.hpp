@@ -12,6 +12,23 @@
 
 namespace sesame::ops {
 
+/// Goes through a list that makes its elements when they are asked for by number.
+template <class List>
+class IteratorByNumber {
+ public:
+  IteratorByNumber(const List& list, std::size_t k) : list_{&list}, k_{k} {}
+  auto operator*() const { return (*list_)[k_]; }
+  IteratorByNumber& operator++() {
+    ++k_;
+    return *this;
+  }
+  bool operator==(const IteratorByNumber&) const = default;
+
+ private:
+  const List* list_;
+  std::size_t k_;
+};
+
 /// A list of lists of names, such as the simplices of an insertion. The names stand one after the other in a few texts:
 /// a name takes one byte more than it is long (two from 128 bytes on), a list eight. A list may be empty.
 class NameLists {
@@ -81,20 +98,7 @@ class NameLists {
   [[nodiscard]] List operator[](std::size_t k) const;
   void clear();
 
-  class Iterator {
-   public:
-    Iterator(const NameLists& lists, std::size_t k) : lists_{&lists}, k_{k} {}
-    List operator*() const { return (*lists_)[k_]; }
-    Iterator& operator++() {
-      ++k_;
-      return *this;
-    }
-    bool operator==(const Iterator&) const = default;
-
-   private:
-    const NameLists* lists_;
-    std::size_t k_;
-  };
+  using Iterator = IteratorByNumber<NameLists>;
   [[nodiscard]] Iterator begin() const { return {*this, 0}; }
   [[nodiscard]] Iterator end() const { return {*this, size()}; }
 

@@ -5,6 +5,7 @@
 
 #include "ops/vocabulary/name_lists.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/cell_lists.hpp"
 #include "tests/support/random_complexes.hpp"
 
 namespace sesame::ops {
@@ -79,13 +80,13 @@ TEST_CASE("a list of cells says of each what was said", "[ops]") {
     REQUIRE(one.at == other.at);
   };
   const CellList cells(plain);
-  const CellList reversed = cells.reversed();
+  const CellList backwards = reversed(cells);
   REQUIRE(cells.size() == plain.size());
-  REQUIRE(reversed.size() == plain.size());
+  REQUIRE(backwards.size() == plain.size());
   std::size_t k = 0;
   for (const ListedCell& cell : cells) {
     check(cell, plain[k]);
-    check(reversed[plain.size() - 1 - k], plain[k]);
+    check(backwards[plain.size() - 1 - k], plain[k]);
     CHECK(cells.id(k) == plain[k].id);
     CHECK((cells.type(k) != nullptr) == plain[k].type.has_value());
     CHECK((cells.at(k) != nullptr) == plain[k].at.has_value());

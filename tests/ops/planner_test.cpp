@@ -3,6 +3,7 @@
 #include <set>
 
 #include "ops/plan/step_sequence.hpp"
+#include "tests/support/cell_lists.hpp"
 #include "tests/support/random_steps.hpp"
 #include "tests/support/structures.hpp"
 
@@ -231,7 +232,7 @@ TEST_CASE("cells made in one step cannot have names that are in use, whatever ot
 
 TEST_CASE("the order of a listing does not matter for what is made", "[ops]") {
   const Operation straight = operation(triangle_with(R"({"id":"T","faces":["bc","ac","ab"]})"));
-  const MakeComplex shuffled{"K", std::get<MakeComplex>(straight).cells.reversed()};
+  const MakeComplex shuffled{"K", reversed(std::get<MakeComplex>(straight).cells)};
   Workshop one;
   Workshop other;
   REQUIRE(one.apply(straight));

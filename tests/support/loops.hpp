@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ops/vocabulary/operation.hpp"
+#include "tests/support/cell_lists.hpp"
 
 namespace sesame::tests {
 
@@ -72,7 +73,7 @@ class Loops {
   void kill(const std::string& loop) { add_triangle("k" + std::to_string(++count_), "c", loop, "c"); }
 
   ops::MakeComplex take() { return complex_; }
-  ops::MakeComplex reversed() const { return {complex_.name, complex_.cells.reversed()}; }
+  ops::MakeComplex reversed() const { return {complex_.name, tests::reversed(complex_.cells)}; }
 
  private:
   ops::MakeComplex complex_;
