@@ -8,6 +8,7 @@
 #include "engine/towers/class_space.hpp"
 #include "engine/towers/contraction_shifts.hpp"
 #include "sparse/contract.hpp"
+#include "sparse/growing_array.hpp"
 
 namespace sesame::engine {
 namespace {
@@ -37,16 +38,16 @@ class Tracker final : public BarcodeTracker {
     if (chains_) {
       chains_->include(d, slot, facets);
     }
-    std::vector<ClassRef>& refs = refs_of(d);
+    sparse::GrowingArray<ClassRef>& refs = refs_of(d);
     if (slot >= refs.size()) {
-      refs.resize(std::max<std::size_t>(slot + std::size_t{1}, refs.size() + refs.size() / 2));
+      refs.resize(slot + std::size_t{1});
     }
     refs[slot] = ClassRef{};
     if (d == 0) {
       refs[slot] = bear(d, time);
       return;
     }
-    const std::vector<ClassRef>& below = refs_of(d - 1);
+    const sparse::GrowingArray<ClassRef>& below = refs_of(d - 1);
     ClassSpace<R>& space = levels_[d - 1].space;
     // Facets are anywhere in memory: all loads are begun before the first is waited for.
     facet_refs_.resize(facets.size());
@@ -102,7 +103,7 @@ class Tracker final : public BarcodeTracker {
     if (levels_.empty() || levels_[0].refs.empty()) {
       return;
     }
-    const std::vector<ClassRef>& refs = levels_[0].refs;
+    const sparse::GrowingArray<ClassRef>& refs = levels_[0].refs;
     for (const std::uint64_t slot : far) {
       __builtin_prefetch(refs.data() + std::min<std::uint64_t>(slot, refs.size() - 1));
     }
@@ -150,10 +151,10 @@ class Tracker final : public BarcodeTracker {
   struct Level {
     explicit Level(R ring) : space{ring} {}
     ClassSpace<R> space;
-    std::vector<ClassRef> refs;  ///< per slot
+    sparse::GrowingArray<ClassRef> refs;  ///< per slot
   };
 
-  [[nodiscard]] std::vector<ClassRef>& refs_of(std::size_t dimension) {
+  [[nodiscard]] sparse::GrowingArray<ClassRef>& refs_of(std::size_t dimension) {
     return levels_[has_shared_slots_ ? 0 : dimension].refs;
   }
 

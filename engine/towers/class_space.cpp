@@ -1,6 +1,8 @@
 #include "engine/towers/class_space.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <utility>
 
 #include "sparse/contract.hpp"
 
@@ -82,18 +84,25 @@ void ClassSpace<R>::add_multiple(std::vector<TermType>& into, [[maybe_unused]] c
   const TermType* y = terms.data();
   const TermType* const y_end = y + terms.size();
   while (x != x_end && y != y_end) {
-    if (x->node > y->node) {
+    if constexpr (has_inline_terms) {  // without branches, which would be mispredicted every other time
+      const Node from_x = x->node;
+      const Node from_y = y->node;
+      const auto takes_x = static_cast<std::uint32_t>(from_x >= from_y);
+      const auto takes_y = static_cast<std::uint32_t>(from_y >= from_x);
+      *out = {from_y ^ ((from_x ^ from_y) & (0U - takes_x))};
+      out += takes_x ^ takes_y;
+      x += takes_x;
+      y += takes_y;
+    } else if (x->node > y->node) {
       *out++ = *x++;
     } else if (x->node < y->node) {
       *out++ = term(y->node, ring_.multiply(factor, coefficient(*y)));
       ++y;
     } else {
-      if constexpr (!has_inline_terms) {
-        Element value = x->coefficient;
-        ring_.add_product(value, factor, y->coefficient);
-        if (!ring_.is_zero(value)) {
-          *out++ = term(x->node, value);
-        }
+      Element value = x->coefficient;
+      ring_.add_product(value, factor, y->coefficient);
+      if (!ring_.is_zero(value)) {
+        *out++ = term(x->node, value);
       }
       ++x;
       ++y;
@@ -222,6 +231,12 @@ void ClassSpace<R>::rewrite(Node node) {
   if (rewritten_.size() == old.size()) {
     return;
   }
+  if constexpr (has_inline_terms) {
+    if (rewrite_in_bits(old)) {
+      store(nodes_[node], rewritten_);
+      return;
+    }
+  }
   for (const TermType& each : old) {
     if (!is_alive(each.node)) {
       const std::span<const TermType> value = terms(nodes_[each.node]);
@@ -231,6 +246,54 @@ void ClassSpace<R>::rewrite(Node node) {
     }
   }
   store(nodes_[node], rewritten_);
+}
+
+/// Adds up what the dead nodes of a sum have become, and `rewritten_`, in one bit a node, if that is quicker than one
+/// after the other: then `rewritten_` is the result.
+template <Ring R>
+bool ClassSpace<R>::rewrite_in_bits(std::span<const TermType> old) {
+  std::size_t terms_of_dead = 0;
+  Node youngest = rewritten_.empty() ? 0 : rewritten_.front().node;
+  Node oldest = rewritten_.empty() ? no_node : rewritten_.back().node;
+  for (const TermType& each : old) {
+    if (is_alive(each.node)) {
+      continue;
+    }
+    if (const std::span<const TermType> value = terms(nodes_[each.node]); !value.empty()) {
+      terms_of_dead += value.size();
+      youngest = std::max(youngest, value.front().node);
+      oldest = std::min(oldest, value.back().node);
+    }
+  }
+  constexpr Node word = 64;
+  if (youngest < oldest || terms_of_dead < youngest / word - oldest / word) {
+    return false;
+  }
+  const std::size_t words = youngest / word + 1;
+  if (bits_.size() < words) {
+    bits_.resize(words, 0);
+  }
+  const auto toggle = [this](std::span<const TermType> terms) {
+    for (const TermType& each : terms) {
+      bits_[each.node / word] ^= std::uint64_t{1} << (each.node % word);
+    }
+  };
+  toggle(rewritten_);
+  for (const TermType& each : old) {
+    if (!is_alive(each.node)) {
+      toggle(terms(nodes_[each.node]));
+    }
+  }
+  terms_touched_ += rewritten_.size() + terms_of_dead;
+  rewritten_.clear();
+  for (std::size_t at = words; at-- > oldest / word;) {
+    for (std::uint64_t bits = std::exchange(bits_[at], 0); bits != 0;) {
+      const auto highest = static_cast<Node>(std::bit_width(bits) - 1);
+      rewritten_.push_back(term(static_cast<Node>(at) * word + highest, ring_.one()));
+      bits ^= std::uint64_t{1} << highest;
+    }
+  }
+  return true;
 }
 
 // ---- memory
@@ -291,7 +354,7 @@ std::vector<typename ClassSpace<R>::Node> ClassSpace<R>::retire(std::span<ClassR
     }
     nodes_[number[node]] = record;
   }
-  nodes_.resize(next);
+  nodes_.truncate(next);
   births_.truncate(next);
   pool_.swap(fresh);
   garbage_ = 0;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/towers/time_list.hpp"
+#include "sparse/growing_array.hpp"
 #include "sparse/ring.hpp"
 
 namespace sesame::engine {
@@ -110,6 +111,7 @@ class ClassSpace {
   [[nodiscard]] bool is_fresh(Node node) const;
   void refresh(Node node);
   void rewrite(Node node);
+  [[nodiscard]] bool rewrite_in_bits(std::span<const TermType> old);
   void store(Record& record, std::span<const TermType> terms);
   void add_alive(Node node, bool is_negative);
   void add_multiple(std::vector<TermType>& into, const Element& factor, std::span<const TermType> terms);
@@ -118,13 +120,14 @@ class ClassSpace {
   [[nodiscard]] TermType term(Node node, Element coefficient) const;
 
   R ring_;
-  std::vector<Record> nodes_;
+  sparse::GrowingArray<Record> nodes_;
   TimeList births_;
   std::vector<TermType> pool_;  ///< terms of sums, each sum by descending node
   std::size_t garbage_ = 0;     ///< terms of the pool that are no longer used
   std::size_t alive_ = 0;
   std::vector<TermType> sum_, rewritten_, scratch_;
   std::vector<Node> pending_;
+  std::vector<std::uint64_t> bits_;  ///< memory of `rewrite_in_bits`, all 0 between calls
   std::uint64_t terms_touched_ = 0;
 };
 

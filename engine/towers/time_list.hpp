@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/towers/time.hpp"
+#include "sparse/growing_array.hpp"
 
 namespace sesame::engine {
 
@@ -55,7 +56,7 @@ class TimeList {
   void push_back_exact(Time time);
 
   bool are_doubles_ = true;  ///< whether all are in the first of these, or in the second
-  std::vector<double> doubles_;
+  sparse::GrowingArray<double> doubles_;
   std::vector<Time> exact_;
 };
 

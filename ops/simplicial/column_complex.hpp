@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "sparse/growing_array.hpp"
 #include "sparse/result.hpp"
 
 namespace sesame::ops {
@@ -36,7 +37,7 @@ class ColumnComplex {
 
   static constexpr std::uint64_t dimension_mask = largest_dimension;
 
-  std::vector<std::uint64_t> cells_;  ///< the dimension in the low bits, above them the sum of the words of the rows
+  sparse::GrowingArray<std::uint64_t> cells_;  ///< the dimension in the low bits, above them the sum of the words of the rows
   std::vector<std::uint64_t> counts_;
   std::vector<std::uint32_t> facets_;
 };

@@ -1,8 +1,11 @@
 // Classes that die one after the other, beside vectors modulo the span of relations.
 #include "engine/towers/class_space.hpp"
 
+#include <algorithm>
+#include <bitset>
 #include <cstdlib>
 #include <random>
+#include <vector>
 
 #include "tests/support/catch.hpp"
 #include "tests/support/ranks.hpp"
@@ -166,6 +169,49 @@ TEST_CASE("sums of classes are what the sums that were killed leave of them", "[
   CAPTURE(seed);
   check_random_steps(sparse::Z2{}, 2, seed);
   check_random_steps(std::get<sparse::Zp>(sparse::parse_ring("Z/5").value()), 5, seed);
+}
+
+TEST_CASE("over Z/2 long sums, and few terms far apart, are what rewriting everything at once gives", "[engine][tower]") {
+  constexpr std::uint32_t classes = 500;
+  using Bits = std::bitset<classes>;
+  ClassSpace<sparse::Z2> space{sparse::Z2{}};
+  for (std::uint32_t k = 0; k < classes; ++k) {
+    space.add(k);
+  }
+  std::vector<Bits> values(classes);
+  for (std::uint32_t k = 0; k < classes; ++k) {
+    values[k].set(k);
+  }
+  std::mt19937 random{GENERATE(1u, 2u, 3u)};
+  std::size_t longest = 0;
+  for (int step = 0; step < 1500; ++step) {
+    CAPTURE(step);
+    const auto most = step % 3 == 0 ? 12 : 3;
+    Bits expected;
+    space.clear_sum();
+    for (auto terms = 1 + random() % most; terms > 0; --terms) {
+      const auto node = static_cast<std::uint32_t>(random() % classes);
+      space.add_to_sum(node, false);
+      expected ^= values[node];
+    }
+    Bits sum;
+    for (const auto& term : space.sum()) {
+      REQUIRE_FALSE(sum[term.node]);
+      sum.set(term.node);
+    }
+    REQUIRE(sum == expected);
+    longest = std::max(longest, sum.count());
+    if (!sum.none() && space.alive() > 100) {
+      const std::uint32_t dead = space.kill_sum();
+      for (Bits& value : values) {
+        if (value[dead]) {
+          value ^= expected;
+        }
+      }
+    }
+  }
+  CHECK(space.alive() == 100);
+  CHECK(longest > 30);
 }
 
 TEST_CASE("over Z the youngest class with a unit dies, as long as what it leaves is mild", "[engine][tower]") {
