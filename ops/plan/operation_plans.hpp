@@ -19,8 +19,6 @@ Status plan_cone(const MakeCone& operation, const Structure& structure, const Li
 Status plan_suspension(const MakeSuspension& operation, const Structure& structure, const Limits& limits, Plan& plan);
 // product.cpp
 Status plan_product(const MakeProduct& operation, const Structure& structure, Plan& plan);
-// deidentification.cpp
-Status plan_deidentification(const Deidentify& operation, const Structure& structure, const Limits& limits, Plan& plan);
 // insertion.cpp
 Status plan_insertion(const Insert& operation, const Structure& structure, const Limits& limits, Plan& plan);
 // collapse.cpp

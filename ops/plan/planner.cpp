@@ -49,7 +49,7 @@ Status Planner::plan(const Degenerate& operation, Plan& plan) {
 }
 
 Status Planner::plan(const Deidentify& operation, Plan& plan) {
-  return plan_deidentification(operation, structure_, limits_, cleared(plan));
+  return splits_.plan(operation, limits_, cleared(plan));
 }
 
 Status Planner::plan(const Insert& operation, Plan& plan) {

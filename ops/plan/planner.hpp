@@ -7,6 +7,7 @@
 
 #include "ops/cells/structure.hpp"
 #include "ops/plan/congruence.hpp"
+#include "ops/plan/deidentification.hpp"
 #include "ops/plan/limits.hpp"
 #include "ops/vocabulary/operation.hpp"
 #include "sparse/result.hpp"
@@ -48,6 +49,7 @@ class Planner {
   const Structure& structure_;
   Limits limits_;
   Congruence congruence_{structure_};
+  SplitPlanner splits_{structure_};
 };
 
 }  // namespace sesame::ops
