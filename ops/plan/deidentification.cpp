@@ -238,9 +238,9 @@ void SplitPlanner::write(Plan& plan) {
     const NewCopy& copy = copies_[order_[k]];
     const std::size_t first_face = plan.faces.size();
     for (const Value& v : changed_faces(place_of(first_copy_ + order_[k]))) {
-      add_face(is_copy(v.cell) ? Incidence{final_ids_[v.cell - first_copy_], v.order}
-                               : structure_.values().incidence_of(v),
-               plan);
+      add_face(
+          is_copy(v.cell) ? Incidence{final_ids_[v.cell - first_copy_], v.order} : structure_.values().incidence_of(v),
+          plan);
     }
     plan.names += *copy.name;
     plan.sources.push_back(copy.source);

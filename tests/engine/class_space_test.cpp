@@ -171,7 +171,8 @@ TEST_CASE("sums of classes are what the sums that were killed leave of them", "[
   check_random_steps(std::get<sparse::Zp>(sparse::parse_ring("Z/5").value()), 5, seed);
 }
 
-TEST_CASE("over Z/2 long sums, and few terms far apart, are what rewriting everything at once gives", "[engine][tower]") {
+TEST_CASE("over Z/2 long sums, and few terms far apart, are what rewriting everything at once gives",
+          "[engine][tower]") {
   constexpr std::uint32_t classes = 500;
   using Bits = std::bitset<classes>;
   ClassSpace<sparse::Z2> space{sparse::Z2{}};
