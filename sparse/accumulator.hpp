@@ -19,6 +19,15 @@ class Accumulator {
 
   explicit Accumulator(R ring) : ring_{ring} {}
 
+  /// Makes room for indices below a number, of which a sum has a few.
+  void reserve(std::size_t indices) {
+    if (indices > values_.size()) {
+      values_.resize(indices, ring_.zero());
+      present_.resize(indices, 0);
+    }
+    touched_.reserve(std::min<std::size_t>(indices, 64));
+  }
+
   /// Adds factor * coefficient at an index. True when the index is new to this sum. Cost O(1), amortised.
   bool add_product(Id index, const Element& factor, const Element& coefficient) {
     if (index >= values_.size()) [[unlikely]] {

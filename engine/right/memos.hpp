@@ -73,8 +73,11 @@ class Memos {
     sum_.finish(out);
   }
 
-  /// Makes room for rules.
-  void reserve(std::size_t rules) { memos_.reserve(rules); }
+  /// Makes room for symbols, about half of which are removed by rules.
+  void reserve(std::size_t symbols) {
+    memos_.reserve(symbols / 2);
+    sum_.reserve(symbols);
+  }
   /// The number of memos kept for undo, of those that are forgotten too.
   [[nodiscard]] std::size_t size() const { return forgotten_ + before_.size(); }
   /// From now on memos that are written are kept as they are at this moment.

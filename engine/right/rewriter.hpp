@@ -42,7 +42,7 @@ class Rewriter {
   /// Makes room for generators of B.
   void reserve(std::size_t generators) {
     rules_.reserve(generators);
-    memos_.reserve(generators / 2);
+    memos_.reserve(generators);
   }
   /// Takes the next generator of B: rewrites its boundary, and eliminates or keeps it.
   /// Cost: the length of the vectors that are rewritten.

@@ -16,6 +16,10 @@ void Rules<R>::reserve(std::size_t generators) {
   symbol_of_.reserve(generators);
   rules_.reserve(generators / 2);
   values_.reserve(generators);
+  constexpr std::size_t usual_degrees = 4;
+  first_.reserve(usual_degrees);
+  last_.reserve(usual_degrees);
+  small_counts_.reserve(usual_degrees);
 }
 
 template <Ring R>
