@@ -89,11 +89,20 @@ void Equivalences::begin_part(std::unique_ptr<HomologyTracker> tracker) {
 void Equivalences::give_up_oldest() {
   const std::uint64_t most = policy_.least_cells_kept + policy_.objects_kept * cells_of(structure_.counts());
   for (; cells_kept_ > most && first_kept_ + 2 < parts_.size(); ++first_kept_) {
-    rebase_log().debug("undo will not go back exactly to an object of {} cells: its equivalence is given up",
-                       parts_[first_kept_].cells);
-    cells_kept_ -= parts_[first_kept_].cells;
-    parts_[first_kept_].tracker.reset();
+    give_up(first_kept_);
   }
+}
+
+void Equivalences::give_up(std::size_t part) {
+  Part& old = parts_[part];
+  rebase_log().debug("undo will not go back exactly to an object of {} cells: its equivalence is given up", old.cells);
+  const Window& window = old.tracker->window();
+  const ops::CellId noted_before = notes_.empty() ? ops::CellId{} : notes_.back().cells.made_since;
+  if (window.begin().created >= noted_before + made_for_each_noted * std::max<std::size_t>(window.cells().size(), 1)) {
+    notes_.push_back({forgotten_ + part, {window.cells(), window.begin().created}});
+  }
+  cells_kept_ -= old.cells;
+  old.tracker.reset();
 }
 
 void Equivalences::end_last_part() {
@@ -102,6 +111,9 @@ void Equivalences::end_last_part() {
     done_by_others_ += now().work();
   }
   parts_.pop_back();
+  while (!notes_.empty() && notes_.back().part >= forgotten_ + parts_.size()) {
+    notes_.pop_back();
+  }
   if (Part& resumed = parts_.back(); resumed.tracker != nullptr) {
     done_by_others_ -= resumed.tracker->work();
     cells_kept_ -= resumed.cells;
@@ -121,7 +133,7 @@ void Equivalences::undo(std::uint64_t marks) {
   }
   first_kept_ = std::min(first_kept_, parts_.size());
   if (parts_.back().tracker == nullptr) {
-    begin_part(make_tracker_afresh(ring_, structure_));
+    begin_part(make_tracker_afresh(ring_, structure_, notes_.empty() ? CellsToLookAt{} : notes_.back().cells));
     first_kept_ = parts_.size() - 1;
     rebase_log().info("begun afresh from {} cells, as undo goes back further than equivalences are kept",
                       cells_of(structure_.counts()));
@@ -141,6 +153,9 @@ void Equivalences::forget_oldest_mark() {
     } else {
       cells_kept_ -= parts_.front().cells;
     }
+  }
+  while (notes_.size() > 1 && notes_[1].part <= forgotten_) {
+    notes_.pop_front();
   }
 }
 

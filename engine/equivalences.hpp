@@ -25,8 +25,8 @@ struct RebasePolicy {
   std::uint64_t least_terms = 4096;
   std::uint64_t terms_per_face = 8;
   // Equivalences are kept for undo while their objects have together no more cells than this, and as often those of the
-  // present object; the last one always is. Going back further looks at all cells ever made.
-  std::uint64_t least_cells_kept = 50'000;
+  // present object; the last one always is.
+  std::uint64_t least_cells_kept = 500;
   std::uint64_t objects_kept = 8;
 
   /// Never: every step is taken in by the equivalence of the whole history, whatever that costs.
@@ -48,7 +48,9 @@ struct RebasePolicy {
 /// there are no splits there is never a rebase.
 ///
 /// Undoing past a rebase resumes the tracker before it exactly. Of a long history only the last ones are kept; going
-/// back further is a rebase there, at the cost of the object of that time and a look at all cells ever made.
+/// back further is a rebase there. So that this costs what the object of that time does, and not a look at all cells
+/// ever made, its cells are noted at some rebases, at the cost of half a byte for each cell made. (While there are lazy
+/// families all cells are looked at.)
 class Equivalences {
  public:
   Equivalences(const sparse::AnyRing& ring, const ops::Structure& structure, const RebasePolicy& policy);
@@ -79,9 +81,17 @@ class Equivalences {
     std::uint64_t cells = 0;  ///< that it is reckoned with while it is kept for undo
   };
 
+  /// The cells that there were when a part began whose tracker is given up.
+  struct Note {
+    std::size_t part;  ///< its number, those forgotten included
+    CellsToLookAt cells;
+  };
+  static constexpr std::uint64_t made_for_each_noted = 8;  ///< from one note to the next
+
   void begin_part(std::unique_ptr<HomologyTracker> tracker);
   void end_last_part();
   void give_up_oldest();
+  void give_up(std::size_t part);
 
   const sparse::AnyRing ring_;
   const ops::Structure& structure_;
@@ -90,6 +100,7 @@ class Equivalences {
   std::size_t forgotten_ = 0;     ///< parts that were before them
   std::size_t first_kept_ = 0;    ///< of `parts_`: those before it are given up
   std::uint64_t cells_kept_ = 0;  ///< of the parts that are kept, but for the last
+  std::deque<Note> notes_;        ///< by part
   Work done_by_others_;
 };
 

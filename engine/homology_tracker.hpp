@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/left/saturating.hpp"
+#include "engine/left/window.hpp"
 #include "ops/cells/structure.hpp"
 #include "ops/plan/step_sequence.hpp"
 #include "sparse/rational_chain.hpp"
@@ -89,6 +90,12 @@ struct Work {
   friend Work operator+(Work a, const Work& b) { return a += b; }
 };
 
+/// Among which cells those of the present object are: some, and all that were made since.
+struct CellsToLookAt {
+  std::vector<ops::CellId> cells;
+  ops::CellId made_since = 0;  ///< the first of these
+};
+
 /// Keeps the homological equivalence C <= B => S of a structure current over one ring.
 class HomologyTracker {
  public:
@@ -115,6 +122,8 @@ class HomologyTracker {
   /// describes is an equivalence of the same object, with a big complex of one generator for each cell. The present one
   /// may not have taken in the last step. Cost: that of reducing the object, lazy cells written out.
   [[nodiscard]] virtual std::unique_ptr<HomologyTracker> afresh() const = 0;
+  /// The part of the history that it describes.
+  [[nodiscard]] virtual const Window& window() const = 0;
   /// The copies made since the tracker began.
   [[nodiscard]] virtual std::uint32_t copies() const = 0;
 

@@ -1,6 +1,7 @@
 #include "engine/live_equivalence.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "engine/audit.hpp"
@@ -22,6 +23,26 @@ std::vector<CellId> cells_of_object(const Structure& structure) {
   std::vector<CellId> cells;
   for (const std::vector<CellId>& of_degree : basis.generators()) {
     cells.insert(cells.end(), of_degree.begin(), of_degree.end());
+  }
+  ops::sort_by_dimension_and_age(structure, cells);
+  return cells;
+}
+
+/// The cells of the object, by dimension and age: of those made before `made_since` only some have to be looked at.
+std::vector<CellId> current_cells(const Structure& structure, std::span<const CellId> among, CellId made_since) {
+  if (structure.lazy().families() > 0) {
+    return cells_of_object(structure);
+  }
+  std::vector<CellId> cells;
+  cells.reserve(among.size() + (structure.cells().size() - made_since));
+  const auto add = [&](CellId c) {
+    if (structure.is_current(c)) {
+      cells.push_back(c);
+    }
+  };
+  std::for_each(among.begin(), among.end(), add);
+  for (CellId c = made_since; c < structure.cells().size(); ++c) {
+    add(c);
   }
   ops::sort_by_dimension_and_age(structure, cells);
   return cells;
@@ -49,32 +70,11 @@ LiveEquivalence<R>::LiveEquivalence(R ring, Window window)
 
 template <Ring R>
 std::unique_ptr<HomologyTracker> LiveEquivalence<R>::afresh() const {
-  return std::make_unique<LiveEquivalence>(ring_, Window{structure_, current_cells()});
+  return std::make_unique<LiveEquivalence>(
+      ring_, Window{structure_, current_cells(structure_, window_.cells(), window_.begin().created)});
 }
 
 // ------------------------------------------------------------------------------------------------------- maintenance
-
-/// The cells of the object, by dimension and age.
-template <Ring R>
-std::vector<CellId> LiveEquivalence<R>::current_cells() const {
-  if (structure_.lazy().families() > 0) {
-    return cells_of_object(structure_);
-  }
-  std::vector<CellId> cells;
-  cells.reserve(window_.cells().size() + (structure_.cells().size() - window_.begin().created));
-  // Not all that were ever made: those that the window began with and those made in it.
-  const auto add = [&](CellId c) {
-    if (structure_.is_current(c)) {
-      cells.push_back(c);
-    }
-  };
-  std::for_each(window_.cells().begin(), window_.cells().end(), add);
-  for (CellId c = window_.begin().created; c < structure_.cells().size(); ++c) {
-    add(c);
-  }
-  ops::sort_by_dimension_and_age(structure_, cells);
-  return cells;
-}
 
 template <Ring R>
 bool LiveEquivalence<R>::extend(std::uint64_t budget) {
@@ -135,8 +135,7 @@ void LiveEquivalence<R>::take_in_step() {
   }
   if (first_move != ops::none) {
     expects(first_copy != ops::none, "incidences move to copies made in the same step");
-    const std::vector<GeneratorId> changed =
-        big_.split(first_copy, {first_move, last_move + 1});
+    const std::vector<GeneratorId> changed = big_.split(first_copy, {first_move, last_move + 1});
     if (!changed.empty()) {
       rewriter_.perturb(time, first_copy, changed);
     }
@@ -239,8 +238,9 @@ std::unique_ptr<HomologyTracker> make_tracker(const sparse::AnyRing& ring, const
   return make_tracker_of(ring, Window{structure});
 }
 
-std::unique_ptr<HomologyTracker> make_tracker_afresh(const sparse::AnyRing& ring, const Structure& structure) {
-  return make_tracker_of(ring, Window{structure, cells_of_object(structure)});
+std::unique_ptr<HomologyTracker> make_tracker_afresh(const sparse::AnyRing& ring, const Structure& structure,
+                                                     const CellsToLookAt& among) {
+  return make_tracker_of(ring, Window{structure, current_cells(structure, among.cells, among.made_since)});
 }
 
 #define SESAME_INSTANTIATE(R) template class LiveEquivalence<R>;

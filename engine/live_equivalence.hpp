@@ -54,7 +54,7 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] const Chains<R>& chains() const { return chains_; }
   /// The right reduction; its queries memoise.
   [[nodiscard]] Rewriter<R>& rewriter() { return rewriter_; }
-  [[nodiscard]] const Window& window() const { return window_; }
+  [[nodiscard]] const Window& window() const override { return window_; }
 
  private:
   struct Mark {
@@ -69,7 +69,6 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] static Mark unpacked(const PackedMark& mark);
   void take_in_step();
   void go_back_to(const Mark& mark);
-  [[nodiscard]] std::vector<CellId> current_cells() const;
 
   R ring_;
   Window window_;
@@ -85,8 +84,10 @@ class LiveEquivalence final : public HomologyTracker {
 
 /// A live equivalence over a ring chosen at run time.
 [[nodiscard]] std::unique_ptr<HomologyTracker> make_tracker(const sparse::AnyRing& ring, const Structure& structure);
-/// One that knows only the present object: see HomologyTracker::afresh. Cost: also a look at all cells ever made.
+/// One that knows only the present object: see HomologyTracker::afresh. Cost: also a look at the cells among which it
+/// is.
 [[nodiscard]] std::unique_ptr<HomologyTracker> make_tracker_afresh(const sparse::AnyRing& ring,
-                                                                   const Structure& structure);
+                                                                   const Structure& structure,
+                                                                   const CellsToLookAt& among);
 
 }  // namespace sesame::engine

@@ -192,6 +192,37 @@ TEST_CASE("undo goes back past what was kept for it, to the same groups and ever
   }
 }
 
+TEST_CASE("a long session is taken back past many notes of its cells, with a limit on undo too",
+          "[engine][rebase][undo]") {
+  const std::string ring = GENERATE("Z", "Z/2");
+  const std::uint64_t undoable = GENERATE(500U, UINT32_MAX);
+  const std::uint64_t at_once = GENERATE(1U, 9U);
+  CAPTURE(ring, undoable, at_once);
+  Engine engine(ring_named(ring), {}, forgetful, {undoable});
+  GraphSession session(3, 4, true);  // so small that cells are noted after a hundred steps
+  std::vector<std::vector<AbelianGroup>> before;
+  for (int k = 0; k < 1500; ++k) {
+    const ops::Operation op = session.next();
+    if (const auto* undo = std::get_if<ops::Undo>(&op)) {
+      before.resize(before.size() - undo->steps);
+    } else {
+      before.push_back(live_groups(engine));
+    }
+    carry_out(engine, op);
+    check_graph(engine, session.betti());
+  }
+  CHECK(engine.undoable() == std::min<std::uint64_t>(undoable, before.size()));
+  for (; engine.undoable() >= at_once; before.resize(before.size() - at_once)) {
+    CAPTURE(engine.undoable());
+    REQUIRE(engine.undo(at_once).has_value());
+    REQUIRE(live_groups(engine) == before[before.size() - at_once]);
+    if (engine.undoable() % 20 == 0) {
+      REQUIRE(engine.first_defect().value_or("") == "");
+    }
+  }
+  CHECK(engine.undoable() < at_once);
+}
+
 TEST_CASE("steps taken back and taken again give the same bytes, rebases or not", "[engine][rebase][undo]") {
   Engine engine;
   GraphSession session(9, 12, false);
