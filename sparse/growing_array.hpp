@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <initializer_list>
 #include <memory>
 #include <new>
 #include <type_traits>
 #include <utility>
+
+#include "sparse/block_memory.hpp"
 
 namespace sesame::sparse {
 
@@ -18,9 +19,9 @@ namespace sesame::sparse {
 template <class T>
 inline constexpr bool is_relocatable = std::is_trivially_copyable_v<T>;
 
-/// A contiguous list that grows at its end, like a std::vector, of relocatable elements. It grows by `realloc`, which
-/// for large blocks moves pages and not bytes: a vector of a hundred megabytes takes a tenth of a second to double,
-/// this a few microseconds, and both copies are never there at once.
+/// A contiguous list that grows at its end, like a std::vector, of relocatable elements. It grows by `resize_block`,
+/// which for large blocks moves pages and not bytes: a vector of a hundred megabytes takes a tenth of a second to
+/// double, this a few microseconds, and both copies are never there at once.
 /// Cost: as of a std::vector.
 template <class T>
 class GrowingArray {
@@ -43,7 +44,7 @@ class GrowingArray {
   ~GrowingArray() {
     static_assert(is_relocatable<T> && alignof(T) <= alignof(std::max_align_t));
     truncate(0);
-    std::free(elements_);  // NOLINT(cppcoreguidelines-no-malloc): what realloc gave
+    release_block(elements_, capacity_ * sizeof(T));
   }
   void swap(GrowingArray& other) noexcept {
     std::swap(elements_, other.elements_);
@@ -112,7 +113,7 @@ class GrowingArray {
     if (capacity > static_cast<std::size_t>(PTRDIFF_MAX) / sizeof(T)) {
       throw std::bad_alloc{};
     }
-    void* moved = std::realloc(static_cast<void*>(elements_), capacity * sizeof(T));  // NOLINT(*-no-malloc)
+    void* const moved = resize_block(elements_, capacity_ * sizeof(T), capacity * sizeof(T));
     if (moved == nullptr) {
       throw std::bad_alloc{};
     }

@@ -86,9 +86,41 @@ TEST_CASE("GrowingArray: new elements are as their type has them by default", "[
   CHECK(array.begin() == array.end());
 }
 
+TEST_CASE("GrowingArray: large blocks keep what is in them as they grow and shrink", "[sparse]") {
+  constexpr std::size_t of_pages = least_bytes_of_pages / sizeof(std::uint64_t);
+  GrowingArray<std::uint64_t> array;
+  const auto check = [&array] {
+    for (std::size_t k = 0; k < array.size(); ++k) {
+      if (array[k] != k * k) {
+        FAIL("element " << k << " of " << array.size() << " is " << array[k]);
+      }
+    }
+  };
+  for (std::uint64_t k = 0; k < 5 * of_pages; ++k) {  // by doubling, across the limit
+    array.push_back(k * k);
+  }
+  check();
+  for (const std::size_t size : {3 * of_pages, of_pages + 1, of_pages, of_pages - 1, std::size_t{10}}) {
+    array.truncate(size);
+    array.shrink_to_fit();
+    CHECK(array.capacity() == size);
+    check();
+  }
+  array.reserve(2 * of_pages);
+  check();
+  GrowingArray<std::uint64_t> other{std::move(array)};
+  other.reserve(4 * of_pages);
+  array = std::move(other);
+  CHECK(array.size() == 10);
+  check();
+}
+
 TEST_CASE("GrowingArray: more than there can be is no memory, and nothing is lost", "[sparse]") {
   GrowingArray<std::uint64_t> array{5};
   CHECK_THROWS_AS(array.reserve(SIZE_MAX / 2), std::bad_alloc);
   CHECK(array.size() == 1);
+  CHECK(array[0] == 5);
+  array.reserve(least_bytes_of_pages);
+  CHECK_THROWS_AS(array.reserve(SIZE_MAX / 32), std::bad_alloc);
   CHECK(array[0] == 5);
 }
