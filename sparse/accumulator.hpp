@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sparse/chain.hpp"
+#include "sparse/growing_array.hpp"
 
 namespace sesame::sparse {
 
@@ -21,18 +22,16 @@ class Accumulator {
 
   /// Makes room for indices below a number, of which a sum has a few.
   void reserve(std::size_t indices) {
-    if (indices > values_.size()) {
-      values_.resize(indices, ring_.zero());
-      present_.resize(indices, 0);
-    }
+    values_.reserve(indices);
+    present_.reserve(indices);
     touched_.reserve(std::min<std::size_t>(indices, 64));
   }
 
   /// Adds factor * coefficient at an index. True when the index is new to this sum. Cost O(1), amortised.
   bool add_product(Id index, const Element& factor, const Element& coefficient) {
     if (index >= values_.size()) [[unlikely]] {
-      values_.resize(std::max<std::size_t>(std::size_t{index} + 1, values_.size() * 2), ring_.zero());
-      present_.resize(values_.size(), 0);
+      values_.resize(std::size_t{index} + 1);  // each new one is 0
+      present_.resize(values_.size());
     }
     const bool is_new = present_[index] == 0;
     if (is_new) {
@@ -71,8 +70,8 @@ class Accumulator {
 
  private:
   R ring_;
-  std::vector<Element> values_;
-  std::vector<unsigned char> present_;
+  GrowingArray<Element> values_;
+  GrowingArray<unsigned char> present_;
   std::vector<Id> touched_;
 };
 
