@@ -21,7 +21,7 @@ inline constexpr bool is_relocatable = std::is_trivially_copyable_v<T>;
 
 /// A contiguous list that grows at its end, like a std::vector, of relocatable elements. It grows by `resize_block`,
 /// which for large blocks moves pages and not bytes: a vector of a hundred megabytes takes a tenth of a second to
-/// double, this a few microseconds, and both copies are never there at once.
+/// double, this some milliseconds at most, and both copies are never there at once.
 /// Cost: as of a std::vector.
 template <class T>
 class GrowingArray {

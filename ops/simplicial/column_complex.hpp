@@ -37,8 +37,8 @@ class ColumnComplex {
 
   static constexpr std::uint64_t dimension_mask = largest_dimension;
 
-  sparse::GrowingArray<std::uint64_t>
-      cells_;  ///< the dimension in the low bits, above them the sum of the words of the rows
+  /// The dimension in the low bits, above them the sum of the words of the rows.
+  sparse::GrowingArray<std::uint64_t> cells_;
   std::vector<std::uint64_t> counts_;
   std::vector<std::uint32_t> facets_;
 };
