@@ -18,6 +18,7 @@ enum class Errc {
   law_broken,     ///< an algebraic identity that should hold does not
   expectation,    ///< a stated expectation differs from the state
   io,             ///< the outside world: files, streams
+  limit,          ///< it would take more memory, cells or time than there is, or than was allowed
 };
 
 /// An error: its kind, and one sentence that says where, what, and what would be right.

@@ -56,10 +56,17 @@ void Workspace::carry_out() {
   structure_.apply(plan_);
 }
 
-Status Workspace::take_back(std::uint64_t steps) {
+Status Workspace::can_take_back(std::uint64_t steps) const {
   if (steps > steps_.size()) {
     return Error{Errc::refused, fmt::format("cannot undo {} steps: only {} can be undone{}", steps, steps_.size(),
                                             forgotten_ > 0 ? ", as older ones are not kept" : "")};
+  }
+  return Done{};
+}
+
+Status Workspace::take_back(std::uint64_t steps) {
+  if (Status possible = can_take_back(steps); !possible) {
+    return possible;
   }
   if (steps > 0) {
     const std::size_t first = steps_.size() - steps;

@@ -52,7 +52,9 @@ class Workspace {
     return step + 1 == steps_.size() ? structure_.now() : before(step + 1);
   }
 
-  /// Takes back the last steps. Errors: refused when there are fewer. Cost: what they did.
+  /// Whether the last steps can be taken back. Errors: refused when there are fewer.
+  [[nodiscard]] Status can_take_back(std::uint64_t steps) const;
+  /// Takes them back. Errors: likewise. Cost: what they did.
   Status take_back(std::uint64_t steps);
   /// The oldest step can't be taken back from now on; the events of the journal that were kept for it are forgotten.
   /// Requires: there is one.

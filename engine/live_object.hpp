@@ -1,0 +1,83 @@
+/// \file
+/// The object that a log of operations describes, with its homology: what an engine gives up and makes anew when an
+/// exception has cut a step off.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/equivalences.hpp"
+#include "engine/homology_tracker.hpp"
+#include "engine/step_numbers.hpp"
+#include "engine/step_report.hpp"
+#include "engine/towers/barcode.hpp"
+#include "ops/plan/workspace.hpp"
+#include "ops/vocabulary/operation.hpp"
+#include "sparse/result.hpp"
+#include "sparse/ring.hpp"
+
+namespace sesame::engine {
+
+/// A workspace and its equivalences, step by step. What its functions say of errors and cost, Engine says. After an
+/// exception it is void, and can only be destroyed.
+class LiveObject {
+ public:
+  /// `undoable`: so many steps can be undone.
+  LiveObject(const sparse::AnyRing& ring, const ops::Limits& limits, const RebasePolicy& rebases,
+             std::uint64_t undoable);
+  LiveObject(const LiveObject&) = delete;
+  LiveObject& operator=(const LiveObject&) = delete;
+  ~LiveObject() = default;
+
+  /// Called when an operation can be refused no more, before anything of it happens. When it fails, nothing does.
+  using WriteAhead = std::function<Status(const ops::Operation&)>;
+
+  // ---- steps
+  Result<StepReport> apply(const ops::Operation& operation, const WriteAhead& write_ahead);
+  Result<ops::Plan> plan(const ops::Operation& operation);
+  /// The operations applied, undos included.
+  [[nodiscard]] std::uint64_t applied() const { return applied_; }
+
+  // ---- state
+  [[nodiscard]] const ops::Workspace& workspace() const { return workspace_; }
+  [[nodiscard]] const ops::Structure& structure() const { return workspace_.structure(); }
+  [[nodiscard]] std::span<const std::uint64_t> cells() const { return structure().counts(); }
+  [[nodiscard]] std::uint64_t undoable() const { return workspace_.steps().size(); }
+  [[nodiscard]] std::int64_t euler_characteristic() const;
+  [[nodiscard]] Equivalences& equivalences() { return equivalences_; }
+  [[nodiscard]] HomologyTracker& tracker() { return equivalences_.now(); }
+
+  // ---- questions
+  [[nodiscard]] Homology homology() { return tracker().homology(cells().size()); }
+  [[nodiscard]] Result<CellChain> chain(const std::vector<std::pair<Integer, std::string>>& terms) const;
+  /// `visit` does not throw.
+  void visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit);
+  [[nodiscard]] Result<Barcode> barcode() const;
+  [[nodiscard]] std::optional<std::string> first_defect();
+
+ private:
+  Result<StepReport> carry_out(const ops::Operation& operation, const WriteAhead& write_ahead);
+  Result<StepReport> construct(const ops::Operation& operation, const WriteAhead& write_ahead);
+  Result<StepReport> take_back(const ops::Undo& operation, const WriteAhead& write_ahead);
+  /// A step that does nothing to the object.
+  Result<StepReport> pass(const ops::Operation& operation, const WriteAhead& write_ahead);
+  Status check_room(const ops::Operation& operation) const;
+  StepReport begin_report(const ops::Operation& operation) const;
+  void remember();
+  void forget_old_steps();
+
+  sparse::AnyRing ring_;
+  ops::Workspace workspace_;
+  Equivalences equivalences_;
+  std::uint64_t most_undoable_;
+  std::uint64_t applied_ = 0;   ///< operations
+  StepNumbers numbers_;         ///< of these, from 1, the steps that can be undone
+  bool has_forgotten_ = false;  ///< steps that could be undone
+};
+
+}  // namespace sesame::engine

@@ -1,0 +1,44 @@
+/// \file
+/// What a step did, and what is kept of history.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "engine/homology_tracker.hpp"
+#include "ops/cells/moment.hpp"
+#include "ops/cells/plan.hpp"
+#include "ops/plan/step_sequence.hpp"
+
+namespace sesame::engine {
+
+/// The sizes of a step's exact sequence 0 -> C0 -> C1 -> C2 -> 0, in generators of all degrees.
+struct SequenceSizes {
+  ops::Direction direction;
+  std::uint64_t c0, c1, c2;
+};
+
+/// What a step did.
+struct StepReport {
+  std::uint64_t step = 0;                 ///< counted from 1, over all steps that were applied
+  std::string_view op;                    ///< the keyword of its operation
+  ops::StepKind kind{};                   ///< what it was to the object
+  ops::Moment before, after;              ///< cells created and removed until then
+  ops::EventCounts events;                ///< of the journal, that it made or, an undo, took back
+  std::uint64_t steps_undone = 0;         ///< by an undo
+  std::uint64_t already = 0;              ///< simplices of an insertion that were there; see Plan::already
+  bool rebased = false;                   ///< the equivalence was begun afresh: see Engine::rebases
+  std::optional<SequenceSizes> sequence;  ///< of a step that added or removed cells
+  std::optional<ClassAnswer> answer;      ///< to a `class`
+};
+
+/// What an engine keeps of its history. The object, the groups and the witnesses do not depend on it.
+struct HistoryPolicy {
+  /// So many steps can be undone, the last ones. What was kept to undo older ones is freed: see Engine::undo.
+  std::uint64_t undoable = UINT64_MAX;
+  /// Whether `Engine::log` has all operations that were applied, or only the last one.
+  bool keeps_log = true;
+};
+
+}  // namespace sesame::engine
