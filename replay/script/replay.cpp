@@ -57,6 +57,9 @@ class Run {
     owner = std::make_unique<engine::Engine>(*ring, options_.limits, engine::RebasePolicy{},
                                              engine::HistoryPolicy{options_.undoable, false});
     engine::Engine& engine = *owner;
+    if (options_.observer) {
+      engine.observe(options_.observer);
+    }
     Outcome outcome = options_.older_steps != nullptr ? take_older_steps(engine) : begin_log(*header, *ring);
     if (outcome == Outcome::done) {
       outcome = all_steps(engine);

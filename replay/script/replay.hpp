@@ -50,6 +50,7 @@ struct ReplayOptions {
   /// The log as it is so far, to be gone on from: its steps come first, neither reported nor verified, counted by
   /// `until` or written again, and its header is that of both. It has to be over the ring of the replay.
   ScriptReader* older_steps = nullptr;
+  engine::Observer observer;      ///< of the engine, if any
   std::ostream* notes = nullptr;  ///< what is worth to know and no error, one line each
 };
 

@@ -14,7 +14,7 @@ ORDER = ["sparse", "reductions", "ops", "engine", "replay", "tools", "tests"]
 ROOMS = {
     "ops": ["", "simplicial", "cells", "vocabulary", "plan"],
     "engine": ["right", "left", "towers", ""],
-    "replay": ["text", "script", "barcode", "tower", "distance", "picture", ""],
+    "replay": ["text", "script", "barcode", "tower", "distance", "picture", "export", ""],
     "tools": ["mesh", "bench", "commands", ""],
 }
 GENERATED = {"sesame/version.hpp": "sparse"}

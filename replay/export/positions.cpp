@@ -1,0 +1,122 @@
+#include "replay/export/positions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace sesame::replay {
+namespace {
+
+using ops::CellId;
+using Given = std::pair<CellId, ops::Point>;
+
+/// The vertices of a standard cell are the first of its nodes, an apex is the first of those of its cone.
+void add_in_order(const std::vector<ops::Point>& points, CellId first, std::vector<Given>& given) {
+  for (const ops::Point& point : points) {
+    given.emplace_back(first++, point);
+  }
+}
+
+void add_listed(const ops::MakeComplex& made, const ops::Structure& structure, std::vector<Given>& given) {
+  const std::size_t known = given.size();
+  for (std::size_t k = 0; k < made.cells.size(); ++k) {
+    if (const ops::Point* point = made.cells.at(k)) {
+      if (const auto node = structure.lookup(made.name + "." + std::string{made.cells.id(k)})) {
+        given.emplace_back(*node, *point);
+      }
+    }
+  }
+  std::sort(given.begin() + static_cast<std::ptrdiff_t>(known), given.end());
+}
+
+void add_apexes(const ops::MakeSuspension& made, const ops::Structure& structure, std::vector<Given>& given) {
+  for (std::size_t k = 0; k < made.at.size(); ++k) {
+    if (const auto node = structure.lookup(made.apexes.at(k))) {
+      given.emplace_back(*node, made.at[k]);
+    }
+  }
+}
+
+/// The vertex of the object that a node has become, or none when it belongs to a factor of a product.
+CellId vertex_of_object(const ops::Structure& structure, CellId node) {
+  CellId vertex = structure.find(node);
+  while (structure.lazy().is_consumed(vertex)) {
+    const ops::FamilyId family = structure.lazy().consumed_by(vertex);
+    if (structure.lazy().family(family).kind != ops::FamilyKind::cone) {
+      return ops::none;
+    }
+    const ops::Value factor = structure.values().of(vertex);
+    vertex = structure.find(structure.lazy().cell(family, ops::LazyPart::base, factor));
+  }
+  return vertex;
+}
+
+/// A vertex that was split off is where the one is that it was split from, unless a position is known already.
+void place_copies(const ObjectCells& cells, std::vector<std::optional<ops::Point>>& found) {
+  const ops::Structure& structure = cells.structure();
+  for (CellId c = 0; structure.splits().copies() > 0 && c < structure.cells().size(); ++c) {
+    const auto* copy = structure.dimension(c) == 0 ? structure.splits().copy(c) : nullptr;
+    if (copy == nullptr) {
+      continue;
+    }
+    const CellId vertex = vertex_of_object(structure, c);
+    const CellId source = vertex_of_object(structure, copy->source);
+    if (vertex != ops::none && source != ops::none && !found[cells.number(vertex)]) {
+      found[cells.number(vertex)] = found[cells.number(source)];
+    }
+  }
+}
+
+}  // namespace
+
+void Positions::take(const ops::Operation& operation, const engine::StepReport& report,
+                     const ops::Structure& structure) {
+  const CellId first = report.before.created;
+  if (std::holds_alternative<ops::Undo>(operation)) {
+    while (!given_.empty() && given_.back().first >= structure.cells().size()) {
+      given_.pop_back();
+    }
+  } else if (const auto* simplex = std::get_if<ops::MakeSimplex>(&operation)) {
+    add_in_order(simplex->at, first, given_);
+  } else if (const auto* simploid = std::get_if<ops::MakeSimploid>(&operation)) {
+    add_in_order(simploid->at, first, given_);
+  } else if (const auto* complex = std::get_if<ops::MakeComplex>(&operation)) {
+    add_listed(*complex, structure, given_);
+  } else if (const auto* suspension = std::get_if<ops::MakeSuspension>(&operation)) {
+    add_apexes(*suspension, structure, given_);
+  } else if (const auto* cone = std::get_if<ops::MakeCone>(&operation); cone != nullptr && cone->at) {
+    given_.emplace_back(first, *cone->at);
+  }
+}
+
+Result<Positions::Points> Positions::of_vertices(const ObjectCells& cells) const {
+  const ops::Structure& structure = cells.structure();
+  std::vector<std::optional<ops::Point>> found(cells.of(0).size());
+  std::vector<bool> is_torn(found.size(), false);
+  for (const auto& [node, point] : given_) {
+    if (const CellId vertex = vertex_of_object(structure, node); vertex != ops::none) {
+      std::optional<ops::Point>& place = found[cells.number(vertex)];
+      is_torn[cells.number(vertex)] = is_torn[cells.number(vertex)] || (place && *place != point);
+      place = place ? place : point;
+    }
+  }
+  place_copies(cells, found);
+  Points all;
+  all.points.reserve(found.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    if (!found[k]) {
+      return Error{Errc::refused,
+                   fmt::format("the vertex \"{}\" has no position, and a drawing needs one of each: \"at\" of simplex, "
+                               "simploid, complex, cone or suspend gives it; other formats, such as phat, need none",
+                               structure.name(cells.of(0)[k]))};
+    }
+    all.points.push_back(*found[k]);
+  }
+  all.torn = static_cast<std::uint64_t>(std::count(is_torn.begin(), is_torn.end(), true));
+  return all;
+}
+
+}  // namespace sesame::replay
