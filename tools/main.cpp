@@ -91,6 +91,7 @@ int run(int argc, char** argv, sesame::tools::ProgramLog& log) {
   int status = 0;
   sesame::tools::add_replay_command(app, status);
   sesame::tools::add_import_command(app, status);
+  sesame::tools::add_export_command(app, status);
   sesame::tools::add_mesh_command(app, status);
   sesame::tools::add_generate_command(app, status);
   sesame::tools::add_tower_command(app, status);

@@ -359,7 +359,7 @@ class Log(unittest.TestCase):
         self.assertEqual(done.stderr, "sesame: --log-file: cannot write /dev/full: No space left on device\n")
 
     def test_every_command_has_it(self):
-        for command in ("replay", "import", "mesh", "generate", "tower", "distance", "bench"):
+        for command in ("replay", "import", "export", "mesh", "generate", "tower", "distance", "bench"):
             explained = run("help", command).stdout
             self.assertIn("--verbose", explained)
             self.assertIn("--log-file FILE", explained)
@@ -374,7 +374,7 @@ class Program(unittest.TestCase):
             self.assertIn("sesame", done.stdout)
 
     def test_every_command_is_explained(self):
-        commands = ("replay", "import", "mesh", "generate", "tower", "distance", "bench", "help")
+        commands = ("replay", "import", "export", "mesh", "generate", "tower", "distance", "bench", "help")
         general = run("--help").stdout
         self.assertEqual((run("help").stdout, general.count("\nUsage: sesame [OPTIONS] SUBCOMMAND\n")), (general, 1))
         for command in commands:

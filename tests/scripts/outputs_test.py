@@ -64,20 +64,23 @@ class Folder(unittest.TestCase):
 
 # Every command, with everything that it says on standard output.
 SAYING = [["help"], ["--help"], ["--version"], *(["help", name] for name in (
-    "replay", "import", "mesh", "generate", "tower", "distance", "bench", "help")),
+    "replay", "import", "export", "mesh", "generate", "tower", "distance", "bench", "help")),
     ["replay", "s.jsonl"], ["replay", "--json", "s.jsonl"], ["replay", "--generators", "s.jsonl"],
     ["replay", "--quiet", "--log", "-", "s.jsonl"], ["tower", "t.tower"], ["tower", "--json", "t.tower"],
     ["tower", "--every", "1", "t.tower"], ["tower", "--ring", "Z", "t.tower"], ["tower", "--generators", "t.tower"],
     ["tower", "--quiet", "--pers", "-", "t.tower"], ["tower", "s.jsonl"], ["distance", "p.pers", "p.pers"],
     ["distance", "--json", "--matching", "p.pers", "p.pers"], ["mesh", "m.off"], ["mesh", "--json", "m.off"],
     ["import", "m.off", "--quiet"], ["import", "--assemble", "--quiet", "m.off"], ["generate", "torus", "--size", "3"],
+    *(["export", "s.jsonl", "--format", form] for form in ("script", "phat", "facets")),
     ["bench", "--list"], ["bench", "torus-random", "--size", "3", "--repeat", "1"],
     ["bench", "torus-random", "--size", "3", "--repeat", "1", "--json"]]
 
 # Every option that names a file to write, and what is read meanwhile.
 WRITING = [(["replay", "s.jsonl", "--quiet", "--overwrite", "--log"], "s.jsonl"),
            *((["tower", "t.tower", "--quiet", f"--{kind}"], "t.tower") for kind in ("pers", "csv", "svg", "html")),
-           (["import", "m.off", "--quiet", "-o"], "m.off"), (["generate", "torus", "--size", "3", "-o"], None),
+           (["import", "m.off", "--quiet", "-o"], "m.off"),
+           *((["export", "s.jsonl", "--format", form, "-o"], "s.jsonl") for form in ("script", "phat")),
+           (["generate", "torus", "--size", "3", "-o"], None),
            (["bench", "torus-random", "--size", "3", "--repeat", "1", "--out"], None),
            (["bench", "torus-random", "--size", "3", "--repeat", "1", "--html"], None),
            (["bench", "torus-random", "--size", "3", "--counts"], None),

@@ -8,6 +8,7 @@ namespace sesame::tools {
 
 void add_replay_command(CLI::App& app, int& status);
 void add_import_command(CLI::App& app, int& status);
+void add_export_command(CLI::App& app, int& status);
 void add_mesh_command(CLI::App& app, int& status);
 void add_generate_command(CLI::App& app, int& status);
 void add_tower_command(CLI::App& app, int& status);

@@ -50,8 +50,8 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
           ""};
 }
 
-void add_generator_options(CLI::App& command, std::optional<replay::GeneratorOptions>& options,
-                           const std::string& description) {
+CLI::Option* add_generators_option(CLI::App& command, std::optional<replay::GeneratorOptions>& options,
+                                   const std::string& description) {
   const auto choose = [&options](const CLI::results_t& given) {
     options.emplace();
     if (given.front() != "true") {  // which is what stands for no value
@@ -63,10 +63,15 @@ void add_generator_options(CLI::App& command, std::optional<replay::GeneratorOpt
     }
     return true;
   };
-  CLI::Option* generators = command.add_option("--generators", choose, description)
-                                ->expected(0)
-                                ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-                                ->option_text("[=DEGREES]");
+  return command.add_option("--generators", choose, description)
+      ->expected(0)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+      ->option_text("[=DEGREES]");
+}
+
+void add_generator_options(CLI::App& command, std::optional<replay::GeneratorOptions>& options,
+                           const std::string& description) {
+  CLI::Option* generators = add_generators_option(command, options, description);
   const auto limit = [&options](std::uint64_t terms) {
     if (options) {
       options->most_terms = terms;

@@ -45,7 +45,11 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, T& value, co
       ->type_name(alternatives(words));
 }
 
-/// Adds --generators[=DEGREES] and --max-terms. `options` stays empty when no generators are asked for.
+/// Adds --generators[=DEGREES]. `options` stays empty when no generators are asked for.
+CLI::Option* add_generators_option(CLI::App& command, std::optional<replay::GeneratorOptions>& options,
+                                   const std::string& description);
+
+/// Adds --generators[=DEGREES] and --max-terms.
 void add_generator_options(CLI::App& command, std::optional<replay::GeneratorOptions>& options,
                            const std::string& description);
 
