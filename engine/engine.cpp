@@ -7,23 +7,28 @@
 #include <new>
 #include <stdexcept>
 
+#include "engine/answer_hash.hpp"
 #include "engine/live_equivalence.hpp"
 #include "engine/log.hpp"
+#include "engine/log_snapshots.hpp"
 #include "engine/step_account.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::engine {
 
-Engine::Engine(sparse::AnyRing ring, ops::Limits limits, const RebasePolicy& rebases, const HistoryPolicy& history)
+Engine::Engine(sparse::AnyRing ring, ops::Limits limits, const RebasePolicy& rebases, const HistoryPolicy& history,
+               const Resources& resources)
     : ring_{ring},
       limits_{limits},
       rebases_{rebases},
       history_{history},
+      resources_{resources},
       object_{std::make_unique<LiveObject>(ring, limits, rebases, history.undoable)} {
   // Made now if need be, so that memory running out in a step is the step's own affair.
   step_log();
   rebase_log();
   refusal_log();
+  object_->watch(resources_);
 }
 
 Engine::~Engine() = default;
@@ -32,6 +37,13 @@ Engine::~Engine() = default;
 
 LiveObject& Engine::object() const {
   if (is_void_) [[unlikely]] {
+    make_anew();
+  }
+  return *object_;
+}
+
+LiveObject& Engine::object_with_all_steps() const {
+  if (object().undoable_here() < object().undoable()) {
     make_anew();
   }
   return *object_;
@@ -79,9 +91,9 @@ void Engine::make_anew() const {
   if (const Status settled = settle_log(); !settled) {
     throw std::runtime_error(settled.error().what);
   }
+  is_void_ = true;
   object_.reset();
-  sparse::expects(history_.keeps_log || written_to_ != nullptr,
-                  "a step was cut off by an exception, and there is no log to make the object anew from");
+  sparse::expects(has_log(), "a step was cut off by an exception, and there is no log to make the object anew from");
   auto anew = std::make_unique<LiveObject>(ring_, limits_, rebases_, history_.undoable);
   const LiveObject::WriteAhead is_written = [](const ops::Operation&) { return Done{}; };
   const auto apply = [&](const ops::Operation& operation) -> Status {
@@ -100,9 +112,10 @@ void Engine::make_anew() const {
     throw std::runtime_error("the object cannot be made anew from its log: " + status.error().what);
   }
   sparse::expects(anew->applied() == applied_, "the log has the steps that were applied, and no other");
+  anew->watch(resources_);
   object_ = std::move(anew);
   is_void_ = false;
-  step_log().info("made anew from the {} steps of its log, as one was cut off", applied_);
+  step_log().info("made anew from the {} steps of its log", applied_);
 }
 
 // ------------------------------------------------------------------------------------------------------------ steps
@@ -115,14 +128,19 @@ Result<StepReport> Engine::apply(ops::Operation operation) {
     refusal_log().debug("step {} ({}) did not happen: {}", applied_ + 1, ops::keyword(operation), result.error().what);
     return result;
   }
-  account.say(*result);
+  try {
+    account.say(*result);
+    bind_now_and_then();
+  } catch (const std::exception& e) {  // the step has happened: what is wrong, the next one will meet
+    step_log().warn("after step {}: {}", applied_, e.what());
+  }
   call_observers(*result);
   return result;
 }
 
 Result<StepReport> Engine::attempt(ops::Operation& operation) {
-  LiveObject& object = this->object();
   try {
+    LiveObject& object = this->object().needs_earlier_steps(operation) ? object_with_all_steps() : this->object();
     Result<StepReport> result =
         object.apply(operation, [this](const ops::Operation& step) { return write_ahead(step); });
     if (result) {
@@ -131,6 +149,9 @@ Result<StepReport> Engine::attempt(ops::Operation& operation) {
     return result;
   } catch (const std::bad_alloc&) {
     give_up();
+    if (!has_log()) {
+      throw;
+    }
     (void)settle_log();  // or else before the next step
   } catch (...) {
     give_up();
@@ -159,6 +180,43 @@ void Engine::keep(ops::Operation&& operation) {
   log_.push_back(std::move(operation));
   ++applied_;
   is_ahead_ = false;
+}
+
+void Engine::write_to(std::shared_ptr<StepLog> log, std::shared_ptr<LogSnapshots> snapshots) {
+  written_to_ = std::move(log);
+  snapshots_ = std::move(snapshots);
+}
+
+void Engine::resume(std::unique_ptr<LiveObject> object) {
+  sparse::expects(applied_ == 0, "only a new engine goes on with an object");
+  applied_ = object->applied();
+  object_ = std::move(object);
+  object_->watch(resources_);
+}
+
+Status Engine::bind(bool syncs) {
+  return written_to_ == nullptr ? Status{Done{}} : written_to_->bind(answer_hash(cells(), homology()), syncs);
+}
+
+Status Engine::bind_log() {
+  Status bound = bind(true);
+  if (bound && snapshots_ != nullptr) {
+    snapshots_->at_end(object());
+  }
+  return bound;
+}
+
+void Engine::bind_now_and_then() {
+  constexpr std::uint64_t steps_for_each = 1000;
+  if (written_to_ == nullptr || applied_ % steps_for_each != 0) {
+    return;
+  }
+  if (const Status bound = bind(false); !bound) {
+    step_log().warn("{}", bound.error().what);
+  }
+  if (snapshots_ != nullptr) {
+    snapshots_->now_and_then(object());
+  }
 }
 
 void Engine::call_observers(const StepReport& report) const {
@@ -199,12 +257,16 @@ void Engine::visit_generators(int degree, std::uint64_t most_terms, const Genera
   std::exception_ptr thrown;
   ask([&](LiveObject& object) {
     object.visit_generators(degree, most_terms, [&](Generator generator) {
+      bool goes_on = false;
       try {
-        return visit(std::move(generator));
+        goes_on = visit(std::move(generator));
       } catch (...) {
         thrown = std::current_exception();
-        return false;
       }
+      if (is_void_) {  // a question within the visit was cut off: nothing more is to be done with this object
+        throw std::bad_alloc();
+      }
+      return goes_on;
     });
   });
   if (thrown) {
@@ -217,12 +279,16 @@ ClassAnswer Engine::classify(const CellChain& chain) {
 }
 
 Result<Barcode> Engine::barcode() const {
+  if (object().barcode_needs_earlier_steps()) {
+    (void)object_with_all_steps();
+  }
   return ask([](LiveObject& object) { return object.barcode(); });
 }
 
 ops::Moment Engine::before_step(std::uint64_t n) const {
   sparse::expects(n >= 1 && n <= undoable(), "a step is one of those that are not undone");
-  return object().workspace().before(n - 1);
+  const std::uint64_t below = object().workspace().steps_below();
+  return n > below ? object().workspace().before(n - 1 - below) : object_with_all_steps().workspace().before(n - 1);
 }
 
 std::optional<std::string> Engine::first_defect() {

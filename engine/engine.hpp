@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/durable/step_log.hpp"
 #include "engine/live_object.hpp"
-#include "engine/step_log.hpp"
 #include "engine/step_report.hpp"
 #include "engine/towers/barcode.hpp"
 #include "ops/cells/structure.hpp"
@@ -27,6 +27,9 @@ namespace sesame::engine {
 
 template <sparse::Ring R>
 class LiveEquivalence;
+class LogSnapshots;
+struct OpenOptions;
+struct OpenedLog;
 
 /// Called after each step that was applied, with the operation as it stands in the log. When one throws, the step has
 /// happened all the same, the other observers are called, and then `apply` throws what the first one threw.
@@ -43,13 +46,19 @@ using Observer = std::function<void(const ops::Operation&, const StepReport&)>;
 /// and, at the next call, made anew from the log, which has every step that was applied and no other. That takes as
 /// long as these steps did; groups are what they were, representatives as after a rebase. References to parts of the
 /// engine (`structure`, `maps`, `live`) are not valid any longer. An engine that keeps no log of its own
-/// (HistoryPolicy) and has none beside it (`write_to`) cannot do that: it takes no further call.
+/// (HistoryPolicy) and has none beside it (`write_to`) cannot do that: there the exception leaves `apply` as well, and
+/// the engine takes no further call.
 ///
 /// Not thread-safe: queries bring memoised results up to date.
 class Engine {
  public:
   explicit Engine(sparse::AnyRing ring = sparse::Integers{}, ops::Limits limits = {}, const RebasePolicy& rebases = {},
-                  const HistoryPolicy& history = {});
+                  const HistoryPolicy& history = {}, const Resources& resources = {});
+  /// An engine that goes on from a log, or begins one, and writes its steps there: see engine/open.hpp.
+  /// Errors    io, also when another process writes it; bad_input when a record is damaged, of which nothing is lost:
+  ///           the file is as it was; law_broken when the homology is not the one that it was bound to; those of steps.
+  /// Cost      that of the steps.
+  static Result<OpenedLog> open(const std::string& path, const OpenOptions& options);
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
   ~Engine();
@@ -77,8 +86,15 @@ class Engine {
   [[nodiscard]] const std::deque<ops::Operation>& log() const { return log_; }
   void observe(Observer observer) { observers_.push_back(std::move(observer)); }
   /// From now on every step is appended to this log before anything of it happens; null: to none. The log has the steps
-  /// that were applied until now, and lives as long as the engine, or until another takes its place.
-  void write_to(StepLog* log) { written_to_ = log; }
+  /// that were applied until now. After every thousand steps it is bound to the answers, and a snapshot taken if it is
+  /// time.
+  void write_to(std::shared_ptr<StepLog> log, std::shared_ptr<LogSnapshots> snapshots = nullptr);
+  /// Goes on with an object that a snapshot had. Steps from before it can be undone, and have a barcode, by doing the
+  /// steps of the log again. Requires: no step has been applied; the object was made on the terms of this engine.
+  void resume(std::unique_ptr<LiveObject> object);
+  /// Puts all steps on the disk, binds them to the answers, and takes a snapshot of many steps, as at the end of a
+  /// session. Cost: that of the homology, and of a snapshot. Errors: those of the log.
+  Status bind_log();
 
   // ---- state
   [[nodiscard]] const sparse::AnyRing& ring() const { return ring_; }
@@ -138,7 +154,8 @@ class Engine {
   [[nodiscard]] std::optional<ops::StepSequence<R>> sequence(std::uint64_t n, const R& ring) const {
     const ops::Moment before = before_step(n);
     const ops::Workspace& workspace = object().workspace();
-    return ops::step_sequence(structure(), workspace.steps()[n - 1].kind, before, workspace.after(n - 1), ring);
+    const std::uint64_t k = n - 1 - workspace.steps_below();
+    return ops::step_sequence(structure(), workspace.steps()[k].kind, before, workspace.after(k), ring);
   }
   /// Checks every law of the present state. Slow. Returns the first that fails and where.
   [[nodiscard]] std::optional<std::string> first_defect();
@@ -149,6 +166,10 @@ class Engine {
 
  private:
   LiveObject& object() const;
+  LiveObject& object_with_all_steps() const;
+  [[nodiscard]] bool has_log() const {
+    return history_.keeps_log || (written_to_ != nullptr && written_to_->can_be_read_back());
+  }
   template <class Question>
   auto ask(Question&& question) const;
   Status settle_log() const;
@@ -156,19 +177,23 @@ class Engine {
   Result<StepReport> attempt(ops::Operation& operation);
   Status write_ahead(const ops::Operation& operation);
   void keep(ops::Operation&& operation);
+  Status bind(bool syncs);
+  void bind_now_and_then();
   void call_observers(const StepReport& report) const;
 
   sparse::AnyRing ring_;
   ops::Limits limits_;
   RebasePolicy rebases_;
   HistoryPolicy history_;
+  Resources resources_;
   mutable std::unique_ptr<LiveObject> object_;
   mutable bool is_void_ = false;         ///< the object: something was cut off
   mutable std::uint32_t questions_ = 0;  ///< that are being answered, one within the other
   mutable bool is_ahead_ = false;        ///< `written_to_` has a step that has not happened
   std::uint64_t applied_ = 0;            ///< operations, as the log has them
   std::deque<ops::Operation> log_;
-  StepLog* written_to_ = nullptr;
+  std::shared_ptr<StepLog> written_to_;
+  std::shared_ptr<LogSnapshots> snapshots_;
   std::vector<Observer> observers_;
 };
 

@@ -73,6 +73,18 @@ bool Equivalences::extend(std::uint64_t moves) {
   return true;
 }
 
+void Equivalences::begin_afresh(const EliminationRecord* record) {
+  sparse::expects(parts_.size() == 1 && parts_.back().marks == 0, "who begins afresh remembers nothing");
+  parts_.back().tracker = make_tracker_afresh(ring_, structure_, {}, record);
+}
+
+std::optional<EliminationRecord> Equivalences::record_afresh() const {
+  if (structure_.lazy().families() > 0) {
+    return std::nullopt;  // their cells would have to be made
+  }
+  return make_tracker_afresh(ring_, structure_, {})->record();
+}
+
 void Equivalences::push_mark() {
   now().push_mark();
   ++parts_.back().marks;

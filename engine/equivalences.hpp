@@ -68,6 +68,13 @@ class Equivalences {
   /// Nobody will go back to the oldest mark: what was kept for it is freed. Requires: there is one.
   void forget_oldest_mark();
 
+  /// Begins with the present object, as if there had been nothing before. Requires: nothing is remembered. Cost: that
+  /// of reducing the object, and a look at all cells ever made.
+  /// With a record of the reduction, half of that.
+  void begin_afresh(const EliminationRecord* record = nullptr);
+  /// A record for that. Changes nothing. Nothing when there is no short one. Cost: that of reducing the object.
+  [[nodiscard]] std::optional<EliminationRecord> record_afresh() const;
+
   /// What all of them have done, those that were undone included.
   [[nodiscard]] Work work() const { return done_by_others_ + now().work(); }
   /// The rebases that are not undone.

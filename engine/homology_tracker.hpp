@@ -11,6 +11,7 @@
 
 #include "engine/left/saturating.hpp"
 #include "engine/left/window.hpp"
+#include "engine/right/elimination_record.hpp"
 #include "ops/cells/structure.hpp"
 #include "ops/plan/step_sequence.hpp"
 #include "sparse/rational_chain.hpp"
@@ -122,6 +123,9 @@ class HomologyTracker {
   /// describes is an equivalence of the same object, with a big complex of one generator for each cell. The present one
   /// may not have taken in the last step. Cost: that of reducing the object, lazy cells written out.
   [[nodiscard]] virtual std::unique_ptr<HomologyTracker> afresh() const = 0;
+  /// What a tracker that was begun afresh, and has taken in nothing since, has done to the object, if it consists of
+  /// eliminations: another one need not work it out again.
+  [[nodiscard]] virtual std::optional<EliminationRecord> record() const = 0;
   /// The part of the history that it describes.
   [[nodiscard]] virtual const Window& window() const = 0;
   /// The copies made since the tracker began.

@@ -51,7 +51,7 @@ std::vector<CellId> current_cells(const Structure& structure, std::span<const Ce
 }  // namespace
 
 template <Ring R>
-LiveEquivalence<R>::LiveEquivalence(R ring, Window window)
+LiveEquivalence<R>::LiveEquivalence(R ring, Window window, const EliminationRecord* record)
     : ring_{ring},
       window_{std::move(window)},
       structure_{window_.structure()},
@@ -62,8 +62,17 @@ LiveEquivalence<R>::LiveEquivalence(R ring, Window window)
       classes_{ring, big_, rewriter_, chains_},
       position_{window_.start()} {
   rewriter_.reserve(big_.size());
-  for (GeneratorId generator = 0; generator < big_.size(); ++generator) {
-    rewriter_.append(big_.degree(generator));
+  if (record != nullptr) {
+    std::vector<int> degrees;
+    degrees.reserve(big_.size());
+    for (GeneratorId generator = 0; generator < big_.size(); ++generator) {
+      degrees.push_back(big_.degree(generator));
+    }
+    rewriter_.append_recorded(degrees, *record);
+  } else {
+    for (GeneratorId generator = 0; generator < big_.size(); ++generator) {
+      rewriter_.append(big_.degree(generator));
+    }
   }
   take_in_step();
 }
@@ -224,10 +233,11 @@ reductions::Equivalence<R> LiveEquivalence<R>::matrices() {
 
 namespace {
 
-std::unique_ptr<HomologyTracker> make_tracker_of(const sparse::AnyRing& ring, Window window) {
+std::unique_ptr<HomologyTracker> make_tracker_of(const sparse::AnyRing& ring, Window window,
+                                                 const EliminationRecord* record = nullptr) {
   return std::visit(
       [&]<class R>(const R& k) -> std::unique_ptr<HomologyTracker> {
-        return std::make_unique<LiveEquivalence<R>>(k, std::move(window));
+        return std::make_unique<LiveEquivalence<R>>(k, std::move(window), record);
       },
       ring);
 }
@@ -239,8 +249,8 @@ std::unique_ptr<HomologyTracker> make_tracker(const sparse::AnyRing& ring, const
 }
 
 std::unique_ptr<HomologyTracker> make_tracker_afresh(const sparse::AnyRing& ring, const Structure& structure,
-                                                     const CellsToLookAt& among) {
-  return make_tracker_of(ring, Window{structure, current_cells(structure, among.cells, among.made_since)});
+                                                     const CellsToLookAt& among, const EliminationRecord* record) {
+  return make_tracker_of(ring, Window{structure, current_cells(structure, among.cells, among.made_since)}, record);
 }
 
 #define SESAME_INSTANTIATE(R) template class LiveEquivalence<R>;

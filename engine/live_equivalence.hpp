@@ -21,14 +21,16 @@ namespace sesame::engine {
 template <Ring R>
 class LiveEquivalence final : public HomologyTracker {
  public:
-  /// The equivalence of a window's present object. Cost: that of its cells and of what has happened in it.
-  LiveEquivalence(R ring, Window window);
+  /// The equivalence of a window's present object. Cost: that of its cells and of what has happened in it. `record`: of
+  /// one of the same object at its beginning.
+  LiveEquivalence(R ring, Window window, const EliminationRecord* record = nullptr);
 
   [[nodiscard]] bool extend(std::uint64_t budget) override;
   void push_mark() override;
   void undo_to_mark() override;
   void forget_oldest_mark() override;
   [[nodiscard]] std::unique_ptr<HomologyTracker> afresh() const override;
+  [[nodiscard]] std::optional<EliminationRecord> record() const override { return rewriter_.record(); }
   [[nodiscard]] std::uint32_t copies() const override { return window_.copies(); }
 
   [[nodiscard]] Homology homology(std::size_t dimensions) override { return classes_.homology(dimensions); }
@@ -88,6 +90,7 @@ class LiveEquivalence final : public HomologyTracker {
 /// is.
 [[nodiscard]] std::unique_ptr<HomologyTracker> make_tracker_afresh(const sparse::AnyRing& ring,
                                                                    const Structure& structure,
-                                                                   const CellsToLookAt& among);
+                                                                   const CellsToLookAt& among,
+                                                                   const EliminationRecord* record = nullptr);
 
 }  // namespace sesame::engine

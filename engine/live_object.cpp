@@ -1,9 +1,12 @@
 #include "engine/live_object.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
 #include "engine/expectation.hpp"
+#include "engine/left/saturating.hpp"
 #include "ops/cells/cell_order.hpp"
 
 namespace sesame::engine {
@@ -145,20 +148,36 @@ Result<StepReport> LiveObject::construct(const ops::Operation& operation, const 
   return report;
 }
 
-/// A product has a small generator for each pair of those of its factors: not too many of them.
-Status LiveObject::check_room(const ops::Operation& operation) const {
-  const auto* product = std::get_if<ops::MakeProduct>(&operation);
-  if (product == nullptr) {
-    return Done{};
+/// What the step would take. A product has a small generator for each pair of those of its factors.
+Status LiveObject::check_room(const ops::Operation& operation) {
+  constexpr std::uint64_t bytes_of_cell = 330;
+  constexpr std::uint64_t bytes_of_small_generator = 75;
+  const ops::Plan& plan = workspace_.planned();
+  std::uint64_t cells_made = plan.cells.size();
+  std::uint64_t bytes = bytes_of_cell * plan.cells.size();
+  if (plan.family) {
+    for (const std::uint64_t count : plan.family->counts) {
+      cells_made = saturating_sum(cells_made, count);
+    }
   }
-  const std::uint64_t left = equivalences_.now().small_of(workspace_.planned().family->bodies[0]);
-  const std::uint64_t right = equivalences_.now().small_of(workspace_.planned().family->bodies[1]);
-  const auto limit = static_cast<std::uint64_t>(workspace_.planner().limits().cells_per_step);
-  if (right != 0 && left > limit / right) {
-    return Error{Errc::refused, "the small complexes of \"" + product->left + "\" and \"" + product->right +
-                                    "\" have " + std::to_string(left) + " and " + std::to_string(right) +
-                                    " generators: their product would have more than " + std::to_string(limit) +
-                                    ", the limit for one step"};
+  if (const auto* product = std::get_if<ops::MakeProduct>(&operation)) {
+    const std::uint64_t left = equivalences_.now().small_of(plan.family->bodies[0]);
+    const std::uint64_t right = equivalences_.now().small_of(plan.family->bodies[1]);
+    const std::uint64_t small = saturating_product(left, right);
+    bytes = saturating_sum(bytes, saturating_product(small, bytes_of_small_generator));
+    const auto limit = static_cast<std::uint64_t>(workspace_.planner().limits().cells_per_step);
+    if (small > limit) {
+      return Error{
+          Errc::limit,
+          fmt::format("the product of \"{}\" and \"{}\", whose small complexes have {} and {} generators, would "
+                      "have {:.2g} of them, and take about {}; the limit for one step is {}",
+                      product->left, product->right, left, right, static_cast<double>(small), size_text(bytes), limit)};
+    }
+  }
+  const std::optional<std::string> objection =
+      resources_ ? resources_->objection(saturating_sum(total(cells()), cells_made), bytes) : std::nullopt;
+  if (objection) {
+    return Error{Errc::limit, fmt::format("this step ({}) {}", ops::keyword(operation), *objection)};
   }
   return Done{};
 }
@@ -170,6 +189,9 @@ Result<Barcode> LiveObject::barcode() const {
   if (has_forgotten_) {
     return Error{Errc::refused,
                  "there is no barcode: only the last " + std::to_string(most_undoable_) + " steps are kept"};
+  }
+  if (workspace_.steps_below() > 0) {
+    return Error{Errc::refused, "there is no barcode: this was read from a snapshot, which has no history"};
   }
   const std::vector<std::uint64_t> numbers = numbers_.all();
   for (std::size_t k = 0; k < numbers.size(); ++k) {
@@ -199,7 +221,7 @@ Result<StepReport> LiveObject::take_back(const ops::Undo& operation, const Write
   StepReport report = begin_report(operation);
   report.steps_undone = operation.steps;
   if (operation.steps > 0) {
-    report.events = structure().journal().counts_since(workspace_.steps()[undoable() - operation.steps].begin);
+    report.events = structure().journal().counts_since(workspace_.steps()[undoable_here() - operation.steps].begin);
   }
   (void)workspace_.take_back(operation.steps).value();
   numbers_.pop_back(operation.steps);
@@ -234,10 +256,53 @@ void LiveObject::remember() {
 
 void LiveObject::forget_old_steps() {
   for (; undoable() > most_undoable_; has_forgotten_ = true) {
+    if (workspace_.steps_below() == 0) {
+      equivalences_.forget_oldest_mark();
+    }
     workspace_.forget_oldest_step();
-    equivalences_.forget_oldest_mark();
     numbers_.pop_front();
   }
+}
+
+// -------------------------------------------------------------------------------------------------------- snapshots
+
+void LiveObject::save(sparse::ArchiveWriter& to) const {
+  to.put(applied_);
+  numbers_.save(to);
+  to.put(has_forgotten_);
+  workspace_.save(to);
+  const std::optional<EliminationRecord> record = equivalences_.record_afresh();
+  to.put(record.has_value());
+  if (record) {
+    record->save(to);
+  }
+}
+
+void LiveObject::load(sparse::ArchiveReader& from) {
+  applied_ = from.get<std::uint64_t>();
+  numbers_.load(from, applied_);
+  has_forgotten_ = from.get_bool();
+  workspace_.load(from);
+  if (from.get_bool()) {
+    record_.emplace().load(from);
+  }
+  from.check(undoable() == numbers_.size() && undoable() <= most_undoable_,
+             "the steps that can be undone have numbers");
+}
+
+void LiveObject::begin_equivalence() {
+  sparse::expects(!record_ || structure().lazy().families() == 0, "a record is one of an object that is written out");
+  equivalences_.begin_afresh(record_ ? &*record_ : nullptr);
+  record_.reset();
+}
+
+bool LiveObject::needs_earlier_steps(const ops::Operation& operation) const {
+  const auto* undo = std::get_if<ops::Undo>(&operation);
+  return undo != nullptr && undo->steps > undoable_here() && undo->steps <= undoable();
+}
+
+bool LiveObject::barcode_needs_earlier_steps() const {
+  return workspace_.steps_below() > 0 && !has_forgotten_ && !std::holds_alternative<sparse::Integers>(ring_);
 }
 
 void LiveObject::visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit) {

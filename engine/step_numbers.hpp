@@ -7,6 +7,8 @@
 #include <deque>
 #include <vector>
 
+#include "sparse/archive.hpp"
+
 namespace sesame::engine {
 
 /// Numbers that ascend, most of them by one, as a list of runs. Cost of every change: O(1), amortised.
@@ -37,6 +39,27 @@ class StepNumbers {
     if (--runs_.front().count == 0) {
       runs_.pop_front();
     }
+  }
+  [[nodiscard]] std::uint64_t size() const {
+    std::uint64_t numbers = 0;
+    for (const Run& run : runs_) {
+      numbers += run.count;
+    }
+    return numbers;
+  }
+  void save(sparse::ArchiveWriter& to) const { to.put_list(runs_); }
+  /// Instead of those that are there. Fails what is no list of numbers from 1 to `last`.
+  void load(sparse::ArchiveReader& from, std::uint64_t last) {
+    const auto runs = from.get_list<std::vector<Run>>();
+    std::uint64_t before = 0;
+    for (const Run& run : runs) {
+      if (!from.check(run.first > before && run.count > 0 && run.first <= last && run.count <= last - run.first + 1,
+                      "the numbers of steps ascend")) {
+        return;
+      }
+      before = run.first + run.count - 1;
+    }
+    runs_.assign(runs.begin(), runs.end());
   }
   [[nodiscard]] std::vector<std::uint64_t> all() const {
     std::vector<std::uint64_t> numbers;

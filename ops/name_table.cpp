@@ -1,5 +1,6 @@
 #include "ops/name_table.hpp"
 
+#include <algorithm>
 #include <boost/locale/utf.hpp>
 
 #include "sparse/contract.hpp"
@@ -64,6 +65,54 @@ void NameTable::add(std::string_view text, CellId cell, BodyId body, TypeId stan
 void NameTable::pop_back() {
   index_.erase(key(hash_of(names_.back().text)), size() - 1);
   names_.pop_back();
+}
+
+// --------------------------------------------------------------------------------------------------------- archives
+
+namespace {
+
+/// What is written of a name but its text.
+struct SavedName {
+  std::uint32_t length;
+  CellId cell;
+  BodyId body;
+  TypeId standard;
+};
+
+bool is_plain_name(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c > 0x20 && c < 0x7f; });
+}
+
+}  // namespace
+
+void NameTable::save(sparse::ArchiveWriter& to) const {
+  std::vector<SavedName> saved;
+  saved.reserve(names_.size());
+  for (const Name& name : names_) {
+    saved.push_back({static_cast<std::uint32_t>(name.text.size()), name.cell, name.body, name.standard});
+  }
+  to.put_list(saved);
+  for (const Name& name : names_) {
+    to.put_bytes(name.text.data(), name.text.size());
+  }
+}
+
+void NameTable::load(sparse::ArchiveReader& from) {
+  const auto saved = from.get_list<std::vector<SavedName>>();
+  index_.reserve(saved.size());
+  from.check(saved.size() < none, "there are fewer than 2^32 names");
+  for (const SavedName& each : saved) {
+    Name& name = names_.emplace_back();
+    name = {from.get_text_of(each.length), each.cell, each.body, each.standard};
+    const auto is_same = [&](std::uint32_t other) { return names_[other].text == name.text; };
+    if (!from.check((is_plain_name(name.text) || is_name(name.text)) &&
+                        index_.insert_new(key(hash_of(name.text)), size() - 1, is_same),
+                    "each name is given once")) {
+      names_.clear();
+      index_ = {};
+      return;
+    }
+  }
 }
 
 }  // namespace sesame::ops

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ops/ids.hpp"
+#include "sparse/archive.hpp"
 #include "sparse/hash_index.hpp"
 
 namespace sesame::ops {
@@ -84,6 +85,11 @@ class NameTable {
   /// Requires: the text is not in the table.
   void add(std::string_view text, CellId cell, BodyId body, TypeId standard = none);
   void pop_back();
+
+  // ---- to an archive, and into a new table from one, which fails when it is unsound
+  void save(sparse::ArchiveWriter& to) const;
+  /// Without a look at what the names denote.
+  void load(sparse::ArchiveReader& from);
 
  private:
   static std::uint32_t hash_of(std::string_view text);

@@ -51,24 +51,73 @@ void add_help_command(CLI::App& app, int& status) {
 
 [[noreturn]] void end_for_want_of_memory() {
   std::cerr << "sesame: out of memory\n";
-  std::_Exit(static_cast<int>(Outcome::wrong_usage));
+  std::_Exit(static_cast<int>(Outcome::limit_reached));
 }
 
-void* checked(void* memory) { return memory != nullptr ? memory : (end_for_want_of_memory(), nullptr); }
+/// Memory for where no exception can pass: it is let go when there is no other, so that a computation comes to the next
+/// place from where one can. There allocations fail, a step is given up, and then there is room for the reserve again.
+class Reserve {
+ public:
+  static Reserve& instance() {
+    static Reserve reserve;
+    return reserve;
+  }
+  /// Whether there was something to let go.
+  bool let_go() {
+    const bool was_there = memory_ != nullptr;
+    std::free(memory_);
+    memory_ = nullptr;
+    waits_ = calls_between_tries;
+    return was_there;
+  }
+  /// After an allocation that was a success.
+  void restore_now_and_then() {
+    if (memory_ == nullptr && --waits_ <= 0) {
+      memory_ = std::malloc(size);
+      waits_ = calls_between_tries;
+    }
+  }
+
+ private:
+  Reserve() : memory_{std::malloc(size)} {}
+
+  static constexpr std::size_t size = std::size_t{4} << 20;
+  static constexpr int calls_between_tries = 10'000;
+  void* memory_;
+  int waits_ = calls_between_tries;
+};
+
+template <class Allocate>
+void* checked(Allocate&& allocate) {
+  void* memory = allocate();
+  if (memory == nullptr && Reserve::instance().let_go()) {
+    memory = allocate();
+  }
+  if (memory == nullptr) {
+    end_for_want_of_memory();
+  }
+  Reserve::instance().restore_now_and_then();
+  return memory;
+}
 
 std::terminate_handler default_end = nullptr;
 
 /// Where no exception can pass: in GMP and FLINT, which would abort without a word of ours, and in destructors that
 /// allocate, as those of nlohmann::json do. What was written stays: logs are flushed step by step.
 void expect_memory_to_run_out_anywhere() {
-  mp_set_memory_functions(
-      [](std::size_t size) { return checked(std::malloc(size)); },
-      [](void* memory, std::size_t /*old*/, std::size_t size) { return checked(std::realloc(memory, size)); },
-      [](void* memory, std::size_t /*size*/) { std::free(memory); });
+  (void)Reserve::instance();
+  mp_set_memory_functions([](std::size_t size) { return checked([size] { return std::malloc(size); }); },
+                          [](void* memory, std::size_t /*old*/, std::size_t size) {
+                            return checked([memory, size] { return std::realloc(memory, size); });
+                          },
+                          [](void* memory, std::size_t /*size*/) { std::free(memory); });
   __flint_set_memory_functions(
-      [](std::size_t size) { return checked(std::malloc(size)); },
-      [](std::size_t count, std::size_t size) { return checked(std::calloc(count, size)); },
-      [](void* memory, std::size_t size) { return checked(std::realloc(memory, size + (size == 0))); }, std::free);
+      [](std::size_t size) { return checked([size] { return std::malloc(size); }); },
+      [](std::size_t count, std::size_t size) { return checked([count, size] { return std::calloc(count, size); }); },
+      [](void* memory, std::size_t size) {
+        return checked([memory, size] { return std::realloc(memory, size + (size == 0)); });
+      },
+      std::free);
   default_end = std::set_terminate([] {
     try {
       if (const std::exception_ptr error = std::current_exception()) {
@@ -90,6 +139,8 @@ int run(int argc, char** argv, sesame::tools::ProgramLog& log) {
   app.require_subcommand(1);
   int status = 0;
   sesame::tools::add_replay_command(app, status);
+  sesame::tools::add_verify_command(app, status);
+  sesame::tools::add_info_command(app, status);
   sesame::tools::add_import_command(app, status);
   sesame::tools::add_export_command(app, status);
   sesame::tools::add_mesh_command(app, status);

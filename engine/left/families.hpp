@@ -11,6 +11,7 @@
 
 #include "engine/left/basis_shifts.hpp"
 #include "engine/left/family_maps.hpp"
+#include "sparse/contract.hpp"
 
 namespace sesame::engine {
 
@@ -35,7 +36,9 @@ class Families {
   /// The next family.
   void add(std::unique_ptr<FamilyMaps<R>> maps) { maps_.push_back(std::move(maps)); }
   [[nodiscard]] const FamilyMaps<R>& maps(ops::FamilyId family) const {
-    return *maps_[family - window_.begin().families];
+    const std::size_t at = family - window_.begin().families;
+    sparse::expects(at < maps_.size(), "a window that begins with a family knows all cells of it");
+    return *maps_[at];
   }
 
   /// F of a lazy cell times a factor, gains included, in the present basis of B; K of one, in cells as created.

@@ -8,6 +8,7 @@
 
 #include "ops/cells/structure.hpp"
 #include "sparse/contract.hpp"
+#include "sparse/growing_array.hpp"
 #include "sparse/hash_index.hpp"
 
 namespace sesame::engine {
@@ -128,9 +129,14 @@ class Window {
   [[nodiscard]] bool is_lazy(CellId c) const { return !is_first(c) && structure_->lazy().is_lazy(c); }
 
  private:
+  void index_cells();
+  void make_cofaces() const;
   static std::uint64_t hash_of(CellId c) { return sparse::spread_bits(c); }
   /// Or none.
   [[nodiscard]] std::uint32_t find_place(CellId c) const {
+    if (!place_of_.empty()) {
+      return c < place_of_.size() ? place_of_[c] : std::uint32_t{ops::none};
+    }
     return places_.find(hash_of(c), [&](std::uint32_t at) { return cells_[at] == c; });
   }
 
@@ -138,13 +144,15 @@ class Window {
   ops::Moment begin_;
   ops::Journal::Position start_ = 0;
   std::vector<CellId> cells_;
-  sparse::HashIndex places_;  ///< in `cells_`, by cell
+  // Places in `cells_`, by cell: for each node that steps had made, when these are not many more; or else by a hash.
+  sparse::GrowingArray<std::uint32_t> place_of_;
+  sparse::HashIndex places_;
   // Per cell of the beginning, by place: its faces, `none` for a degenerate one; and who has it as a face.
   std::vector<std::uint32_t> first_face_;
   std::vector<CellId> faces_;
   std::vector<std::int8_t> signs_;
-  std::vector<std::uint32_t> first_coface_;
-  std::vector<std::pair<CellId, std::uint32_t>> cofaces_;
+  mutable std::vector<std::uint32_t> first_coface_;  ///< when asked for
+  mutable std::vector<std::pair<CellId, std::uint32_t>> cofaces_;
 };
 
 }  // namespace sesame::engine

@@ -73,6 +73,7 @@ class Memos {
     sum_.finish(out);
   }
 
+  [[nodiscard]] const R& ring() const { return ring_; }
   /// Makes room for symbols, about half of which are removed by rules.
   void reserve(std::size_t symbols) {
     memos_.reserve(symbols / 2);

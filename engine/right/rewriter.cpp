@@ -1,8 +1,14 @@
 #include "engine/right/rewriter.hpp"
 
+#include <concepts>
+#include <cstdint>
 #include <utility>
 
+#include "sparse/contract.hpp"
+
 namespace sesame::engine {
+
+using sparse::expects;
 
 template <Ring R>
 Rewriter<R>::Rewriter(R ring, const sparse::ColumnStore<R, GeneratorId>& boundary)
@@ -27,6 +33,130 @@ void Rewriter<R>::append(int degree) {
     settling_.place(x, column_);
     settling_.settle();
   }
+}
+
+namespace {
+
+constexpr const char* sound_record = "a record is one of eliminations of generators";
+
+/// Reads the columns of a record, one after the other.
+template <Ring R>
+class RecordedColumns {
+ public:
+  RecordedColumns(const R& ring, const EliminationRecord& record) : ring_{ring}, record_{record} {
+    expects(record.index.size() == record.coefficient.size(), sound_record);
+  }
+  /// Requires, and checks: it is in normal form, and all its symbols may be in it.
+  template <class MayBe>
+  void next(std::uint32_t terms, MayBe may_be, Terms<R, Symbol>& out) {
+    expects(terms <= record_.index.size() - at_, sound_record);
+    out.clear();
+    for (const std::size_t end = at_ + terms; at_ < end; ++at_) {
+      const Symbol x{record_.index[at_]};
+      expects((out.empty() || out.back().index < x) && may_be(x), sound_record);
+      out.push_back({x, ring_.from(std::int64_t{record_.coefficient[at_]})});
+      expects(!ring_.is_zero(out.back().coefficient), sound_record);
+    }
+  }
+  [[nodiscard]] bool is_at_end() const { return at_ == record_.index.size(); }
+
+ private:
+  const R& ring_;
+  const EliminationRecord& record_;
+  std::size_t at_ = 0;
+};
+
+/// Appends a term to a record. False when its coefficient is not small.
+template <Ring R>
+bool add_to(EliminationRecord& record, const R& ring, Symbol x, const typename R::Element& coefficient) {
+  if constexpr (std::same_as<typename R::Element, sparse::Rational>) {
+    if (!coefficient.is_integer()) {
+      return false;
+    }
+  }
+  const auto word = ring.to_integer(coefficient).to_int64();
+  if (!word || *word < INT32_MIN || *word > INT32_MAX) {
+    return false;
+  }
+  record.index.push_back(x);
+  record.coefficient.push_back(static_cast<std::int32_t>(*word));
+  return true;
+}
+
+}  // namespace
+
+template <Ring R>
+void Rewriter<R>::append_recorded(std::span<const int> degrees, const EliminationRecord& record) {
+  const R ring = memos_.ring();
+  RecordedColumns<R> columns(ring, record);
+  const auto may_be_in_boundary_of = [this](Symbol b) {
+    expects(b < rules_.next_symbol() && rules_.removed_by(b) == no_rule, sound_record);
+    return [this, b](Symbol x) {
+      return x < rules_.next_symbol() && rules_.degree(x) + 1 == rules_.degree(b) && rules_.removed_by(x) == no_rule;
+    };
+  };
+  auto next = record.eliminations.begin();
+  for (std::uint32_t generators = 0; generators <= degrees.size(); ++generators) {
+    for (; next != record.eliminations.end() && next->generators == generators; ++next) {
+      const Symbol a{next->a}, b{next->b};
+      columns.next(next->terms, may_be_in_boundary_of(b), column_);
+      const TermType* unit = sparse::find_term<R>(column_, a);
+      expects(unit != nullptr && ring.is_unit(unit->coefficient), sound_record);
+      rules_.eliminate(a, b, column_);
+    }
+    if (generators < degrees.size()) {
+      rules_.append_generator(degrees[generators]);
+    }
+  }
+  expects(next == record.eliminations.end(), sound_record);
+  expects(!R::is_field || record.core.empty(), sound_record);
+  for (const EliminationRecord::Column& each : record.core) {
+    const Symbol x{each.x};
+    columns.next(each.terms, may_be_in_boundary_of(x), column_);
+    expects(!column_.empty() && core().find(x) == nullptr, sound_record);
+    settling_.restore(x, column_, each.owns_pivot != 0);
+  }
+  expects(columns.is_at_end(), sound_record);
+}
+
+template <Ring R>
+std::optional<EliminationRecord> Rewriter<R>::record() const {
+  if (!rules_.combinations().empty() || breaks_ != 0) {
+    return std::nullopt;
+  }
+  const R ring = memos_.ring();
+  EliminationRecord record;
+  std::uint32_t generators = 0;
+  for (RuleId rule = 0; rule < rules_.size(); ++rule) {
+    const auto& [a, b, inverse, begin, size] = rules_[rule];
+    while (generators < rules_.next_symbol() && rules_.born(Symbol{generators}) <= rule) {
+      ++generators;
+    }
+    record.eliminations.push_back({a, b, generators, size + 1});
+    const typename R::Element unit = ring.inverse(inverse);
+    const typename R::Element minus_unit = ring.negate(unit);
+    bool is_told = false, is_small = true;
+    for (const TermType& term : rules_.value(rule)) {
+      if (!is_told && term.index > a) {
+        is_told = true;
+        is_small = is_small && add_to<R>(record, ring, a, unit);
+      }
+      is_small = is_small && add_to<R>(record, ring, term.index, ring.multiply(minus_unit, term.coefficient));
+    }
+    if (!(is_small && (is_told || add_to<R>(record, ring, a, unit)))) {
+      return std::nullopt;
+    }
+  }
+  for (const auto& [x, column] : core().columns()) {
+    const bool owns_pivot = core().pivot_owner(column.back().index) == x;
+    record.core.push_back({x, owns_pivot ? 1U : 0U, static_cast<std::uint32_t>(column.size())});
+    for (const TermType& term : column) {
+      if (!add_to<R>(record, ring, term.index, term.coefficient)) {
+        return std::nullopt;
+      }
+    }
+  }
+  return record;
 }
 
 /// The symbols whose lifts may have one of the changed generators, found by the index of dependents; nothing when

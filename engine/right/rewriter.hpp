@@ -8,6 +8,7 @@
 
 #include "engine/right/dependents.hpp"
 #include "engine/right/effort.hpp"
+#include "engine/right/elimination_record.hpp"
 #include "engine/right/lifts.hpp"
 #include "engine/right/memos.hpp"
 #include "engine/right/perturbations.hpp"
@@ -47,6 +48,12 @@ class Rewriter {
   /// Takes the next generator of B: rewrites its boundary, and eliminates or keeps it.
   /// Cost: the length of the vectors that are rewritten.
   void append(int degree);
+  /// Takes the first generators of B, those of a reduction that was recorded: their boundaries need not be rewritten.
+  /// Requires: there are none yet, and `record` is one of a reduction of this boundary. What it says is checked as far
+  /// as rules could otherwise not be followed.
+  void append_recorded(std::span<const int> degrees, const EliminationRecord& record);
+  /// The eliminations and the core, when there is nothing else: no changes of basis, perturbations or consumptions.
+  [[nodiscard]] std::optional<EliminationRecord> record() const;
 
   /// Takes note that the boundaries of some old generators have gained terms in generators that were appended since
   /// `time`, the first of them `first`: a de-identification. The boundaries of those must not have changed.

@@ -122,6 +122,15 @@ void Settling<R>::extend(Symbol x, Terms<R, Symbol> more) {
 }
 
 template <Ring R>
+void Settling<R>::restore(Symbol x, const Terms<R, Symbol>& column, bool owns_pivot) {
+  core_.set(x, column);
+  if (owns_pivot) {
+    sparse::expects(core_.pivot_owner(column.back().index) == no_symbol, "a pivot has one owner");
+    core_.own_pivot(x);
+  }
+}
+
+template <Ring R>
 void Settling<R>::consume(Symbol x) {
   rules_.consume(x);
   if constexpr (!R::is_field) {

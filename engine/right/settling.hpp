@@ -39,6 +39,8 @@ class Settling {
   void place(Symbol x, const Terms<R, Symbol>& column);
   /// The boundary of a small symbol has this more, which is not 0. Requires: over a field, that is all of it.
   void extend(Symbol x, Terms<R, Symbol> more);
+  /// A small symbol has this boundary, which is not 0, and is settled.
+  void restore(Symbol x, const Terms<R, Symbol>& column, bool owns_pivot);
   /// Settles what has changed since. Over a field there is nothing to do.
   void settle();
   /// Takes a small symbol out of S, with its boundary.

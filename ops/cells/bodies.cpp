@@ -97,6 +97,87 @@ void Bodies::undo_last_kind_change() {
   kind_changes_.pop_back();
 }
 
+// --------------------------------------------------------------------------------------------------------- archives
+
+/// What is said of current bodies is written for these only; the bodies below one follow from what they are part of.
+void Bodies::save(sparse::ArchiveWriter& to) const {
+  const auto put = [&](auto&& field) {
+    std::vector<std::uint32_t> column;
+    column.reserve(bodies_.size());
+    for (const Body& body : bodies_) {
+      column.push_back(field(body));
+    }
+    to.put_list(column);
+  };
+  put([](const Body& body) { return body.name; });
+  put([](const Body& body) { return body.parent; });
+  put([](const Body& body) { return body.size; });
+  put([](const Body& body) { return body.made.family; });
+  put([](const Body& body) { return static_cast<std::uint32_t>(body.made.cells.size()); });
+  std::vector<Range> ranges;
+  for (const Body& body : bodies_) {
+    ranges.insert(ranges.end(), body.made.cells.begin(), body.made.cells.end());
+  }
+  to.put_list(ranges);
+  for (BodyId b = 0; b < size(); ++b) {
+    if (const Body& body = bodies_[b]; body.parent == b) {
+      to.put(body.oldest);
+      to.put(body.consumed_by);
+      to.put(body.nesting);
+      to.put(body.kind.is_abstract);
+      to.put(body.kind.keeps_orders);
+      to.put(body.simploids);
+      to.put_list(body.counts);
+    }
+  }
+}
+
+void Bodies::load(sparse::ArchiveReader& from) {
+  using Column = std::vector<std::uint32_t>;
+  const auto names = from.get_list<Column>(), parents = from.get_list<Column>(), sizes = from.get_list<Column>(),
+             families = from.get_list<Column>(), lengths = from.get_list<Column>();
+  const auto ranges = from.get_list<std::vector<Range>>();
+  const std::size_t count = names.size();
+  if (!from.check(count < none && parents.size() == count && sizes.size() == count && families.size() == count &&
+                      lengths.size() == count,
+                  "each body has a name and parts")) {
+    return;
+  }
+  bodies_.resize(count);
+  auto next = ranges.begin();
+  bool is_sound = true;
+  for (BodyId b = 0; b < count && is_sound; ++b) {
+    Body& body = bodies_[b];
+    body.name = names[b];
+    body.parent = BodyId{parents[b]};
+    body.size = sizes[b];
+    body.made.family = FamilyId{families[b]};
+    // Parents have at least twice as many bodies below them: so one comes to an end, and soon.
+    is_sound = parents[b] < count && body.size > 0 && (parents[b] == b || sizes[parents[b]] / 2 >= body.size) &&
+               lengths[b] <= static_cast<std::size_t>(ranges.end() - next);
+    if (is_sound) {
+      body.made.cells.assign(next, next + static_cast<std::ptrdiff_t>(lengths[b]));
+      next += static_cast<std::ptrdiff_t>(lengths[b]);
+      if (parents[b] != b) {
+        bodies_[parents[b]].made.children.push_back(b);
+      }
+    }
+  }
+  from.check(is_sound && next == ranges.end(), "bodies are parts of larger ones");
+  for (BodyId b = 0; b < count && from.is_good(); ++b) {
+    if (Body& body = bodies_[b]; body.parent == b) {
+      body.oldest = from.get<BodyId>();
+      body.consumed_by = from.get<FamilyId>();
+      body.nesting = from.get<std::uint32_t>();
+      body.kind.is_abstract = from.get_bool();
+      body.kind.keeps_orders = from.get_bool();
+      body.simploids = from.get<std::uint64_t>();
+      body.counts = from.get_list<std::vector<std::uint64_t>>();
+      from.check(body.oldest < count && body.counts.size() <= largest_dimension + 1, "bodies have cells");
+    }
+  }
+}
+
 void add_counts(std::span<const std::uint64_t> from, std::vector<std::uint64_t>& to, bool subtract) {
   if (to.size() < from.size()) {
     to.resize(from.size(), 0);

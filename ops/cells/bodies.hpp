@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ops/ids.hpp"
+#include "sparse/archive.hpp"
 
 namespace sesame::ops {
 
@@ -90,6 +91,11 @@ class Bodies {
   /// Calls restored(counts) for each body that is there again.
   template <class Restored>
   void undo_family(BodyId b, std::span<const BodyId> of, std::span<const std::uint64_t> counts, Restored&& restored);
+
+  // ---- to an archive, and into new bodies from one, which fails when it is unsound
+  void save(sparse::ArchiveWriter& to) const;
+  /// Without a look at numbers of names, cells and families.
+  void load(sparse::ArchiveReader& from);
 
  private:
   struct Body {

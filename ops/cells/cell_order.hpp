@@ -11,8 +11,8 @@
 
 namespace sesame::ops {
 
-/// Current cells by dimension, those of one by the age of their oldest members. Cost: that of a sort, times that of
-/// `LazyCells::is_older`.
+/// Different current cells by dimension, those of one by the age of their oldest members. Cost: that of a sort, times
+/// that of `LazyCells::is_older`; linear when there are no lazy families and not many more nodes.
 void sort_by_dimension_and_age(const Structure& structure, std::vector<CellId>& cells);
 
 /// What `cell_of` says the current cells of, by the age of their oldest members.

@@ -73,4 +73,78 @@ void CellStore::pop_back() {
   body_.pop_back(last);
 }
 
+// --------------------------------------------------------------------------------------------------------- archives
+
+void CellStore::save(sparse::ArchiveWriter& to) const {
+  for (const auto& types : type_.lists()) {
+    to.put_list(types);
+  }
+  to.put_list(faces_);
+  to.put_map(face_orders_);
+  to.put_list(name_);
+  to.put_list(lazy_);
+  for (const auto& bodies : body_.lists()) {
+    to.put_list(bodies);
+  }
+}
+
+void CellStore::load(sparse::ArchiveReader& from, const VertexMaps& maps) {
+  for (auto& types : type_.lists()) {
+    types = from.get_list<sparse::GrowingArray<TypeId>>();
+    from.check(types.size() < mark_of_asked &&
+                   std::all_of(types.begin(), types.end(), [&](TypeId type) { return type < types_.size(); }),
+               "cells have types");
+  }
+  faces_ = from.get_list<sparse::GrowingArray<CellId>>();
+  index_faces(from);
+  face_orders_.clear();
+  from.get_map<std::uint64_t, OrderId>([&](std::uint64_t entry, OrderId order) {
+    if (from.check(entry < faces_.size() && order != same_order && maps.is_order_of(order, type_[faces_[entry]]),
+                   "the order of a face is one of its vertices")) {
+      face_orders_.emplace(entry, order);
+    }
+  });
+  name_ = from.get_list<sparse::GrowingArray<std::uint32_t>>();
+  lazy_ = from.get_list<std::vector<std::uint32_t>>();
+  for (auto& bodies : body_.lists()) {
+    bodies = from.get_list<sparse::GrowingArray<BodyId>>();
+  }
+  from.check(name_.size() == type_.lists()[0].size() && body_.lists()[0].size() == name_.size() &&
+                 lazy_.size() == type_.lists()[1].size() && body_.lists()[1].size() == lazy_.size(),
+             "each cell has a name and a body");
+}
+
+/// Where the faces of each node begin, and who has which as a face; checks that they are there and of the right types.
+void CellStore::index_faces(sparse::ArchiveReader& from) {
+  first_face_.truncate(0);
+  next_incidence_.truncate(0);
+  for (std::size_t kind = 0; kind < 2; ++kind) {
+    auto& first = first_incidence_.lists()[kind];
+    first.truncate(0);
+    first.resize(type_.lists()[kind].size());
+    std::fill(first.begin(), first.end(), std::uint32_t{none});
+  }
+  const auto& types = type_.lists()[0];
+  first_face_.reserve(types.size() + 1);
+  first_face_.push_back(0);
+  next_incidence_.reserve(faces_.size());
+  bool is_sound = from.is_good() && faces_.size() < none;
+  for (CellId c = 0; c < types.size() && is_sound; ++c) {
+    const std::vector<FaceOperator>& operators = types_.info(types[c]).faces;
+    const std::uint64_t begin = first_face_.back();
+    is_sound = operators.size() <= faces_.size() - begin;
+    for (std::size_t k = 0; k < operators.size() && is_sound; ++k) {
+      const auto entry = static_cast<std::uint32_t>(begin + k);
+      const CellId face = faces_[entry];
+      is_sound = type_.contains(face) && (is_asked_for(face) || face < c) && type_[face] == operators[k].type;
+      if (is_sound) {
+        next_incidence_.push_back(std::exchange(first_incidence_[face], entry));
+      }
+    }
+    first_face_.push_back(begin + operators.size());
+  }
+  from.check(is_sound && first_face_.back() == faces_.size(),
+             "the faces of a cell are there, and of the types of faces");
+}
+
 }  // namespace sesame::ops

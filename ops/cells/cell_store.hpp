@@ -10,7 +10,9 @@
 
 #include "ops/cells/cell_type.hpp"
 #include "ops/cells/per_node.hpp"
+#include "ops/cells/value.hpp"
 #include "ops/ids.hpp"
+#include "sparse/archive.hpp"
 
 namespace sesame::ops {
 
@@ -49,6 +51,8 @@ class CellStore {
       visit(c);
     }
   }
+  /// Whether there is such a node.
+  [[nodiscard]] bool contains(CellId c) const { return type_.contains(c); }
   [[nodiscard]] TypeId type_id(CellId c) const { return type_[c]; }
   [[nodiscard]] const TypeInfo& type(CellId c) const { return types_.info(type_[c]); }
   [[nodiscard]] int dimension(CellId c) const { return type(c).dimension; }
@@ -94,8 +98,14 @@ class CellStore {
   CellId add_asked(TypeId type, std::uint32_t lazy, BodyId body);
   void pop_asked();
 
+  // ---- to an archive, and instead of what is there from one, which fails when it is unsound
+  void save(sparse::ArchiveWriter& to) const;
+  /// Without a look at numbers of bodies, names and lazy cells.
+  void load(sparse::ArchiveReader& from, const VertexMaps& maps);
+
  private:
   [[nodiscard]] CellId owner_of(std::uint32_t entry) const;
+  void index_faces(sparse::ArchiveReader& from);
 
   TypeTable& types_;
   const FaceSource* lazy_faces_ = nullptr;

@@ -192,6 +192,34 @@ const StandardCell& TypeTable::standard(TypeId id) {
   return *standards_[id];
 }
 
+void TypeTable::save(sparse::ArchiveWriter& to) const {
+  to.put(static_cast<std::uint64_t>(infos_.size()));
+  for (const TypeInfo& info : infos_) {
+    to.put_list(info.type);
+  }
+}
+
+/// A type comes after those of its faces.
+void TypeTable::load(sparse::ArchiveReader& from) {
+  for (std::size_t left = from.get_count(sizeof(std::uint64_t)); left > 0 && from.is_good(); --left) {
+    const auto type = from.get_list<CellType>();
+    const auto is_entry = [](int a) { return a >= 1 && a <= largest_dimension; };
+    if (!from.check(type.size() <= largest_dimension && std::all_of(type.begin(), type.end(), is_entry) &&
+                        std::accumulate(type.begin(), type.end(), 0) <= largest_dimension,
+                    "the type of a cell has entries >= 1, and no dimension above 62")) {
+      return;
+    }
+    bool has_faces = true;
+    for (std::size_t component = 0; component < type.size(); ++component) {
+      has_faces = has_faces && ids_.contains(face_type(type, component));
+    }
+    const bool is_vertex = type.empty() && infos_.size() == 1;  // which is there from the start
+    if (from.check(has_faces && (is_vertex || !ids_.contains(type)), "each type follows those of its faces")) {
+      intern(type);
+    }
+  }
+}
+
 std::uint32_t StandardCell::find(std::string_view suffix) const {
   const auto at = std::lower_bound(by_suffix.begin(), by_suffix.end(), suffix,
                                    [this](std::uint32_t k, std::string_view text) { return cells[k].suffix < text; });

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ops/ids.hpp"
+#include "sparse/archive.hpp"
 
 namespace sesame::ops {
 
@@ -76,6 +77,11 @@ class TypeTable {
   [[nodiscard]] const TypeInfo& info(TypeId id) const { return infos_[id]; }
   /// The standard cell of a type, made when first asked for. Cost then: the number of its faces times its dimension.
   const StandardCell& standard(TypeId id);
+  [[nodiscard]] TypeId size() const { return static_cast<TypeId>(infos_.size()); }
+
+  // ---- to an archive, and into a new table from one, which fails when it is unsound
+  void save(sparse::ArchiveWriter& to) const;
+  void load(sparse::ArchiveReader& from);
 
  private:
   std::deque<TypeInfo> infos_;

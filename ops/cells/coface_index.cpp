@@ -44,6 +44,9 @@ void CofaceIndex::make() const {
   for (CellId c = asked_node(0); c < cells_.asked(); ++c) {
     if (cells_.lazy(c) != none) {
       add_origin(c);
+      if (forest_.is_current(c) && faces_.have_moved(c)) {  // to what it has not by its family
+        add_cell(c);
+      }
     }
   }
   for (const Cone& cone : cones_) {

@@ -8,6 +8,7 @@
 
 #include "ops/cells/moment.hpp"
 #include "ops/ids.hpp"
+#include "sparse/archive.hpp"
 
 namespace sesame::ops {
 
@@ -36,6 +37,10 @@ class Cones {
 
   void add(const Cone& cone) { cones_.push_back(cone); }
   void pop_back() { cones_.pop_back(); }
+
+  // ---- to an archive, and into a new list from one, which fails when it is unsound
+  void save(sparse::ArchiveWriter& to) const;
+  void load(sparse::ArchiveReader& from, const Moment& now);
 
  private:
   std::deque<Cone> cones_;

@@ -201,8 +201,12 @@ bool Directory::is_ambiguous_prefix(std::string_view name) const {
 
 /// Names of faces have no more prefixes than that of the whole, and no more brackets.
 void Directory::add(std::string_view text, CellId cell, BodyId body, TypeId standard) {
-  const std::uint32_t number = names_.size();
   names_.add(text, cell, body, standard);
+  add_to_indexes(names_.size() - 1);
+}
+
+void Directory::add_to_indexes(std::uint32_t number) {
+  const std::string_view text = names_[number].text;
   if (!is_well_bracketed(text)) {
     odd_.push_back(number);
     count_of_odd_ += weight(number);
@@ -235,6 +239,58 @@ std::uint64_t Directory::weight(std::uint32_t number) const {
 FamilyId Directory::product_named(const NameTable::Name& name) const {
   const FamilyId family = name.cell == none && name.body != none ? bodies_.made(name.body).family : none;
   return family != none && lazy_.family(family).kind != FamilyKind::cone ? family : none;
+}
+
+// --------------------------------------------------------------------------------------------------------- archives
+
+void Directory::save(sparse::ArchiveWriter& to) const {
+  names_.save(to);
+  to.put_map(orders_);
+}
+
+void Directory::load(sparse::ArchiveReader& from) {
+  names_.load(from);
+  std::uint64_t named = 0;  // cells: each has the number of one name
+  for (std::uint32_t number = 0; number < names_.size() && from.is_good(); ++number) {
+    if (from.check(is_sound(number), "a name denotes a cell or a body, or both")) {
+      add_to_indexes(number);
+      const NameTable::Name& name = names_[number];
+      named += name.standard != none ? maps_.types().standard(name.standard).cells.size() : name.cell != none ? 1 : 0;
+    }
+  }
+  from.check(named == cells_.size(), "each cell has a name");
+  for (BodyId b = 0; b < bodies_.size() && from.is_good(); ++b) {
+    from.check(bodies_.name(b) < names_.size(), "each body has a name");
+  }
+  from.get_map<CellId, OrderId>([&](CellId node, OrderId order) {
+    if (from.check(node < cells_.size() && maps_.is_order_of(order, cells_.type_id(node)),
+                   "a name has the vertices of its cell in an order")) {
+      orders_.emplace(node, order);
+    }
+  });
+}
+
+bool Directory::is_sound(std::uint32_t number) const {
+  const auto& [text, cell, body, standard] = names_[number];
+  if ((cell != none && (cell >= cells_.size() || cells_.name(cell) != number)) ||
+      (body != none && (body >= bodies_.size() || !bodies_.is_named(body)))) {
+    return false;
+  }
+  if (standard == none) {
+    return true;
+  }
+  if (cell == none || standard != cells_.type_id(cell) ||
+      standard_cell_count(maps_.types().info(standard).type) - 1 > std::int64_t{std::uint32_t{cell}}) {
+    return false;
+  }
+  const std::vector<StandardFace>& faces = maps_.types().standard(standard).cells;
+  const CellId first = cell - (faces.size() - 1);  // they are right before the whole
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    if (cells_.name(first + k) != number || cells_.type_id(first + k) != faces[k].type) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace sesame::ops

@@ -17,6 +17,7 @@
 #include "ops/cells/lazy_cells.hpp"
 #include "ops/cells/values.hpp"
 #include "ops/name_table.hpp"
+#include "sparse/archive.hpp"
 
 namespace sesame::ops {
 
@@ -90,8 +91,15 @@ class Directory {
   void set_order(CellId node, OrderId order) { orders_.emplace(node, order); }
   void forget_order(CellId node) { orders_.erase(node); }
 
+  // ---- to an archive, and into a new directory from one, which fails when it is unsound
+  void save(sparse::ArchiveWriter& to) const;
+  void load(sparse::ArchiveReader& from);
+
  private:
   void add(std::string_view text, CellId cell, BodyId body, TypeId standard);
+  /// Of a name in the table.
+  void add_to_indexes(std::uint32_t number);
+  [[nodiscard]] bool is_sound(std::uint32_t number) const;
   template <class HashOf>
   [[nodiscard]] std::optional<Named> find_by(std::string_view text, HashOf&& hash_of) const;
   /// How many names a name in the table stands for.

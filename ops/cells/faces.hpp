@@ -30,6 +30,8 @@ class Faces {
     const auto moved = splits_.moved_faces(c);
     return moved ? moved->faces : cells_.faces(c);
   }
+  /// Whether some of them have moved.
+  [[nodiscard]] bool have_moved(CellId c) const { return splits_.moved_faces(c).has_value(); }
   /// The order in which face k of c has the vertices of the node of(c)[k].
   [[nodiscard]] OrderId order(CellId c, std::uint32_t k) const {
     if (!maps_.has_orders()) [[likely]] {

@@ -1,7 +1,9 @@
 #include "ops/cells/forest.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <numeric>
 
 namespace sesame::ops {
 
@@ -129,6 +131,139 @@ CellId Forest::undo_last_link() {
     first_links_.pop_back();
   }
   return link.removed;
+}
+
+// --------------------------------------------------------------------------------------------------------- archives
+
+namespace {
+
+/// A removal, as it is written. The parents and the numbers of members follow from all of them.
+struct SavedLink {
+  CellId removed, survivor;
+};
+/// A degenerate node, by what it is over.
+struct SavedSquash {
+  CellId over, node;
+  Degeneracy collapsed;
+  TypeId type;
+  OrderId order;
+};
+
+}  // namespace
+
+void Forest::save(sparse::ArchiveWriter& to) const {
+  sparse::GrowingArray<SavedLink> links;
+  links.reserve(links_.size());
+  for (const Link& link : links_) {
+    links.push_back({link.removed, parent_[link.removed]});
+  }
+  to.put_list(links);
+  // Whether the oldest member of the removed one was the older one: from the last on, what it was after each.
+  std::vector<std::uint8_t> is_theirs(links_.size());
+  std::unordered_map<CellId, CellId> oldest_after;
+  for (std::size_t k = links_.size(); k-- > 0;) {
+    if (const CellId survivor = links[k].survivor; survivor != none) {
+      CellId& after = oldest_after.try_emplace(survivor, oldest_[survivor]).first->second;
+      is_theirs[k] = after == links_[k].oldest_before ? 0 : 1;
+      after = links_[k].oldest_before;
+    }
+  }
+  to.put_list(is_theirs);
+  to.put_map(orders_);
+  to.put_list(first_links_);
+  std::vector<CellId> over;
+  for (const auto& [cell, nodes] : squashed_onto_) {
+    if (!nodes.empty()) {
+      over.push_back(cell);
+    }
+  }
+  std::sort(over.begin(), over.end());
+  sparse::GrowingArray<SavedSquash> squashes;
+  for (const CellId cell : over) {
+    for (const CellId node : squashed_onto_.at(cell)) {
+      const Value& value = squashed_.at(node);
+      squashes.push_back({cell, node, value.collapsed, value.type, value.order});
+    }
+  }
+  to.put_list(squashes);
+}
+
+void Forest::load(sparse::ArchiveReader& from, const CellStore& cells, const VertexMaps& maps) {
+  for (const CellId first : {CellId{0}, asked_node(0)}) {
+    const std::size_t kind = is_asked_for(first) ? 1 : 0;
+    const std::size_t count = std::uint32_t{kind == 0 ? cells.size() : cells.asked()} - std::uint32_t{first};
+    for (auto* list : {&parent_.lists()[kind], &oldest_.lists()[kind]}) {
+      list->resize(count);
+      std::iota(list->begin(), list->end(), first);
+    }
+    for (auto* list : {&link_of_.lists()[kind], &last_child_.lists()[kind]}) {
+      list->resize(count);
+      std::fill(list->begin(), list->end(), none);
+    }
+    size_.lists()[kind].resize(count);
+    std::fill(size_.lists()[kind].begin(), size_.lists()[kind].end(), 1U);
+  }
+  load_links(from, cells, maps);
+  first_links_ = from.get_list<sparse::GrowingArray<LinkId>>();
+  from.check(std::is_sorted(first_links_.begin(), first_links_.end(), std::less_equal<>{}) &&
+                 first_links_.empty() == links_.empty() &&
+                 (links_.empty() || (first_links_[0] == 0 && first_links_.back() < links())),
+             "each removal belongs to a step");
+  load_squashed(from, cells, maps);
+}
+
+void Forest::load_links(sparse::ArchiveReader& from, const CellStore& cells, const VertexMaps& maps) {
+  const auto links = from.get_list<sparse::GrowingArray<SavedLink>>();
+  const auto is_theirs = from.get_list<std::vector<std::uint8_t>>();
+  std::unordered_map<LinkId, OrderId> orders;
+  from.get_map<LinkId, OrderId>([&](LinkId link, OrderId order) { orders.emplace(link, order); });
+  if (!from.check(links.size() == is_theirs.size() && links.size() < none, "each removal is one of some cell")) {
+    return;
+  }
+  links_.reserve(links.size());
+  for (std::size_t k = 0; k < links.size() && from.is_good(); ++k) {
+    const auto [removed, survivor] = links[k];
+    if (!from.check(parent_.contains(removed) && is_current(removed), "what is removed was a current cell")) {
+      return;
+    }
+    if (survivor == none) {
+      add_link({removed, none, none}, same_order, 1);
+      parent_[removed] = none;
+      continue;
+    }
+    const auto known = orders.empty() ? orders.end() : orders.find(LinkId{k});
+    const OrderId order = known == orders.end() ? same_order : known->second;
+    const TypeId type = cells.type_id(removed);
+    if (from.check(parent_.contains(survivor) && is_current(survivor) && survivor != removed &&
+                       cells.type_id(survivor) == type && size_[survivor] >= size_[removed] &&
+                       maps.is_order_of(order, type),
+                   "a cell becomes a current cell of its type with no fewer members, in an order of its vertices")) {
+      link(removed, survivor, order, maps.sign(order), oldest_[is_theirs[k] != 0 ? removed : survivor]);
+    }
+  }
+  from.check(orders.size() == orders_.size(), "the orders are those of removals");
+}
+
+void Forest::load_squashed(sparse::ArchiveReader& from, const CellStore& cells, const VertexMaps& maps) {
+  const auto squashes = from.get_list<sparse::GrowingArray<SavedSquash>>();
+  for (const SavedSquash& each : squashes) {
+    const Value value{each.over, each.type, each.collapsed, each.order};
+    const bool is_sound = parent_.contains(each.node) && parent_.contains(each.over) && value.is_degenerate() &&
+                          value.type == cells.type_id(each.node) && maps.is_value_of(value, cells.type_id(each.over)) &&
+                          !squashed_.contains(each.node) &&
+                          (parent_[each.node] == none ||
+                           (is_current(each.node) && is_asked_for(each.node) && cells.lazy(each.node) == none));
+    if (!from.check(is_sound, "what is degenerate is so over a cell")) {
+      return;
+    }
+    squash(each.node, value);
+  }
+  bool is_told_of_all = true;
+  cells.for_each_node([&](CellId node) {
+    const bool must_be = parent_[node] == none || (is_asked_for(node) && cells.lazy(node) == none);
+    is_told_of_all = is_told_of_all && (!must_be || squashed_.contains(node));
+  });
+  from.check(is_told_of_all, "what has become degenerate is so over a cell");
 }
 
 }  // namespace sesame::ops

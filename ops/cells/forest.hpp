@@ -7,9 +7,11 @@
 #include <unordered_map>
 #include <vector>
 
+#include "ops/cells/cell_store.hpp"
 #include "ops/cells/per_node.hpp"
 #include "ops/cells/value.hpp"
 #include "ops/ids.hpp"
+#include "sparse/archive.hpp"
 
 namespace sesame::ops {
 
@@ -98,11 +100,17 @@ class Forest {
   CellId undo_last_link();
 
  private:
+  friend class Structure;  // to an archive, and into a new forest from one, which fails when it is unsound
+  void save(sparse::ArchiveWriter& to) const;
+  void load(sparse::ArchiveReader& from, const CellStore& cells, const VertexMaps& maps);
+
   struct Link {
     CellId removed, oldest_before;
     LinkId previous_child;  ///< the link that ended at the same node before
   };
   void add_link(const Link& link, OrderId order, int sign);
+  void load_links(sparse::ArchiveReader& from, const CellStore& cells, const VertexMaps& maps);
+  void load_squashed(sparse::ArchiveReader& from, const CellStore& cells, const VertexMaps& maps);
 
   PerNode<CellId> parent_, oldest_;
   PerNode<std::uint32_t> size_;

@@ -75,6 +75,11 @@ class Journal {
     }
     runs_.push_back({number, static_cast<std::uint32_t>(kind) << count_bits | 1U});
   }
+  /// Forgets them all, and begins again.
+  void clear() {
+    runs_.clear();
+    begin_ = end_ = 0;
+  }
   /// Removes the last event. Returns its kind. Requires: there is one that is not forgotten.
   EventKind pop() {
     --end_;

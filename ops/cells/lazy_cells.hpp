@@ -16,6 +16,7 @@
 #include "ops/cells/lazy_family.hpp"
 #include "ops/cells/plan.hpp"
 #include "ops/cells/values.hpp"
+#include "sparse/archive.hpp"
 
 namespace sesame::ops {
 
@@ -82,11 +83,20 @@ class LazyCells final : public FaceSource {
   /// Forgets the faces that were asked for last.
   void undo_last_expansion();
 
+  // ---- to an archive, and into a new store from one, which fails when it is unsound
+  void save(sparse::ArchiveWriter& to) const;
+  /// `most_nested`: how deep families may be made of one another.
+  void load(sparse::ArchiveReader& from, std::uint32_t most_nested);
+
  private:
   const LazyCell& expanded(CellId lazy) const;
   [[nodiscard]] std::vector<Incidence> faces_of(const LazyKey& key) const;
   void make_all_of(FamilyId id) const;
   [[nodiscard]] int compare_age(CellId a, CellId b) const;
+  void load_family(sparse::ArchiveReader& from, std::uint32_t most_nested);
+  void load_cell(sparse::ArchiveReader& from, CellId node);
+  [[nodiscard]] bool is_part(const Value& v, FamilyId of) const;
+  [[nodiscard]] bool is_sound(const LazyKey& key, TypeId type) const;
 
   TypeTable& types_;
   VertexMaps& maps_;

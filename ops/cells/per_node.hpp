@@ -25,6 +25,11 @@ class PerNode {
   /// The entry of the next node of the kind that `node` is.
   void push_back(CellId node, T entry) { of_[kind(node)].push_back(std::move(entry)); }
   void pop_back(CellId node) { of_[kind(node)].pop_back(); }
+  /// Whether there is an entry.
+  [[nodiscard]] bool contains(CellId node) const { return number_of(node) < of_[kind(node)].size(); }
+  /// All entries of nodes that steps made, and of those that were asked for.
+  [[nodiscard]] const std::array<sparse::GrowingArray<T>, 2>& lists() const { return of_; }
+  [[nodiscard]] std::array<sparse::GrowingArray<T>, 2>& lists() { return of_; }
 
  private:
   [[nodiscard]] static std::size_t kind(CellId node) { return std::uint32_t{node} >> 31U; }

@@ -100,4 +100,60 @@ void SplitHistory::undo_last_move() {
   }
 }
 
+// --------------------------------------------------------------------------------------------------------- archives
+
+void SplitHistory::save(sparse::ArchiveWriter& to) const {
+  to.put_list(copies_);
+  to.put(static_cast<std::uint64_t>(moves_.size()));
+  for (std::uint32_t number = 0; number < moves(); ++number) {
+    to.put(move(number));
+  }
+}
+
+void SplitHistory::load(sparse::ArchiveReader& from, const Moment& now, const CellStore& cells,
+                        const VertexMaps& maps) {
+  load_copies(from, now, cells);
+  load_moves(from, now, cells, maps);
+}
+
+void SplitHistory::load_copies(sparse::ArchiveReader& from, const Moment& now, const CellStore& cells) {
+  const auto copies = from.get_list<sparse::GrowingArray<Copy>>();
+  copies_.reserve(copies.size());
+  for (const Copy& each : copies) {
+    const Moment& then = each.moment;
+    const bool is_sound = each.copy < cells.size() && then.created <= each.copy && cells.contains(each.source) &&
+                          cells.type_id(each.source) == cells.type_id(each.copy) && then.links <= now.links &&
+                          then.moves <= now.moves && then.families <= now.families && then.copies <= this->copies() &&
+                          is_asked_for(then.asked) && then.asked <= now.asked && copy(each.copy) == nullptr;
+    if (!from.check(is_sound, "a copy is a cell of the type of another one")) {
+      return;
+    }
+    add_copy(each);
+    from.check(copies_.back().previous == each.previous, "a copy is told from the one before");
+  }
+}
+
+void SplitHistory::load_moves(sparse::ArchiveReader& from, const Moment& now, const CellStore& cells,
+                              const VertexMaps& maps) {
+  const auto moves = from.get_list<sparse::GrowingArray<MadeMove>>();
+  moves_.reserve(moves.size());
+  LinkId links = 0;
+  for (const MadeMove& each : moves) {
+    const bool is_sound =
+        cells.contains(each.cell) && each.slot < cells.type(each.cell).faces.size() && each.slot <= UINT8_MAX &&
+        cells.contains(each.after) && cells.type_id(each.after) == cells.type(each.cell).faces[each.slot].type &&
+        maps.is_order_of(each.order_after, cells.type_id(each.after)) && each.links >= links && each.links <= now.links;
+    if (!from.check(is_sound, "a move ends at a cell of the type of the face")) {
+      return;
+    }
+    links = each.links;
+    const auto faces = cells.faces(each.cell);
+    if (from.check(faces.size() == cells.type(each.cell).faces.size(),
+                   "what moves is a face of a cell that has some")) {
+      add_move({each.cell, each.slot, each.after, each.order_after}, each.links, faces,
+               [&](std::uint32_t k) { return cells.order(each.cell, k); });
+    }
+  }
+}
+
 }  // namespace sesame::ops

@@ -8,9 +8,11 @@
 #include <span>
 #include <unordered_map>
 
+#include "ops/cells/cell_store.hpp"
 #include "ops/cells/moment.hpp"
 #include "ops/cells/plan.hpp"
 #include "ops/ids.hpp"
+#include "sparse/archive.hpp"
 #include "sparse/growing_array.hpp"
 #include "sparse/hash_index.hpp"
 
@@ -129,6 +131,11 @@ class SplitHistory {
   }
   void undo_last_move();
 
+  // ---- to an archive, and into a new history from one, which fails when it is unsound
+  void save(sparse::ArchiveWriter& to) const;
+  /// `now`: the moment when it was saved.
+  void load(sparse::ArchiveReader& from, const Moment& now, const CellStore& cells, const VertexMaps& maps);
+
  private:
   /// What is not rare of a move.
   struct Record {
@@ -168,6 +175,8 @@ class SplitHistory {
   [[nodiscard]] std::uint32_t last_number_of(CellId c, std::uint32_t k, std::uint32_t moves) const;
   void add_row(CellId cell, std::span<const CellId> faces);
   void record(const Move& move, LinkId links);
+  void load_copies(sparse::ArchiveReader& from, const Moment& now, const CellStore& cells);
+  void load_moves(sparse::ArchiveReader& from, const Moment& now, const CellStore& cells, const VertexMaps& maps);
 
   sparse::GrowingArray<Copy> copies_;
   sparse::HashIndex copy_index_;

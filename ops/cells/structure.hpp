@@ -27,6 +27,7 @@
 #include "ops/cells/value.hpp"
 #include "ops/cells/values.hpp"
 #include "ops/simplicial/abstract_complex.hpp"
+#include "sparse/archive.hpp"
 
 namespace sesame::ops {
 
@@ -105,6 +106,12 @@ class Structure {
     VertexMaps maps{types};
   };
 
+  friend class Workspace;  // which saves and loads
+  /// Writes down all but the journal: what can be undone is not kept. Changes nothing.
+  void save(sparse::ArchiveWriter& to) const;
+  /// Into a new structure, whose journal then begins; fails what is unsound. Cost: what was made, with faces and names.
+  void load(sparse::ArchiveReader& from);
+
   void note(EventKind kind, std::size_t number) { journal_.append(kind, static_cast<std::uint32_t>(number)); }
   void add_cells(const Plan& plan, BodyId new_body);
   void add_family(const NewFamily& family, BodyId body);
@@ -116,6 +123,10 @@ class Structure {
   void note_orders(const Plan& plan, CellId first);
   void lower_kind(BodyId body, BodyKind kind);
   void count(CellId c, int change);
+  [[nodiscard]] bool has_sound_bodies() const;
+  [[nodiscard]] bool has_sound_families() const;
+  [[nodiscard]] bool has_sound_count(const LazyFamily& family) const;
+  [[nodiscard]] bool has_sound_counts() const;
 
   void undo_last_event();
   void undo_last_cell();

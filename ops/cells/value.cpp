@@ -195,4 +195,66 @@ OrderId VertexMaps::order(std::span<const std::uint8_t> permutation) {
   return at->second;
 }
 
+// --------------------------------------------------------------------------------------------------------- archives
+
+void VertexMaps::save(sparse::ArchiveWriter& to) const {
+  to.put(static_cast<std::uint64_t>(orders_.size()));
+  for (const Order& each : orders_) {
+    to.put_list(each.permutation);
+  }
+}
+
+void VertexMaps::load(sparse::ArchiveReader& from) {
+  const std::size_t count = from.get_count(sizeof(std::uint64_t));
+  for (std::size_t k = 0; k < count && from.is_good(); ++k) {
+    const auto permutation = from.get_list<std::vector<std::uint8_t>>();
+    std::vector<std::uint8_t> sorted = permutation;
+    std::sort(sorted.begin(), sorted.end());
+    bool is_permutation = sorted.size() <= 2 * std::size_t{largest_dimension};
+    for (std::size_t at = 0; is_permutation && at < sorted.size(); ++at) {
+      is_permutation = sorted[at] == at;
+    }
+    if (from.check(is_permutation, "an order is a permutation")) {
+      from.check(order(permutation) == k, "each order is listed once");
+    }
+  }
+}
+
+bool VertexMaps::is_order_of(OrderId order, TypeId type) const {
+  if (order == same_order) {
+    return true;
+  }
+  if (order >= orders_.size()) {
+    return false;
+  }
+  const auto places = permutation(order);
+  std::size_t vertices = 0;
+  bool keeps_to_components = true;
+  for_each_component(types_.info(type).type, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end && k < places.size(); ++k) {
+      keeps_to_components = keeps_to_components && places[k] >= begin && places[k] < end;
+    }
+    vertices = end;
+  });
+  return keeps_to_components && vertices == places.size();
+}
+
+bool VertexMaps::is_value_of(const Value& v, TypeId of_cell) const {
+  if (v.type >= types_.size() || !is_order_of(v.order, v.type) || (v.collapsed >> types_.info(v.type).dimension) != 0) {
+    return false;
+  }
+  CellType left;
+  int direction = 0;
+  for (const int a : types_.info(v.type).type) {
+    int of_component = 0;
+    for (int j = 0; j < a; ++j, ++direction) {
+      of_component += (v.collapsed >> direction & 1) == 0 ? 1 : 0;
+    }
+    if (of_component > 0) {
+      left.push_back(of_component);
+    }
+  }
+  return left == types_.info(of_cell).type;
+}
+
 }  // namespace sesame::ops

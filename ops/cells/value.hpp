@@ -10,6 +10,7 @@
 #include "ops/cells/cell_type.hpp"
 #include "ops/cells/degeneracy.hpp"
 #include "ops/ids.hpp"
+#include "sparse/archive.hpp"
 
 namespace sesame::ops {
 
@@ -89,6 +90,13 @@ class VertexMaps {
   [[nodiscard]] std::span<const std::uint8_t> permutation(OrderId order) const { return orders_[order].permutation; }
   /// +1 or -1: what the order does to the orientation of a cell.
   [[nodiscard]] int sign(OrderId order) const { return orders_[order].sign; }
+
+  // ---- to an archive, and into a new table from one, which fails when it is unsound
+  void save(sparse::ArchiveWriter& to) const;
+  void load(sparse::ArchiveReader& from);
+  /// Whether an order is one of the vertices of a type, which is a type; whether a value is one of a cell of a type.
+  [[nodiscard]] bool is_order_of(OrderId order, TypeId type) const;
+  [[nodiscard]] bool is_value_of(const Value& v, TypeId of_cell) const;
 
  private:
   struct Order {

@@ -51,4 +51,12 @@ void Values::undo_degenerate(CellId node) {
   forest_.unsquash(node);
 }
 
+void Values::load(sparse::ArchiveReader& from) {
+  for (CellId node = asked_node(0); node < cells_.asked() && from.is_good(); ++node) {
+    if (cells_.lazy(node) == none) {
+      from.check(degenerate_index_.emplace(forest_.squashed(node), node).second, "each degenerate node is there once");
+    }
+  }
+}
+
 }  // namespace sesame::ops

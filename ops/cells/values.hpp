@@ -39,6 +39,8 @@ class Values {
 
   /// Forgets a node that is degenerate from the start, the last one of all nodes.
   void undo_degenerate(CellId node);
+  /// Makes the index of degenerate nodes anew, after those have been loaded; fails when two of them are one.
+  void load(sparse::ArchiveReader& from);
 
  private:
   void advance_to_root(Value& v) const;

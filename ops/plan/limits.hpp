@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "ops/cells/family_counts.hpp"
 #include "ops/cells/structure.hpp"
 #include "sparse/result.hpp"
 
@@ -15,9 +16,6 @@ struct Limits {
   std::int64_t cells_of_explicit_cone = 4096;  ///< a cone over whole bodies of more cells is a lazy family
   std::int64_t cells = 1'000'000'000;          ///< ids of cells and of removals share 32 bits in the big complex
 };
-
-/// More cells than this are not counted; far below what 64 bits can say, so that sums of two are safe.
-inline constexpr std::uint64_t largest_count = std::uint64_t{1} << 60;
 
 /// True for what is no type at all. The text form cannot say one, but a program can.
 [[nodiscard]] bool has_bad_entry(const CellType& type);

@@ -7,28 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "ops/cells/family_counts.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/step_names.hpp"
 
 namespace sesame::ops {
 namespace {
 
-/// The cells of a body, by dimension.
-using Counts = std::span<const std::uint64_t>;
+using Counts = CellCounts;
 
 std::uint64_t total(Counts counts) { return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}); }
 std::uint64_t vertices(Counts counts) { return counts.empty() ? 0 : counts[0]; }
-
-/// Exact for n up to 62.
-std::uint64_t binomial(std::size_t n, std::size_t k) {
-  std::uint64_t result = 1;
-  k = std::min(k, n - k);
-  for (std::size_t j = 1; j <= k; ++j) {
-    const std::uint64_t common = std::gcd(result, j);  // divided first: the product need not fit
-    result = result / common * ((n - k + j) / (j / common));
-  }
-  return result;
-}
 
 /// For a product that is triangulated: simplices, with their vertices in the order of their faces.
 Status check_triangulable(BodyId body, const std::string& name, const Structure& structure) {
@@ -45,34 +34,6 @@ Status check_triangulable(BodyId body, const std::string& name, const Structure&
                              structure.directory().name_of_body(body))};
   }
   return Done{};
-}
-
-/// Adds left * right * places * choices, or more than `largest_count` where that is beyond 64 bits.
-void add_product(std::uint64_t& count, std::uint64_t left, std::uint64_t right, std::uint64_t places,
-                 std::uint64_t choices) {
-  std::uint64_t cells = 0;
-  if (__builtin_mul_overflow(left, right, &cells) || __builtin_mul_overflow(cells, places, &cells) ||
-      __builtin_mul_overflow(cells, choices, &cells) || __builtin_add_overflow(count, cells, &count)) {
-    count = largest_count + 1;
-  }
-}
-
-/// The cells of a product, by dimension, put into `counts`, which are 0 and as many as there can be dimensions.
-void count_cells(Counts lefts, Counts rights, bool simplicial, std::vector<std::uint64_t>& counts) {
-  for (std::size_t p = 0; p < lefts.size(); ++p) {
-    for (std::size_t q = 0; q < rights.size(); ++q) {
-      if (!simplicial) {
-        add_product(counts[p + q], lefts[p], rights[q], 1, 1);
-        continue;
-      }
-      for (std::size_t n = std::max(p, q); n <= p + q; ++n) {  // n! / ((n - p)! (n - q)! (p + q - n)!) pairs
-        add_product(counts[n], lefts[p], rights[q], binomial(n, p), binomial(p, p + q - n));
-      }
-    }
-  }
-  while (!counts.empty() && counts.back() == 0) {
-    counts.pop_back();
-  }
 }
 
 /// The cells of a simploidal product that are simplices: pairs of a simplex and a vertex. A pair of vertices is one.
@@ -110,7 +71,7 @@ Status plan_product(const MakeProduct& operation, const Structure& structure, Pl
   if (Status s = check_family(product, structure); !s) {  // the dimension, before anything is multiplied
     return s;
   }
-  count_cells(lefts, rights, operation.simplicial, product.counts);
+  product.counts = cells_of_product(lefts, rights, operation.simplicial);
   if (Status s = check_family(product, structure); !s) {
     return s;
   }

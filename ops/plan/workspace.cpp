@@ -57,9 +57,15 @@ void Workspace::carry_out() {
 }
 
 Status Workspace::can_take_back(std::uint64_t steps) const {
+  if (steps > below_ + steps_.size()) {
+    return Error{Errc::refused,
+                 fmt::format("cannot undo {} steps: only {} can be undone{}", steps, below_ + steps_.size(),
+                             forgotten_ > 0 ? ", as older ones are not kept" : "")};
+  }
   if (steps > steps_.size()) {
-    return Error{Errc::refused, fmt::format("cannot undo {} steps: only {} can be undone{}", steps, steps_.size(),
-                                            forgotten_ > 0 ? ", as older ones are not kept" : "")};
+    return Error{Errc::refused, fmt::format("cannot undo {} steps: of these, {} came before the snapshot that this was "
+                                            "read from, and need the steps before it to be done again",
+                                            steps, steps - steps_.size())};
   }
   return Done{};
 }
@@ -77,14 +83,32 @@ Status Workspace::take_back(std::uint64_t steps) {
 }
 
 void Workspace::forget_oldest_step() {
+  ++forgotten_;
+  if (below_ > 0) {
+    --below_;
+    return;
+  }
   steps_.pop_front();
   structure_.forget_events_before(steps_.empty() ? structure_.journal().end() : steps_.front().begin);
-  ++forgotten_;
 }
 
 void Workspace::forget_since(Journal::Position position) {
   sparse::expects(steps_.empty() || steps_.back().begin <= position, "only what queries made can be forgotten");
   structure_.truncate(position);
+}
+
+void Workspace::save(sparse::ArchiveWriter& to) const {
+  structure_.save(to);
+  to.put(below_ + steps_.size());
+  to.put(forgotten_);
+}
+
+void Workspace::load(sparse::ArchiveReader& from) {
+  structure_.load(from);
+  below_ = from.get<std::uint64_t>();
+  forgotten_ = from.get<std::uint64_t>();
+  constexpr std::uint64_t most = std::uint64_t{1} << 56;
+  from.check(below_ < most && forgotten_ < most, "steps are counted");
 }
 
 }  // namespace sesame::ops

@@ -43,7 +43,7 @@ class Workspace {
   /// A step that does nothing to the object.
   void pass() { steps_.emplace_back(structure_.journal().end(), StepKind::nothing); }
 
-  /// Those that can be taken back, oldest first.
+  /// Those that can be taken back here, oldest first.
   [[nodiscard]] const std::deque<Step>& steps() const { return steps_; }
   /// The moment before the step with this number, from 0. Cost: what has happened since.
   [[nodiscard]] Moment before(std::size_t step) const;
@@ -52,7 +52,10 @@ class Workspace {
     return step + 1 == steps_.size() ? structure_.now() : before(step + 1);
   }
 
-  /// Whether the last steps can be taken back. Errors: refused when there are fewer.
+  /// How many steps come before those, of a workspace that was loaded: only who does them all again can take them back.
+  [[nodiscard]] std::uint64_t steps_below() const { return below_; }
+
+  /// Whether the last steps can be taken back. Errors: refused when there are fewer, or when some are below.
   [[nodiscard]] Status can_take_back(std::uint64_t steps) const;
   /// Takes them back. Errors: likewise. Cost: what they did.
   Status take_back(std::uint64_t steps);
@@ -62,11 +65,18 @@ class Workspace {
   /// Forgets what queries have made since the journal was at a position. Requires: no step since then.
   void forget_since(Journal::Position position);
 
+  // ---- archives
+  /// Changes nothing.
+  void save(sparse::ArchiveWriter& to) const;
+  /// Into a new workspace; fails what is unsound. All steps are below it then.
+  void load(sparse::ArchiveReader& from);
+
  private:
   Structure structure_;
   Planner planner_;
   Plan plan_;
   std::deque<Step> steps_;
+  std::uint64_t below_ = 0;      ///< steps
   std::uint64_t forgotten_ = 0;  ///< steps
 };
 

@@ -213,4 +213,53 @@ void AbstractComplex::truncate(std::uint32_t mark) {
   }
 }
 
+// --------------------------------------------------------------------------------------------------------- archives
+
+void AbstractComplex::save(sparse::ArchiveWriter& to) const {
+  texts_.save(to);
+  to.put_list(labels_);
+  to.put_list(label_of_);
+  simplices_.save(to);
+  for (const std::vector<CellId>& cells : cells_) {
+    to.put_list(cells);
+  }
+}
+
+void AbstractComplex::load(sparse::ArchiveReader& from, const std::function<bool(CellId, std::size_t)>& is_simplex) {
+  texts_.load(from);
+  labels_ = from.get_list<std::vector<Label>>();
+  label_of_ = from.get_list<std::vector<LabelId>>();
+  if (!from.check(labels_.size() == texts_.size() && label_of_.size() == labels_.size(), "each vertex has a label")) {
+    label_of_.clear();
+    return;
+  }
+  for (LabelId label = 0; label < labels() && from.is_good(); ++label) {
+    from.check(is_sound(labels_[label], label) && label_of_[label] < labels(), "labels denote vertices");
+  }
+  simplices_.load(from, label_of_.size());
+  cells_.resize(simplices_.dimensions());
+  for (std::size_t dimension = 0; dimension < cells_.size() && from.is_good(); ++dimension) {
+    cells_[dimension] = from.get_list<std::vector<CellId>>();
+    from.check(cells_[dimension].size() == simplices_.slots(dimension), "each simplex is a cell");
+    for (std::size_t slot = 0; slot < cells_[dimension].size() && from.is_good(); ++slot) {
+      const CellId cell = cells_[dimension][slot];
+      if (!from.check(is_simplex(cell, dimension) && !contains(cell), "each simplex is a cell of its own")) {
+        return;
+      }
+      place_.resize(std::max(place_.size(), std::size_t{std::uint32_t{cell}} + 1));
+      place_[cell] = {static_cast<SimplexIndex::Slot>(slot), static_cast<std::uint8_t>(dimension)};
+    }
+  }
+  for (LabelId label = 0; label < labels() && from.is_good(); ++label) {
+    const VertexId denoted = vertex(label);
+    from.check(find({&denoted, 1}) != none, "the vertices that labels denote are simplices");
+  }
+}
+
+/// Parents have at least twice as many labels below them: so one comes to an end, and soon.
+bool AbstractComplex::is_sound(const Label& label, LabelId itself) const {
+  return label.parent < labels_.size() && label.below > 0 && label.vertex < labels_.size() &&
+         (label.parent == itself || labels_[label.parent].below / 2 >= label.below);
+}
+
 }  // namespace sesame::ops

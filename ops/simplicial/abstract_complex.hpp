@@ -5,6 +5,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,6 +15,7 @@
 #include "ops/ids.hpp"
 #include "ops/name_table.hpp"
 #include "ops/simplicial/simplex_index.hpp"
+#include "sparse/archive.hpp"
 
 namespace sesame::ops {
 
@@ -98,6 +100,11 @@ class AbstractComplex {
   /// Takes back all changes but so many. Cost: that of the changes.
   void truncate(std::uint32_t mark);
 
+  // ---- to an archive, without the journal; and into a new complex from one, which fails when it is unsound
+  void save(sparse::ArchiveWriter& to) const;
+  /// `is_simplex(cell, dimension)`: whether that is a cell of the structure.
+  void load(sparse::ArchiveReader& from, const std::function<bool(CellId, std::size_t)>& is_simplex);
+
  private:
   struct Label {
     LabelId parent;           ///< labels of one vertex form a tree, linked by size
@@ -129,6 +136,7 @@ class AbstractComplex {
   void undo(const Change& change);
   void undo_inclusion(const Place& place);
   void undo_contraction();
+  [[nodiscard]] bool is_sound(const Label& label, LabelId itself) const;
 
   NameTable texts_;  ///< number: label
   std::vector<Label> labels_;

@@ -145,4 +145,91 @@ void SimplexIndex::unlink(std::size_t dimension, Slot slot) {
   }
 }
 
+// ---- archives
+
+/// Of each dimension the vertices of the slots, and the links of the stars, one list after the other: those of
+/// simplices that are gone are in none.
+void SimplexIndex::save(sparse::ArchiveWriter& to) const {
+  to.put(static_cast<std::uint64_t>(layers_.size()));
+  for (const Layer& layer : layers_) {
+    to.put_list(layer.vertices);
+    std::vector<std::uint32_t> links;
+    links.reserve(layer.vertices.size());
+    for (std::uint32_t where : layer.first) {
+      for (; where != nothing; where = layer.next[where]) {
+        links.push_back(where);
+      }
+    }
+    to.put_list(links);
+  }
+}
+
+void SimplexIndex::load(sparse::ArchiveReader& from, std::size_t vertices) {
+  has_stars_ = true;
+  const std::size_t dimensions = from.get_count(2 * sizeof(std::uint64_t));
+  if (!from.check(dimensions <= largest_dimension + 1, "no simplex has a dimension above 62")) {
+    return;
+  }
+  layers_.resize(dimensions);
+  star_size_.assign(vertices, 0);
+  for (std::size_t dimension = 0; dimension < dimensions && from.is_good(); ++dimension) {
+    load_simplices(from, dimension, vertices);
+    load_stars(from, dimension);
+  }
+}
+
+void SimplexIndex::load_simplices(sparse::ArchiveReader& from, std::size_t dimension, std::size_t vertices) {
+  Layer& layer = layers_[dimension];
+  layer.vertices = from.get_list<std::vector<Vertex>>();
+  bool is_sound = layer.vertices.size() % (dimension + 1) == 0 && layer.vertices.size() < nothing;
+  for (std::size_t at = 0; at < layer.vertices.size() && is_sound; ++at) {
+    const auto begin = layer.vertices.begin() + static_cast<std::ptrdiff_t>(at - at % (dimension + 1));
+    const auto here = layer.vertices.begin() + static_cast<std::ptrdiff_t>(at);
+    is_sound = *here < vertices && std::find(begin, here, *here) == here;
+  }
+  from.check(is_sound, "a simplex has different vertices");
+}
+
+void SimplexIndex::load_stars(sparse::ArchiveReader& from, std::size_t dimension) {
+  Layer& layer = layers_[dimension];
+  const auto links = from.get_list<std::vector<std::uint32_t>>();
+  layer.first.assign(star_size_.size(), nothing);
+  layer.next.assign(layer.vertices.size(), nothing);
+  layer.previous.assign(layer.vertices.size(), nothing);
+  std::vector<bool> is_linked(layer.vertices.size());
+  std::uint32_t before = nothing;
+  for (const std::uint32_t where : links) {
+    if (!from.check(where < layer.vertices.size() && !is_linked[where] &&
+                        (before == nothing || layer.vertices[before] <= layer.vertices[where]),
+                    "the simplices that have a vertex are listed by this")) {
+      return;
+    }
+    const Vertex v = layer.vertices[where];
+    if (before != nothing && layer.vertices[before] == v) {
+      layer.next[before] = where;
+      layer.previous[where] = before;
+    } else {
+      layer.first[v] = where;
+    }
+    is_linked[where] = true;
+    ++star_size_[v];
+    before = where;
+  }
+  for (Slot slot = 0; slot < slots(dimension) && from.is_good(); ++slot) {
+    const auto begin = is_linked.begin() + static_cast<std::ptrdiff_t>(slot * (dimension + 1));
+    const auto linked =
+        static_cast<std::size_t>(std::count(begin, begin + static_cast<std::ptrdiff_t>(dimension + 1), true));
+    if (linked == 0) {
+      continue;  // it is gone
+    }
+    const auto own = vertices(dimension, slot);
+    const auto is_same = [&](Slot other) {
+      const auto others = vertices(dimension, other);
+      return std::is_permutation(own.begin(), own.end(), others.begin());
+    };
+    from.check(linked == dimension + 1 && layer.index.insert_new(key(own).hash, slot, is_same),
+               "a simplex is in the stars of its vertices, once");
+  }
+}
+
 }  // namespace sesame::ops

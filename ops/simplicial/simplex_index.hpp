@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ops/ids.hpp"
+#include "sparse/archive.hpp"
 #include "sparse/hash_index.hpp"
 
 namespace sesame::ops {
@@ -87,6 +88,11 @@ class SimplexIndex {
   /// Takes the last slot of a dimension back. Requires: its simplex is gone.
   void drop_last_slot(std::size_t dimension);
 
+  // ---- to an archive, and into a new index from one, which fails when it is unsound; with stars
+  void save(sparse::ArchiveWriter& to) const;
+  /// `vertices`: all are below this.
+  void load(sparse::ArchiveReader& from, std::size_t vertices);
+
  private:
   /// The simplices of a dimension.
   struct Layer {
@@ -100,6 +106,8 @@ class SimplexIndex {
   void link(std::size_t dimension, Slot slot);
   void unlink(std::size_t dimension, Slot slot);
   void make_room(Layer& layer, Vertex v);
+  void load_simplices(sparse::ArchiveReader& from, std::size_t dimension, std::size_t vertices);
+  void load_stars(sparse::ArchiveReader& from, std::size_t dimension);
 
   std::vector<Layer> layers_;  ///< per dimension
   bool has_stars_ = false;

@@ -6,23 +6,13 @@
 #include <new>
 #include <utility>
 
+#include "engine/open.hpp"
 #include "replay/text/log.hpp"
 
 namespace sesame::replay {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-Outcome outcome_of(Errc code) {
-  switch (code) {
-    case Errc::io:
-      return Outcome::wrong_usage;
-    case Errc::expectation:
-      return Outcome::expectation_failed;
-    default:
-      return Outcome::wrong_script;
-  }
-}
 
 std::uint32_t characteristic(const sparse::AnyRing& ring) {
   return std::visit([](const auto& k) { return k.characteristic(); }, ring);
@@ -55,12 +45,13 @@ class Run {
     std::unique_ptr<engine::Engine> own;
     std::unique_ptr<engine::Engine>& owner = options_.engine != nullptr ? *options_.engine : own;
     owner = std::make_unique<engine::Engine>(*ring, options_.limits, engine::RebasePolicy{},
-                                             engine::HistoryPolicy{options_.undoable, false});
+                                             engine::HistoryPolicy{options_.undoable, false}, options_.resources);
     engine::Engine& engine = *owner;
     if (options_.observer) {
       engine.observe(options_.observer);
     }
-    Outcome outcome = options_.older_steps != nullptr ? take_older_steps(engine) : begin_log(*header, *ring);
+    start_ = start;
+    Outcome outcome = begin_log(engine, *header);
     if (outcome == Outcome::done) {
       outcome = all_steps(engine);
     }
@@ -70,8 +61,12 @@ class Run {
     replay_log().info("{}{} steps, of which {} from an older log, {} begun afresh", script_.place(), steps_, older_,
                       engine.rebases());
     const bool is_summarised = outcome == Outcome::done || outcome == Outcome::interrupted ||
+                               outcome == Outcome::limit_reached ||
                                (options_.partial && outcome != Outcome::law_failed) ||
                                (options_.keep_going && outcome == refused_ && !script_.is_broken());
+    if (const Status bound = engine.bind_log(); !bound && outcome == Outcome::done) {
+      outcome = fail(bound.error().what, Outcome::wrong_usage);
+    }
     if (!is_summarised) {
       return outcome;
     }
@@ -99,60 +94,113 @@ class Run {
  private:
   [[nodiscard]] bool is_stopped() const { return options_.stop != nullptr && options_.stop->load(); }
 
-  Outcome begin_log(ops::Header header, const sparse::AnyRing& ring) {
-    header.ring = sparse::ring_name(ring);
-    return write_to_log(header);
-  }
+  [[nodiscard]] bool is_time_up() const { return options_.most_time && Clock::now() - start_ > *options_.most_time; }
 
-  /// A header or an operation.
-  template <class Said>
-  Outcome write_to_log(const Said& said) {
+  Outcome begin_log(engine::Engine& engine, ops::Header header) {
     if (options_.log == nullptr) {
       return Outcome::done;
     }
-    *options_.log << ops::to_text(said) << '\n' << std::flush;
-    return *options_.log ? Outcome::done : Outcome::wrong_usage;
+    if (options_.older_steps != nullptr) {
+      const Result<std::optional<ops::Header>> older = options_.older_steps->header();
+      if (!older) {
+        return fail(older.error().what, outcome_of(older.error().code));
+      }
+      if (*older) {
+        return go_on_with_log(engine, **older);
+      }
+      note_what_is_torn(0);
+    }
+    header.ring = sparse::ring_name(engine.ring());
+    Status begun = options_.older_steps != nullptr ? options_.log->go_on(options_.older_steps->position()) : Done{};
+    begun = begun ? options_.log->begin(header) : begun;
+    if (!begun) {
+      return fail(begun.error().what, Outcome::wrong_usage);
+    }
+    engine.write_to(options_.log, options_.has_snapshots
+                                      ? std::make_unique<engine::LogSnapshots>(options_.log, terms_of(engine))
+                                      : nullptr);
+    return Outcome::done;
+  }
+
+  Outcome go_on_with_log(engine::Engine& engine, const ops::Header& header) {
+    const std::string ring = sparse::ring_name(engine.ring());
+    if (header.ring != ring) {
+      return fail(options_.older_steps->place() + "this log is over " + header.ring +
+                      ", and what is to go on from it over " + ring + "; --ring " + header.ring +
+                      " would take it over the same",
+                  Outcome::wrong_script);
+    }
+    std::unique_ptr<engine::LogSnapshots> snapshots;
+    if (options_.has_snapshots) {
+      Result<std::unique_ptr<engine::LogSnapshots>> resumed = engine::resume_from_snapshot(
+          engine, *options_.older_steps, options_.log, terms_of(engine), engine::RebasePolicy{});
+      if (!resumed) {
+        return fail(resumed.error().what, outcome_of(resumed.error().code));
+      }
+      snapshots = std::move(*resumed);
+      older_ = steps_ = options_.older_steps->position().steps();
+    }
+    if (const Outcome taken = take_older_steps(engine); taken != Outcome::done || is_stopped()) {
+      return taken;
+    }
+    if (const Status gone_on = options_.log->go_on(options_.older_steps->position()); !gone_on) {
+      return fail(gone_on.error().what, Outcome::wrong_usage);
+    }
+    engine.write_to(options_.log, std::move(snapshots));
+    return Outcome::done;
+  }
+
+  [[nodiscard]] engine::ObjectTerms terms_of(const engine::Engine& engine) const {
+    return {engine.ring(), options_.limits, options_.undoable};
   }
 
   Outcome take_older_steps(engine::Engine& engine) {
-    ScriptReader& older = *options_.older_steps;
-    const Result<ops::Header> header = older.header();
-    if (!header) {
-      return fail(header.error().what, outcome_of(header.error().code));
+    engine::LogReader& older = *options_.older_steps;
+    if (is_stopped()) {
+      return Outcome::done;
     }
-    const std::string ring = sparse::ring_name(engine.ring());
-    if (header->ring != ring) {
-      return fail(older.place() + "this log is over " + header->ring + ", and what is to go on from it over " + ring +
-                      "; --ring " + header->ring + " would take it over the same",
-                  Outcome::wrong_script);
-    }
-    while (!is_stopped()) {
-      Result<std::optional<ops::Operation>> operation = older.next();
-      if (!operation && is_stopped()) {
-        break;
-      }
-      if (!operation) {
-        return fail(operation.error().what, outcome_of(operation.error().code));
-      }
-      if (!*operation) {
-        break;
-      }
-      if (const auto report = engine.apply(std::move(**operation)); !report) {
-        return fail(older.place() + report.error().what, outcome_of(report.error().code));
-      }
+    const Status taken = engine::take_steps(engine, older, [this] {
       older_ = ++steps_;
       if (progress_ != nullptr) {
         progress_->update(steps_);
       }
+      return !is_stopped();
+    });
+    if (!taken) {
+      return fail(taken.error().what, outcome_of(taken.error().code));
+    }
+    if (!is_stopped()) {
+      note_what_is_torn(older.position().steps());
     }
     return Outcome::done;
+  }
+
+  void note_what_is_torn(std::uint64_t step) {
+    const engine::LogReader& older = *options_.older_steps;
+    if (older.torn() > 0 && options_.notes != nullptr) {
+      clear_progress();
+      *options_.notes << older.name() << ": the last " << older.torn() << " bytes, behind step " << step
+                      << ", are no whole record, and are cut off\n";
+    }
   }
 
   Outcome all_steps(engine::Engine& engine) {
     while (!is_stopped() && (!options_.until || steps_ - older_ < *options_.until)) {
       Result<std::optional<ops::Operation>> operation = script_.next();
+      const std::optional<engine::Binding> binding = script_.binding();
+      // Where the script is the log of another ring, or goes on from other steps, it says nothing of these.
+      if (binding && expects_torsion_ && older_ == 0 && refused_ == Outcome::done && binding->steps == steps_) {
+        if (const Status bound = engine::check_binding(engine, *binding); !bound) {
+          return fail(script_.place() + bound.error().what, outcome_of(bound.error().code));
+        }
+      }
       if (operation ? !*operation : is_stopped()) {
         break;  // at the end; what a stop cut off is no line of the script
+      }
+      if (is_time_up()) {
+        return fail(script_.place() + "time is up before this step, the " + std::to_string(steps_ + 1) +
+                        ". one, as the limit was set; those before it have happened",
+                    Outcome::limit_reached);
       }
       const Outcome outcome = operation ? step(engine, std::move(**operation)) : refuse(operation.error());
       if (outcome != Outcome::done) {
@@ -170,19 +218,17 @@ class Run {
     }
     const Result<engine::StepReport> report = engine.apply(std::move(operation));
     if (!report) {
-      return refuse({report.error().code, script_.place() + report.error().what});
+      const bool is_of_log = report.error().code == Errc::io;
+      return refuse({report.error().code, (is_of_log ? "" : script_.place()) + report.error().what});
     }
     if (options_.needs_barcode && may_end_barcode(*report)) {
       if (const Result<engine::Barcode> barcode = engine.barcode(); !barcode) {
-        (void)engine.apply(ops::Undo{1}).value();
+        (void)engine.apply(ops::Undo{1});
         return fail(script_.place() + barcode.error().what, Outcome::wrong_script);
       }
     }
     ++steps_;
     already_ += report->already;
-    if (const Outcome logged = write_to_log(engine.log().back()); logged != Outcome::done) {
-      return logged;
-    }
     const bool is_due = options_.every > 0 && steps_ % options_.every == 0 &&
                         (!options_.report_at_most || reported_ < *options_.report_at_most);
     if (reporter_ != nullptr && (is_due || report->answer)) {
@@ -238,7 +284,14 @@ class Run {
       const bool has_place = error.what.starts_with(place);
       reporter_->refused({steps_ + 1, script_.line(), error.what.substr(has_place ? place.size() : 0)});
     }
-    if (refused_ != Outcome::wrong_script) {
+    const auto severity = [](Outcome of) {
+      return of == Outcome::wrong_script    ? 4
+             : of == Outcome::wrong_usage   ? 3
+             : of == Outcome::limit_reached ? 2
+             : of == Outcome::done          ? 0
+                                            : 1;
+    };
+    if (severity(outcome) > severity(refused_)) {
       refused_ = outcome;
     }
     return Outcome::done;
@@ -255,6 +308,7 @@ class Run {
   Reporter* reporter_;
   std::ostream& errors_;
   Progress* progress_;
+  Clock::time_point start_;
   std::string header_ring_;
   bool expects_betti_ = true, expects_torsion_ = true;  ///< whether those of the header's ring are those of this one
   bool is_noted_ = false;
@@ -267,13 +321,28 @@ class Run {
 
 }  // namespace
 
+Outcome outcome_of(Errc code) {
+  switch (code) {
+    case Errc::io:
+      return Outcome::wrong_usage;
+    case Errc::expectation:
+      return Outcome::expectation_failed;
+    case Errc::law_broken:
+      return Outcome::law_failed;
+    case Errc::limit:
+      return Outcome::limit_reached;
+    default:
+      return Outcome::wrong_script;
+  }
+}
+
 Outcome replay(ScriptReader& script, const ReplayOptions& options, Reporter* reporter, std::ostream& errors,
                Progress* progress) {
   Run run(script, options, reporter, errors, progress);
   try {
     return run.run();
   } catch (const std::bad_alloc&) {
-    return run.fail(script.place() + "out of memory; every step before this line has happened", Outcome::wrong_usage);
+    return run.fail(script.place() + "out of memory; every step before this line has happened", Outcome::limit_reached);
   }
 }
 

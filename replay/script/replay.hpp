@@ -3,12 +3,15 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <iosfwd>
 #include <memory>
 #include <optional>
 #include <ostream>
 
+#include "engine/durable/log_reader.hpp"
+#include "engine/durable/log_writer.hpp"
 #include "engine/engine.hpp"
 #include "ops/plan/planner.hpp"
 #include "replay/script/progress.hpp"
@@ -24,8 +27,12 @@ enum class Outcome : int {
   wrong_script = 2,
   expectation_failed = 3,
   law_failed = 4,
+  limit_reached = 5,
   interrupted = 130,
 };
+
+/// How an error ends a command.
+[[nodiscard]] Outcome outcome_of(Errc code);
 
 struct ReplayOptions {
   std::optional<sparse::AnyRing> ring;          ///< instead of the one that the header names
@@ -41,15 +48,18 @@ struct ReplayOptions {
   bool partial = false;  ///< after an error of the script or a failed `expect`, summarise what was before it
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: finish the current step, then summarise
   ops::Limits limits;                       ///< of what a step may make
-  std::uint64_t undoable = UINT64_MAX;      ///< so many steps can be undone; with `needs_barcode`, all
+  engine::Resources resources;              ///< that the session may take; beyond them a step is refused
+  std::optional<std::chrono::duration<double>> most_time;  ///< then no further step is taken: limit_reached
+  std::uint64_t undoable = UINT64_MAX;                     ///< so many steps can be undone; with `needs_barcode`, all
   /// Where the engine is put instead of being destroyed, which takes a tenth of the time: for a program that ends then.
   std::unique_ptr<engine::Engine>* engine = nullptr;
-  /// The operations applied, a line each, flushed after each. When that fails the replay ends with wrong_usage; why, is
-  /// for its owner to say.
-  std::ostream* log = nullptr;
-  /// The log as it is so far, to be gone on from: its steps come first, neither reported nor verified, counted by
-  /// `until` or written again, and its header is that of both. It has to be over the ring of the replay.
-  ScriptReader* older_steps = nullptr;
+  /// Where the steps are written, before they happen. When that fails the replay ends with wrong_usage.
+  std::shared_ptr<engine::LogWriter> log;
+  /// The log as it is so far, to be gone on from, when it is not empty: its steps come first, neither reported nor
+  /// verified, counted by `until` or written again, and its header is that of both. It has to be over the ring of the
+  /// replay. What is torn off at its end is cut off, as a line in `notes` says.
+  engine::LogReader* older_steps = nullptr;
+  bool has_snapshots = false;     ///< beside the log, which is a file with that name
   engine::Observer observer;      ///< of the engine, if any
   std::ostream* notes = nullptr;  ///< what is worth to know and no error, one line each
 };

@@ -29,11 +29,32 @@ Status check_is_text(std::string_view beginning, const std::string& name) {
 
 }  // namespace
 
-Result<std::optional<std::string_view>> ScriptReader::next_object() {
+/// The next header or operation, or nothing at the end.
+Result<engine::RecordReader::Entry> ScriptReader::next_entry() {
+  using Entry = engine::RecordReader::Entry;
   while (true) {
-    Result<std::optional<std::string_view>> line = lines_.next();
-    if (!line || !*line || carries_an_object(**line)) {
-      return line;
+    const Result<std::optional<std::string_view>> line = lines_.next();
+    if (!line) {
+      return line.error();
+    }
+    if (!*line) {
+      return Entry{};
+    }
+    if (!lines_.has_end() && (records_.position().is_checked || engine::LineChecker::is_checked(**line))) {
+      return Error{Errc::bad_input, fmt::format("{}this log ends in the middle of a record, with which it was cut off; "
+                                                "\"sesame replay --log {} --append\" goes on from what is whole",
+                                                place(), lines_.name())};
+    }
+    const bool is_header = records_.position().records == 0;
+    Result<Entry> entry = records_.take(**line);
+    if (!entry) {
+      const std::string advice = is_header && !is_broken() ? advice_on(**line, lines_.name(), command) : "";
+      return Error{entry.error().code, place() + entry.error().what + advice};
+    }
+    if (const auto* binding = std::get_if<engine::Binding>(&*entry)) {
+      binding_ = *binding;
+    } else if (!std::holds_alternative<std::monostate>(*entry)) {
+      return entry;
     }
   }
 }
@@ -46,36 +67,28 @@ Result<ops::Header> ScriptReader::header() {
   if (Status text = check_is_text(*beginning, lines_.name()); !text) {
     return text.error();
   }
-  const Result<std::optional<std::string_view>> line = next_object();
-  if (!line) {
-    return line.error();
+  Result<engine::RecordReader::Entry> entry = next_entry();
+  if (!entry) {
+    return entry.error();
   }
-  if (!*line) {
-    return Error{Errc::bad_input, lines_.name() +
-                                      ": this script is empty: its first object should be the header, such as "
-                                      "{\"sesame\":1,\"ring\":\"Z\",\"title\":\"torus\"}"};
+  if (auto* header = std::get_if<ops::Header>(&*entry)) {
+    return std::move(*header);
   }
-  Result<ops::Header> header = ops::parse_header(**line);
-  if (header) {
-    return header;
-  }
-  return Error{header.error().code, place() + header.error().what + advice_on(**line, lines_.name(), command)};
+  return Error{Errc::bad_input, lines_.name() +
+                                    ": this script is empty: its first object should be the header, such as "
+                                    "{\"sesame\":1,\"ring\":\"Z\",\"title\":\"torus\"}"};
 }
 
 Result<std::optional<ops::Operation>> ScriptReader::next() {
-  const Result<std::optional<std::string_view>> line = next_object();
-  if (!line) {
-    return line.error();
+  Result<engine::RecordReader::Entry> entry = next_entry();
+  if (!entry) {
+    return entry.error();
   }
-  if (!*line) {
+  if (std::holds_alternative<std::monostate>(*entry)) {
     return std::optional<ops::Operation>{};
   }
-  Result<ops::Operation> operation = reader_.read(**line);
-  if (!operation) {
-    return Error{operation.error().code, place() + operation.error().what};
-  }
   lines_.drop();  // a mesh is one line: what is read of it takes enough
-  return std::optional{std::move(*operation)};
+  return std::optional{std::get<ops::Operation>(std::move(*entry))};
 }
 
 Result<std::uint64_t> count_operations(ByteSource source, std::uint64_t most) {

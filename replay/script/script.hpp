@@ -7,16 +7,17 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "engine/durable/log_reader.hpp"
 #include "ops/vocabulary/operation.hpp"
-#include "ops/vocabulary/operation_reader.hpp"
 #include "replay/text/line_source.hpp"
 #include "sparse/result.hpp"
 
 namespace sesame::replay {
 
-/// Reads a script line by line. Errors carry `NAME:LINE: what, and what would be right`, but for an input that cannot
-/// be read (io). A script that was stopped ends before a line that has no end yet.
+/// Reads a script line by line, and checks the lines of a log. Errors carry `NAME:LINE: what, and what would be right`,
+/// but for an input that cannot be read (io). A script that was stopped ends before a line that has no end yet.
 class ScriptReader {
  public:
   explicit ScriptReader(ByteSource source, std::size_t longest = longest_line) : lines_{std::move(source), longest} {}
@@ -25,18 +26,23 @@ class ScriptReader {
   Result<ops::Header> header();
   /// The next operation, or nothing at the end. After an error in a line it goes on behind it.
   Result<std::optional<ops::Operation>> next();
+  /// What a log says of the steps before the operation read last, or before its end; once.
+  std::optional<engine::Binding> binding() { return std::exchange(binding_, std::nullopt); }
   /// The line that was read last, counted from 1.
   [[nodiscard]] std::uint64_t line() const { return lines_.line(); }
   /// `NAME:LINE: ` of the line read last.
   [[nodiscard]] std::string place() const { return lines_.place(); }
-  /// Whether the input ended by an error, so that nothing can be read behind it.
-  [[nodiscard]] bool is_broken() const { return lines_.is_broken(); }
+  /// Whether it has been read to its end.
+  [[nodiscard]] bool is_at_end() const { return lines_.is_done(); }
+  /// Whether the input ended by an error, or is a log that is damaged, so that nothing can be read behind it.
+  [[nodiscard]] bool is_broken() const { return lines_.is_broken() || records_.is_damaged(); }
 
  private:
-  Result<std::optional<std::string_view>> next_object();
+  Result<engine::RecordReader::Entry> next_entry();
 
   LineSource lines_;
-  ops::OperationReader reader_;
+  engine::RecordReader records_;
+  std::optional<engine::Binding> binding_;
 };
 
 /// The number of operations in a script, its object lines but the header, or `most` when there are more.

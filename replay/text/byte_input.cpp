@@ -15,6 +15,8 @@
 #include <thread>
 #include <vector>
 
+#include "engine/durable/log_format.hpp"
+
 namespace sesame::replay {
 namespace {
 
@@ -33,6 +35,11 @@ class FileDescriptor {
  private:
   int number_;
 };
+
+bool is_regular_file(int descriptor) {
+  struct stat found {};
+  return fstat(descriptor, &found) == 0 && S_ISREG(found.st_mode);
+}
 
 class FileInput : public ByteInput {
  public:
@@ -65,25 +72,32 @@ class FileInput : public ByteInput {
   const std::atomic<bool>* stop_;
 };
 
-/// A file that grows.
+/// A file that grows. Of a regular one only whole lines are handed out, so that half a line that is cut off, and
+/// written anew, has never been seen. (A whole line that is taken back has: then the file was truncated.)
 class FollowedFile final : public FileInput {
  public:
   /// An empty path: standard input, which cannot be replaced.
   FollowedFile(std::string name, int descriptor, const std::atomic<bool>* stop, std::string path)
-      : FileInput{std::move(name), descriptor, stop}, path_{std::move(path)} {}
+      : FileInput{std::move(name), descriptor, stop},
+        path_{std::move(path)},
+        position_{std::max<off_t>(lseek(descriptor, 0, SEEK_CUR), 0)} {}
 
   Result<std::size_t> read(std::span<char> to) override {
     while (true) {
       // Before the read, so that nothing is taken from a file that is another by now.
-      if (const char* const loss = what_was_lost()) {
+      const char* const loss = what_was_lost();
+      if (loss != nullptr && !is_superseded_log()) {
         return unreadable(std::string{"it was "} + loss + " while it was followed");
       }
-      Result<std::size_t> got = FileInput::read(to);
+      Result<std::size_t> got = is_regular_file(descriptor()) ? read_lines(to) : FileInput::read(to);
       if (!got || *got > 0 || is_stopped()) {
         if (got) {
           remember(to.first(*got));
         }
         return got;
+      }
+      if (loss != nullptr) {
+        return std::size_t{0};  // the end of this log
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
@@ -96,6 +110,16 @@ class FollowedFile final : public FileInput {
     if (fstat(descriptor(), &now) != 0 || !S_ISREG(now.st_mode)) {  // a pipe only ever grows
       return nullptr;
     }
+    if (now.st_size < position_) {
+      return "truncated";
+    }
+    if (!still_has_tail()) {
+      return "written over";
+    }
+    return what_its_name_lost(now);
+  }
+
+  [[nodiscard]] const char* what_its_name_lost(const struct stat& now) const {
     struct stat named {};
     if (now.st_nlink == 0) {
       return "removed";
@@ -103,21 +127,57 @@ class FollowedFile final : public FileInput {
     if (!path_.empty() && stat(path_.c_str(), &named) != 0) {
       return "moved away";
     }
-    if (!path_.empty() && (named.st_dev != now.st_dev || named.st_ino != now.st_ino)) {
-      return "replaced";
+    const bool is_other = !path_.empty() && (named.st_dev != now.st_dev || named.st_ino != now.st_ino);
+    return is_other ? "replaced" : nullptr;
+  }
+
+  /// Whether all that was read is there, in a log that has only lost its name: what follows stands in another one.
+  [[nodiscard]] bool is_superseded_log() const {
+    struct stat now {};
+    if (fstat(descriptor(), &now) != 0 || now.st_size < position_ || !still_has_tail()) {
+      return false;
     }
-    const off_t position = lseek(descriptor(), 0, SEEK_CUR);
-    if (now.st_size < position) {
-      return "truncated";
-    }
-    return still_has_tail(position) ? nullptr : "written over";
+    std::array<char, 4096> beginning{};
+    const ssize_t got = pread(descriptor(), beginning.data(), beginning.size(), 0);
+    const std::string_view bytes(beginning.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
+    return engine::LineChecker::is_checked(bytes.substr(0, bytes.find('\n')));
   }
 
   /// A file that was truncated and has grown since is as long as before, but not the same.
-  [[nodiscard]] bool still_has_tail(off_t position) const {
+  [[nodiscard]] bool still_has_tail() const {
     std::array<char, longest_tail> found{};
-    const ssize_t got = pread(descriptor(), found.data(), tail_size_, position - static_cast<off_t>(tail_size_));
+    const ssize_t got = pread(descriptor(), found.data(), tail_size_, position_ - static_cast<off_t>(tail_size_));
     return got == static_cast<ssize_t>(tail_size_) && std::equal(tail_.begin(), tail_.begin() + got, found.begin());
+  }
+
+  /// Up to the last line feed that there is, or nothing; of data that are packed, all.
+  Result<std::size_t> read_lines(std::span<char> to) {
+    const ssize_t got = pread(descriptor(), to.data(), to.size(), position_);
+    if (got < 0) {
+      return errno == EINTR ? Result<std::size_t>{std::size_t{0}} : unreadable(std::strerror(errno));
+    }
+    const std::string_view bytes(to.data(), static_cast<std::size_t>(got));
+    is_packed_ = is_packed_ || (position_ == 0 && bytes.starts_with("\x1F\x8B"));
+    std::size_t whole = is_packed_ ? bytes.size() : bytes.rfind('\n') + 1;
+    if (whole == 0 && bytes.size() == to.size() && has_line_end_from(position_ + got)) {
+      whole = bytes.size();  // of a line for which there is no room
+    }
+    position_ += static_cast<off_t>(whole);
+    return whole;
+  }
+
+  [[nodiscard]] bool has_line_end_from(off_t at) const {
+    std::vector<char> piece(std::size_t{1} << 16);
+    while (true) {
+      const ssize_t got = pread(descriptor(), piece.data(), piece.size(), at);
+      if (got <= 0) {
+        return false;
+      }
+      if (std::find(piece.begin(), piece.begin() + got, '\n') != piece.begin() + got) {
+        return true;
+      }
+      at += got;
+    }
   }
 
   void remember(std::span<const char> piece) {
@@ -132,8 +192,10 @@ class FollowedFile final : public FileInput {
   static constexpr std::size_t longest_tail = 64;
 
   std::string path_;
+  off_t position_;                         ///< behind what was read, in a regular file
   std::array<char, longest_tail> tail_{};  ///< the bytes read last
   std::size_t tail_size_ = 0;
+  bool is_packed_ = false;
 };
 
 class GzipInput final : public ByteInput {
@@ -202,11 +264,6 @@ class GzipInput final : public ByteInput {
   z_stream stream_{};
   bool is_between_members_ = false;
 };
-
-bool is_regular_file(int descriptor) {
-  struct stat found {};
-  return fstat(descriptor, &found) == 0 && S_ISREG(found.st_mode);
-}
 
 }  // namespace
 

@@ -32,8 +32,9 @@ struct InputOptions {
   /// When it is there and set, the input ends; a signal that sets it should interrupt a read that waits (no
   /// SA_RESTART).
   const std::atomic<bool>* stop = nullptr;
-  /// At the end of a file, waits for it to grow; it is an error (io) when what was read is taken away: the file is
-  /// truncated, removed, replaced or written over. A pipe on standard input ends when its writers close it.
+  /// At the end of a file, waits for it to grow by whole lines; it is an error (io) when what was read is taken away:
+  /// the file is truncated, removed, replaced or written over. A log with checksums ends when another file has its
+  /// name, or none. A pipe on standard input ends when its writers close it.
   bool follow = false;
 };
 

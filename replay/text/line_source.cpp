@@ -46,7 +46,8 @@ Result<std::optional<std::string_view>> LineSource::next() {
   ++line_;
   const Result<std::size_t> end = find_line_end(source_, 0, line_, longest_);
   is_broken_ = !end;
-  is_done_ = !end || *end == source_.window().size();
+  has_end_ = end && *end < source_.window().size();
+  is_done_ = !has_end_;
   if (!end) {
     return end.error();
   }

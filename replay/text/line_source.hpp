@@ -39,8 +39,12 @@ class LineSource {
   [[nodiscard]] std::uint64_t line() const { return line_; }
   /// `NAME:LINE: ` of the line read last.
   [[nodiscard]] std::string place() const;
+  /// Whether it had a line feed behind it; the last one of an input may have none.
+  [[nodiscard]] bool has_end() const { return has_end_; }
   [[nodiscard]] const std::string& name() const { return source_.name(); }
   [[nodiscard]] bool is_stopped() const { return source_.is_stopped(); }
+  /// Whether there is no further line.
+  [[nodiscard]] bool is_done() const { return is_done_; }
   /// Whether it ended by an error.
   [[nodiscard]] bool is_broken() const { return is_broken_; }
 
@@ -48,7 +52,7 @@ class LineSource {
   ByteSource source_;
   std::size_t longest_;
   std::uint64_t line_ = 0;
-  bool is_done_ = false, is_broken_ = false;
+  bool is_done_ = false, is_broken_ = false, has_end_ = false;
 };
 
 }  // namespace sesame::replay

@@ -51,8 +51,8 @@ bool is_cut_off(Engine& engine, const ops::Operation& op, int k) {
   try {
     const auto result = engine.apply(std::move(copy));
     until_failure = -1;
-    REQUIRE(result);
-    return false;
+    REQUIRE((result || result.error().code == Errc::limit));
+    return !result;
   } catch (const std::bad_alloc&) {
     until_failure = -1;
     return true;
@@ -61,7 +61,7 @@ bool is_cut_off(Engine& engine, const ops::Operation& op, int k) {
 
 }  // namespace
 
-TEST_CASE("when any allocation of a step fails, the log is that before it, and nothing wrong comes after", "[engine]") {
+TEST_CASE("when any allocation of a step fails, the engine is as it was before it", "[engine]") {
   const unsigned seed = GENERATE(range(0U, 4U));
   CAPTURE(seed);
   std::vector<ops::Operation> done;
@@ -86,9 +86,7 @@ TEST_CASE("when any allocation of a step fails, the log is that before it, and n
       }
       ++failures;
       REQUIRE(engine->log().size() == done.size());
-      REQUIRE_THROWS_AS(engine->apply(op), sparse::ContractViolation);
-      const std::vector<ops::Operation> logged(engine->log().begin(), engine->log().end());
-      REQUIRE(dump(*engine_after(logged)) == dump(*before));
+      REQUIRE(dump(*engine) == dump(*before));
     }
   }
   CHECK(failures > 100);

@@ -86,7 +86,8 @@ TEST_CASE("a refused step says at the level debug why", "[engine][log]") {
 TEST_CASE("an equivalence that is begun afresh says at the level info why", "[engine][log][rebase]") {
   const Listener rebases(engine::rebase_log(), spdlog::level::info);
   const bool by_cost = GENERATE(false, true);
-  Engine engine({}, {}, by_cost ? engine::RebasePolicy{UINT64_MAX / 2, 1, 0, 0, 0, 0, UINT64_MAX, 0} : after_each_split);
+  Engine engine({}, {},
+                by_cost ? engine::RebasePolicy{UINT64_MAX / 2, 1, 0, 0, 0, 0, UINT64_MAX, 0} : after_each_split);
   edit(engine);
   carry_out(engine, R"({"op":"identify","pairs":[["t.0","c"]]})");
   CHECK(rebases.text().starts_with("sesame.rebase info: begun afresh from "));

@@ -9,6 +9,7 @@
 
 #include "replay/script/replay.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/memory_disk.hpp"
 
 namespace sesame::tests {
 
@@ -50,18 +51,36 @@ inline std::string example(const std::string& name) {
 struct Replayed {
   replay::Outcome outcome;
   std::string errors;
-  std::string log;
+  std::string log;    ///< its records as a script, without numbers and checksums
+  std::string bytes;  ///< all of it
 };
+
+/// The header and the operations of a log, a line each.
+inline std::string script_of_log(const std::string& bytes) {
+  std::string script;
+  engine::LineChecker lines;
+  for (const std::string& line : lines_of(bytes)) {
+    const auto taken = lines.take(line).value();
+    script += taken.record.empty() ? "" : std::string{taken.record} + '\n';
+  }
+  return script;
+}
 
 /// Replays a text that errors call "script".
 inline Replayed replay_text(const std::string& text, replay::Reporter* reporter = nullptr,
                             replay::ReplayOptions options = {}) {
   replay::ScriptReader script(replay::ByteSource::of_text(text, "script"));
   std::ostringstream errors;
-  std::ostringstream log;
-  options.log = &log;
+  MemoryDisk disk;
+  int error = 0;
+  options.log = std::make_shared<engine::LogWriter>(disk.open("log", engine::Disk::Mode::create, error), "log",
+                                                    engine::SyncPolicy::never());
   const replay::Outcome outcome = replay::replay(script, options, reporter, errors, nullptr);
-  return {outcome, errors.str(), log.str()};
+  if (options.engine != nullptr && *options.engine != nullptr) {
+    (*options.engine)->write_to(nullptr);  // the engine stays, and the disk does not
+  }
+  options.log.reset();
+  return {outcome, errors.str(), script_of_log(disk.bytes("log")), disk.bytes("log")};
 }
 
 /// What a replay writes through one of the program's reporters; the replay must be done without a word.

@@ -13,7 +13,7 @@ ORDER = ["sparse", "reductions", "ops", "engine", "replay", "tools", "tests"]
 # The rooms of a folder; "" are the files that lie in none.
 ROOMS = {
     "ops": ["", "simplicial", "cells", "vocabulary", "plan"],
-    "engine": ["right", "left", "towers", ""],
+    "engine": ["right", "left", "towers", "durable", ""],
     "replay": ["text", "script", "barcode", "tower", "distance", "picture", "export", ""],
     "tools": ["mesh", "bench", "commands", ""],
 }

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "tests/support/catch.hpp"
@@ -32,5 +33,11 @@ class TemporaryFile {
  private:
   std::string path_;
 };
+
+/// All bytes of a file.
+inline std::string text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 }  // namespace sesame::tests

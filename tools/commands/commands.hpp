@@ -13,6 +13,8 @@ void add_mesh_command(CLI::App& app, int& status);
 void add_generate_command(CLI::App& app, int& status);
 void add_tower_command(CLI::App& app, int& status);
 void add_distance_command(CLI::App& app, int& status);
+void add_verify_command(CLI::App& app, int& status);
+void add_info_command(CLI::App& app, int& status);
 void add_bench_command(CLI::App& app, int& status);
 
 }  // namespace sesame::tools

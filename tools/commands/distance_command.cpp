@@ -205,7 +205,7 @@ int run_distance(const Arguments& arguments) {
   for (const std::string& name : {arguments.left, arguments.right}) {
     Result<PersFile> file = read_file(name, times);
     if (!file) {
-      return fail(file.error().what, file.error().code == Errc::io ? Outcome::wrong_usage : Outcome::wrong_script);
+      return fail(file.error().what, replay::outcome_of(file.error().code));
     }
     files.push_back(std::move(*file));
   }

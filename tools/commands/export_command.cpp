@@ -51,9 +51,7 @@ int fail(const std::string& what, Outcome outcome) {
   return static_cast<int>(outcome);
 }
 
-int refuse(const Error& error) {
-  return fail(error.what, error.code == Errc::io ? Outcome::wrong_usage : Outcome::wrong_script);
-}
+int refuse(const Error& error) { return fail(error.what, replay::outcome_of(error.code)); }
 
 /// What is wrong with the options for this format, or an empty text.
 std::string objection(const Arguments& arguments) {
@@ -222,7 +220,7 @@ int export_script(const Arguments& arguments, replay::ScriptReader& script, Outp
       write_plain_script(script, {arguments.without_undone, arguments.until, &stop_requested()}, out);
   if (!written) {
     std::cerr << written.error().what << '\n';  // it has its place
-    return static_cast<int>(written.error().code == Errc::io ? Outcome::wrong_usage : Outcome::wrong_script);
+    return static_cast<int>(replay::outcome_of(written.error().code));
   }
   return commit(outputs);
 }

@@ -1,30 +1,59 @@
 #include "tools/commands/log_file.hpp"
 
 #include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
+#include <spdlog/logger.h>
 #include <unistd.h>
 
+#include <array>
+#include <cerrno>
+#include <cstring>
 #include <iostream>
+
+#include "tools/commands/program_log.hpp"
 
 namespace sesame::tools {
 namespace {
 
 using Kind = OutputPlace::Kind;
+using Mode = engine::Disk::Mode;
 
-off_t size_of(int descriptor) {
-  struct stat status {};
-  fstat(descriptor, &status);
-  return status.st_size;
-}
+/// Standard output, of which others write too.
+class StandardOutput final : public engine::File {
+ public:
+  engine::Transfer append(std::span<const char> bytes) override {
+    std::cout << std::flush;  // what others wrote comes first
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+      const ssize_t went = ::write(STDOUT_FILENO, bytes.data() + done, bytes.size() - done);
+      if (went < 0 && errno != EINTR) {
+        return {done, errno};
+      }
+      done += went > 0 ? static_cast<std::size_t>(went) : 0;
+    }
+    return {done, 0};
+  }
+  engine::Transfer read(std::uint64_t /*from*/, std::span<char> /*to*/) override { return {0, ESPIPE}; }
+  int sync() override { return 0; }
+  int truncate(std::uint64_t /*size*/) override { return ESPIPE; }
+  int rewrite(std::uint64_t /*from*/, std::span<const char> /*bytes*/) override { return ESPIPE; }
+  bool is_at(const std::string& /*path*/) override { return true; }
+  [[nodiscard]] bool is_readable() const override { return false; }
+  int size(std::uint64_t& bytes) override {
+    bytes = 0;
+    return 0;
+  }
+  bool lock() override { return true; }
+  std::int64_t holder() override { return 0; }
+};
 
 }  // namespace
 
-Result<std::unique_ptr<LogFile>> LogFile::open(const std::string& path, Old old,
-                                               const std::vector<std::string>& inputs) {
+Result<std::unique_ptr<LogFile>> LogFile::open(const std::string& path, Old old, const engine::SyncPolicy& sync,
+                                               const std::vector<std::string>& inputs, std::size_t longest_line) {
   if (is_standard_output(path)) {
     std::unique_ptr<LogFile> log(new LogFile({}));
-    log->stream_.rdbuf(std::cout.rdbuf());
+    log->writer_ = std::make_shared<engine::LogWriter>(std::make_unique<StandardOutput>(), "standard output",
+                                                       engine::SyncPolicy::never());
     return log;
   }
   Result<OutputPlace> place = find_place(path, inputs);
@@ -32,95 +61,107 @@ Result<std::unique_ptr<LogFile>> LogFile::open(const std::string& path, Old old,
     return place.error();
   }
   std::unique_ptr<LogFile> log(new LogFile(std::move(*place)));
-  if (Status opened = log->open_file(old); !opened) {
+  if (Status opened = log->open_file(old, sync, longest_line); !opened) {
     return opened.error();
   }
-  log->stream_.rdbuf(log->buffer());
   return log;
 }
 
-Status LogFile::open_file(Old old) {
+Status LogFile::open_file(Old old, const engine::SyncPolicy& sync, std::size_t longest_line) {
+  int error = 0;
   if (place_.kind == Kind::absent) {
-    return write_at_once(::open(place_.target.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666));
+    std::unique_ptr<engine::File> file = engine::real_disk().open(place_.target, Mode::create, error);
+    Status opened = write_to(std::move(file), error, sync);
+    if (opened) {
+      if (const int folder = engine::real_disk().sync_folder_of(place_.target); folder != 0) {
+        tools_log().warn("a power cut may take the name of {} away: its folder cannot be synced: {}", place_.path,
+                         std::strerror(folder));
+      }
+    }
+    return opened;
   }
   if (place_.kind != Kind::regular) {
-    return write_at_once(::open(place_.path.c_str(), O_WRONLY | O_CLOEXEC));
+    const int descriptor = ::open(place_.path.c_str(), O_WRONLY | O_CLOEXEC);
+    error = errno;
+    return write_to(descriptor < 0 ? nullptr : engine::file_of(descriptor, true), error, sync);
   }
   if (old == Old::is_refused) {
     return Error{Errc::io, place_.path + " is there already; --append goes on from it, --overwrite replaces it"};
   }
+  std::unique_ptr<engine::File> file = engine::real_disk().open(place_.target, Mode::write, error);
   if (old == Old::goes_on) {
-    return go_on();
+    Status opened = write_to(std::move(file), error, sync);
+    return opened ? go_on(longest_line) : opened;
+  }
+  if (file != nullptr) {
+    replaced_ = std::move(file);
+    if (Status locked = engine::lock_log(*replaced_, place_.path); !locked) {
+      return locked;
+    }
   }
   Result<std::unique_ptr<PartFile>> part = PartFile::make(place_, {});
   if (!part) {
     return part.error();
   }
   part_ = std::move(*part);
+  return write_to(engine::file_of(part_->buffer().descriptor(), false), 0, sync);
+}
+
+Status LogFile::write_to(std::unique_ptr<engine::File> file, int error, const engine::SyncPolicy& sync) {
+  if (file == nullptr) {
+    return cannot_write(place_.path, std::strerror(error));
+  }
+  if (place_.kind == Kind::absent || (place_.kind == Kind::regular && part_ == nullptr)) {
+    if (Status locked = engine::lock_log(*file, place_.path); !locked) {
+      return locked;
+    }
+  }
+  writer_ = std::make_shared<engine::LogWriter>(std::move(file), place_.path, sync);
   return Done{};
 }
 
-Status LogFile::write_at_once(int descriptor) {
-  if (descriptor < 0) {
-    return cannot_write(place_.path);
-  }
-  at_once_ = std::make_unique<FileBuffer>(descriptor);
-  return Done{};
-}
-
-Status LogFile::go_on() {
-  const int descriptor = ::open(place_.target.c_str(), O_RDWR | O_APPEND | O_CLOEXEC);
-  if (Status opened = write_at_once(descriptor); !opened) {
-    return opened;
-  }
-  if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {  // until it is closed
-    return cannot_write(place_.path, "another replay goes on with it");
-  }
-  char first[2] = {};
-  if (pread(descriptor, first, sizeof first, 0) == sizeof first && first[0] == '\x1F' && first[1] == '\x8B') {
+Status LogFile::go_on(std::size_t longest_line) {
+  std::array<char, 2> first{};
+  if (writer_->file().read(0, first).bytes == first.size() && first[0] == '\x1F' && first[1] == '\x8B') {
     return cannot_write(place_.path, "it is packed by gzip; a log that is gone on from is plain text");
   }
-  const off_t size = size_of(descriptor);
-  goes_on_ = size > 0;
-  char last = '\n';
-  if (goes_on_ && pread(descriptor, &last, 1, size - 1) == 1 && last != '\n') {
-    at_once_->sputc('\n');
-  }
+  older_.emplace(place_.path, writer_->file(), longest_line);
   return Done{};
 }
 
 Status LogFile::close(bool is_whole) {
-  Status settled = Done{};
-  if (buffer() != nullptr) {
-    buffer()->drop();  // no line: a flush ends one
-    settled = buffer()->settle();
-  }
-  if (!settled) {
+  if (const Status closed = writer_->close(); !closed) {
     if (part_ != nullptr) {
       part_->remove();
     }
-    return cannot_write(place_.path, settled.error().what);
+    return closed;
   }
   if (part_ == nullptr || !is_whole) {
     return Done{};
   }
   Status replaced = part_->replace();
   if (replaced) {
-    stream_.rdbuf(nullptr);
+    writer_.reset();
     part_.reset();
   }
   return replaced;
 }
 
-std::string LogFile::part() const {
-  return part_ != nullptr && size_of(part_->buffer().descriptor()) > 0 ? part_->path().string() : "";
+std::uint64_t LogFile::size() const {
+  std::uint64_t bytes = 0;
+  return writer_ != nullptr && writer_->file().size(bytes) == 0 ? bytes : 0;
 }
 
+std::string LogFile::part() const { return part_ != nullptr && size() > 0 ? part_->path().string() : ""; }
+
 LogFile::~LogFile() {
+  if (writer_ != nullptr) {
+    (void)writer_->close();
+  }
   if (part_ != nullptr && part().empty()) {
     part_->remove();
   }
-  if (place_.kind == Kind::absent && at_once_ != nullptr && size_of(at_once_->descriptor()) == 0) {
+  if (place_.kind == Kind::absent && writer_ != nullptr && size() == 0) {
     unlink(place_.target.c_str());
   }
 }

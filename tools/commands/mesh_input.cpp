@@ -53,7 +53,7 @@ Result<Mesh> read(const MeshInput& input) {
 
 int refuse(const Error& error) {
   std::cerr << error.what << '\n';
-  return static_cast<int>(error.code == Errc::io ? replay::Outcome::wrong_usage : replay::Outcome::wrong_script);
+  return static_cast<int>(replay::outcome_of(error.code));
 }
 
 }  // namespace sesame::tools

@@ -27,6 +27,11 @@ CLI::Validator from_one_on() {
           ""};
 }
 
+CLI::Option* add_size(CLI::App& command, const std::string& name, std::uint64_t& bytes,
+                      const std::string& description) {
+  return command.add_option(name, bytes, description)->transform(CLI::AsSizeValue(false))->type_name("SIZE");
+}
+
 CLI::Validator above_zero() {
   return {[](const std::string& text) {
             double number = 0;

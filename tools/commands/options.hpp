@@ -17,6 +17,9 @@ namespace sesame::tools {
 [[nodiscard]] CLI::Validator from_zero_on();
 [[nodiscard]] CLI::Validator from_one_on();
 
+/// Reads sizes in bytes, "500M", "1.5 GB", into an option; k, M, G and T are powers of 1024.
+CLI::Option* add_size(CLI::App& command, const std::string& name, std::uint64_t& bytes, const std::string& description);
+
 /// Accepts numbers above 0.
 [[nodiscard]] CLI::Validator above_zero();
 

@@ -124,7 +124,7 @@ Result<std::unique_ptr<PartFile>> PartFile::make(const OutputPlace& place, const
     if (std::find(reserved.begin(), reserved.end(), path) != reserved.end()) {
       continue;
     }
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0) {
       tools_log().debug("{} is {} until it is whole", place.path, path.string());
       return std::make_unique<PartFile>(place, std::move(path), descriptor);

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <span>
+#include <thread>
 
 #include "replay/script/facet_list.hpp"
 #include "replay/script/replay.hpp"
@@ -49,6 +51,10 @@ struct Arguments {
   std::int64_t explicit_cones = ops::Limits{}.cells_of_explicit_cone;
   std::string log;
   LogFile::Old old_log = LogFile::Old::is_refused;
+  engine::SyncPolicy sync = engine::SyncPolicy::batch();
+  engine::Resources resources;
+  double most_seconds = 0;
+  bool no_snapshots = false;
   bool json = false;
   std::optional<replay::GeneratorOptions> generators;
   bool verify = false;
@@ -143,7 +149,21 @@ int close_log(LogFile* log, const std::string& path, Outcome outcome, bool goes_
   return static_cast<int>(outcome);
 }
 
-int run_replay(Arguments& arguments) {
+/// Waits until there is a file of this name again; false when somebody stops that.
+bool waits_for(const std::string& path) {
+  std::error_code unknown;
+  while (!stop_requested()) {
+    if (std::filesystem::exists(path, unknown)) {
+      return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  return false;
+}
+
+/// One script; whether it is a log that is followed, and that another one has taken the name of.
+int run_replay(Arguments& arguments, bool& is_superseded) {
+  is_superseded = false;
   replay::ReplayOptions options;
   if (!arguments.ring.empty()) {
     Result<sparse::AnyRing> ring = sparse::parse_ring(arguments.ring);
@@ -153,6 +173,8 @@ int run_replay(Arguments& arguments) {
     options.ring = *ring;
   }
   catch_interrupt();
+  std::error_code unknown;
+  const bool may_be_superseded = arguments.follow && std::filesystem::is_regular_file(arguments.file, unknown);
   Result<replay::ByteSource> source = open_script(arguments);
   Result<Script> found = source ? as_script(std::move(*source), arguments) : source.error();
   if (!found && stop_requested().load()) {
@@ -166,21 +188,16 @@ int run_replay(Arguments& arguments) {
     return static_cast<int>(Outcome::wrong_script);
   }
   std::unique_ptr<LogFile> log;
-  std::optional<replay::ScriptReader> older_steps;
   if (!arguments.log.empty()) {
-    Result<std::unique_ptr<LogFile>> opened = LogFile::open(arguments.log, arguments.old_log, {arguments.file});
+    Result<std::unique_ptr<LogFile>> opened =
+        LogFile::open(arguments.log, arguments.old_log, arguments.sync, {arguments.file}, arguments.longest_line);
     if (!opened) {
       return wrong_usage(opened.error().what);
     }
     log = std::move(*opened);
-    options.log = &log->stream();
-    if (log->goes_on()) {
-      Result<replay::ByteSource> older = replay::ByteSource::open(arguments.log, {&stop_requested()});
-      if (!older) {
-        return wrong_usage(older.error().what);
-      }
-      options.older_steps = &older_steps.emplace(std::move(*older), arguments.longest_line);
-    }
+    options.log = log->writer();
+    options.older_steps = log->older();
+    options.has_snapshots = log->has_place() && !arguments.no_snapshots;
   }
   const bool shows_progress = !arguments.quiet && isatty(STDERR_FILENO) == 1 && !is_prompted(arguments);
   const std::optional<std::uint64_t> operations =
@@ -200,6 +217,10 @@ int run_replay(Arguments& arguments) {
   options.verify = arguments.verify;
   options.limits.cells_of_explicit_cone = arguments.explicit_cones;
   options.undoable = arguments.undoable;
+  options.resources = arguments.resources;
+  if (arguments.most_seconds > 0) {
+    options.most_time = std::chrono::duration<double>(arguments.most_seconds);
+  }
   options.generators = arguments.generators;
   options.engine = &arguments.engine;
   options.stop = &stop_requested();
@@ -218,7 +239,20 @@ int run_replay(Arguments& arguments) {
   }
   replay::ScriptReader script(std::move(found->source), arguments.longest_line);
   const Outcome outcome = replay::replay(script, options, reporter.get(), std::cerr, progress.get());
+  is_superseded = may_be_superseded && log == nullptr && outcome == Outcome::done && script.is_at_end();
   return close_log(log.get(), arguments.log, outcome, options.keep_going && !script.is_broken());
+}
+
+/// With --follow, one log after another that has the name.
+int run_replays(Arguments& arguments) {
+  bool is_superseded = false;
+  int status = run_replay(arguments, is_superseded);
+  while (is_superseded && waits_for(arguments.file)) {
+    std::cout << std::flush;
+    std::cerr << arguments.file << ": another log has this name now; going on with that, from its beginning\n";
+    status = run_replay(arguments, is_superseded);
+  }
+  return is_superseded ? static_cast<int>(Outcome::interrupted) : status;
 }
 
 }  // namespace
@@ -247,6 +281,14 @@ void add_replay_command(CLI::App& app, int& status) {
       ->add_option("--undo-limit", arguments->undoable,
                    "Keep what it takes to undo the last N steps only: less memory in long sessions; default: all")
       ->check(from_one_on());
+  add_size(*command, "--max-memory", arguments->resources.most_bytes,
+           "Refuse a step that would bring the program beyond so much memory: 500M, 2G");
+  command
+      ->add_option("--max-cells", arguments->resources.most_cells,
+                   "Refuse a step after which the object would have more cells")
+      ->check(from_one_on());
+  command->add_option("--max-time", arguments->most_seconds, "Take no further step after so many seconds")
+      ->check(above_zero());
   CLI::Option* log = command->add_option("--log", arguments->log, "Keep the steps that were applied in this file");
   const auto old_log = [&](const char* name, LogFile::Old old, const char* description) {
     const auto choose = [arguments, old](std::int64_t) { arguments->old_log = old; };
@@ -255,6 +297,14 @@ void add_replay_command(CLI::App& app, int& status) {
   CLI::Option* append = old_log("--append", LogFile::Old::goes_on,
                                 "If there is a log, take its steps first, then those of FILE, and add these to it");
   old_log("--overwrite", LogFile::Old::is_replaced, "If there is a log, replace it at the end")->excludes(append);
+  using engine::SyncPolicy;
+  add_choice<SyncPolicy>(
+      *command, "--sync", arguments->sync,
+      {{"always", SyncPolicy::always()}, {"batch", SyncPolicy::batch()}, {"never", SyncPolicy::never()}},
+      "When the log is put where a power cut leaves it: before a step counts as done, at most a second "
+      "or 4 MiB later (the default), or at the end")
+      ->needs(log);
+  command->add_flag("--no-snapshots", arguments->no_snapshots, "Neither read nor write LOG.snapshot")->needs(log);
   command->add_flag("--keep-going", arguments->keep_going,
                     "After a step that is refused go on with the next one; exit status 2 at the end");
   command->add_option("--max-line", arguments->longest_line, "Refuse lines of more bytes")
@@ -264,8 +314,10 @@ void add_replay_command(CLI::App& app, int& status) {
   command->add_flag("--quiet", arguments->quiet, "No table and no progress: errors only (and what --json prints)");
   command->footer(
       "Exit status: 0 done, 1 wrong usage or unreadable file, 2 the script is wrong, 3 an expect failed,\n"
-      "4 a law failed under --verify or an internal error, 130 interrupted by Ctrl-C.");
-  command->callback([arguments, &status] { status = run_replay(*arguments); });
+      "4 a law failed under --verify or an internal error, 5 it would take more memory, cells or time than there is, "
+      "or\n"
+      "than was allowed, 130 interrupted by Ctrl-C.");
+  command->callback([arguments, &status] { status = run_replays(*arguments); });
 }
 
 }  // namespace sesame::tools

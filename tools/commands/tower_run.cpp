@@ -174,7 +174,7 @@ std::optional<replay::PersWriter> TowerRun::pers_writer() const {
 Outcome TowerRun::fail(const Error& error) {
   progress_.reset();
   std::cerr << error.what << '\n';
-  return error.code == Errc::io ? Outcome::wrong_usage : Outcome::wrong_script;
+  return replay::outcome_of(error.code);
 }
 
 // -------------------------------------------------------------------------------------------------- after the loop

@@ -22,6 +22,11 @@ class StepLog {
   virtual Status append(const ops::Operation& operation) = 0;
   /// The operation appended last has not happened after all: nothing of it is to remain. Errors: io.
   virtual Status take_back() = 0;
+  /// Notes what the answers are after the operations appended so far, as a hash: see answer_hash. `syncs`: after these
+  /// have been put on the disk. Errors: io.
+  virtual Status bind(std::uint64_t state, bool syncs) = 0;
+  /// Whether what was appended can be read back.
+  [[nodiscard]] virtual bool can_be_read_back() const = 0;
   /// Hands out all operations that were appended and not taken back, in order, until one is not accepted.
   /// Errors: those of `accept`; io; bad_input when what was written is not there any more.
   virtual Status read_back(const std::function<Status(ops::Operation)>& accept) = 0;
