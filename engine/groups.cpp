@@ -44,16 +44,16 @@ const typename Groups<R>::Torsion& Groups<R>::torsion() {
   if (is_filled_ && version_ == core.version()) {
     return torsion_;
   }
-  using Clock = std::chrono::steady_clock;
+  using std::chrono::steady_clock;
   const bool is_told = step_log().should_log(spdlog::level::debug) && !core.columns().empty();
-  const auto start = is_told ? Clock::now() : Clock::time_point{};
+  const auto start = is_told ? steady_clock::now() : steady_clock::time_point{};
   torsion_ = {};
   version_ = core.version();
   is_filled_ = true;
   const bool is_live = live_.follow();
   is_live ? read_off_live() : compute_from_core();
   if (is_told) {
-    const std::chrono::duration<double, std::micro> took = Clock::now() - start;
+    const std::chrono::duration<double, std::micro> took = steady_clock::now() - start;
     step_log().debug("torsion was {} {} columns in {} degrees; took {:.1f} us",
                      is_live ? "brought up to date with" : "computed anew, by Smith forms of", core.columns().size(),
                      std::count_if(torsion_.ranks.begin(), torsion_.ranks.end(), [](auto rank) { return rank > 0; }),

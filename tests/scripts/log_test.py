@@ -174,6 +174,30 @@ class Logs(unittest.TestCase):
             self.assertEqual(self.verified()[1]["steps"], 60)
             self.log.unlink()
 
+    def test_a_file_system_that_is_full_is_gone_on_from_when_it_has_room(self):
+        place = self.folder / "small"
+        place.mkdir()
+        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "none", str(place)], capture_output=True,
+                                 check=False)
+        if mounted.returncode != 0:
+            self.skipTest("nothing can be mounted here")
+        self.addCleanup(subprocess.run, ["umount", str(place)], check=False)
+        for sync in ("always", "batch", "never"):
+            (place / "log").unlink(missing_ok=True)
+            subprocess.run(["mount", "-o", "remount,size=64k", str(place)], check=True)
+            done = self.run_in("replay", "-", "--quiet", "--log", place / "log", "--sync", sync,
+                               text=HEADER + steps(0, 2000))
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("No space left on device; ", done.stderr)
+            status, found = self.verified(place / "log")
+            self.assertEqual((status, found["torn"]), (0, 0))
+            self.assertTrue(0 < found["steps"] < 2000)
+            subprocess.run(["mount", "-o", "remount,size=1m", str(place)], check=True)
+            done = self.run_in("replay", "-", "--quiet", "--log", place / "log", "--append",
+                               text=HEADER + steps(found["steps"], 2000 - found["steps"]))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(self.verified(place / "log")[1]["steps"], 2000)
+
     def test_kill_at_any_moment_loses_no_step_that_was_reported(self):
         generator = random.Random(7)
         script, out = self.folder / "script", self.folder / "out"
