@@ -132,7 +132,7 @@ TEST_CASE("keys of a table that do not increase, and truth values that are none,
   Bytes bytes;
   ArchiveWriter to(sink_into(bytes));
   to.put(std::uint8_t{2});
-  for (const std::uint64_t word : {2, 5, 50, 5, 50}) {
+  for (const std::uint64_t word : {2U, 5U, 50U, 5U, 50U}) {
     to.put(word);
   }
   REQUIRE(to.finish());
