@@ -72,9 +72,7 @@ Status LogWriter::go_on(const LogPosition& place) {
   }
   written_ = synced_ = place;
   if (error == 0 && size + 1 == place.bytes) {  // a script whose last line has no end
-    written_.bytes = synced_.bytes = size;
     error = file_->append(std::string_view{"\n"}).error;
-    written_.bytes = synced_.bytes = place.bytes;
   }
   if (error == 0) {
     error = file_->sync();  // of all that comes before, records say from now on that the disk has it

@@ -6,22 +6,15 @@ Usage: limits_test.py SESAME EXAMPLES [--heavy]
 """
 
 import json
-import os
 import pathlib
 import resource
-import subprocess
 import sys
-import tempfile
 import unittest
 
-SESAME = os.path.abspath(sys.argv[1])
+from program_folder import HEADER, ProgramFolder, simplex
+
 EXAMPLES = sorted(pathlib.Path(sys.argv[2]).resolve().rglob("*.jsonl"))
 HEAVY = "--heavy" in sys.argv
-HEADER = '{"sesame":1,"ring":"Z","title":"test"}\n'
-
-
-def simplex(name, dim=0):
-    return '{"op":"simplex","name":"%s","dim":%d}\n' % (name, dim)
 
 
 def address_space(megabytes):
@@ -30,18 +23,8 @@ def address_space(megabytes):
     return limit
 
 
-class Limits(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.log = self.folder / "log"
-
-    def run_in(self, *arguments, text=None, **options):
-        if text is None:
-            options.setdefault("stdin", subprocess.DEVNULL)
-        return subprocess.run([SESAME, *map(str, arguments)], capture_output=True, text=True, timeout=600, input=text,
-                              check=False, cwd=self.folder, **options)
+class Limits(ProgramFolder):
+    SECONDS = 600
 
     def verified(self):
         done = self.run_in("verify", "log", "--json")

@@ -5,44 +5,25 @@ Usage: log_test.py SESAME [--heavy]
 """
 
 import json
-import os
-import pathlib
 import random
 import re
 import resource
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-SESAME = os.path.abspath(sys.argv[1])
+from program_folder import HEADER, SESAME, ProgramFolder, simplex
+
 HEAVY = "--heavy" in sys.argv
-HEADER = '{"sesame":1,"ring":"Z","title":"test"}\n'
-
-
-def simplex(name, dim=0):
-    return '{"op":"simplex","name":"%s","dim":%d}\n' % (name, dim)
 
 
 def steps(first, count):
     return "".join(simplex(f"s{k}", k % 3) for k in range(first, first + count))
 
 
-class Logs(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.log = self.folder / "log"
-
-    def run_in(self, *arguments, text=None, **options):
-        if text is None:
-            options.setdefault("stdin", subprocess.DEVNULL)
-        return subprocess.run([SESAME, *map(str, arguments)], capture_output=True, text=True, timeout=300, input=text,
-                              check=False, cwd=self.folder, **options)
-
+class Logs(ProgramFolder):
     def replay(self, text, *arguments, **options):
         return self.run_in("replay", "-", "--quiet", "--log", "log", *arguments, text=text, **options)
 

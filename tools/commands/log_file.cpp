@@ -1,15 +1,12 @@
 #include "tools/commands/log_file.hpp"
 
 #include <fcntl.h>
-#include <spdlog/logger.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <iostream>
-
-#include "tools/commands/program_log.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -73,10 +70,7 @@ Status LogFile::open_file(Old old, const engine::SyncPolicy& sync, std::size_t l
     std::unique_ptr<engine::File> file = engine::real_disk().open(place_.target, Mode::create, error);
     Status opened = write_to(std::move(file), error, sync);
     if (opened) {
-      if (const int folder = engine::real_disk().sync_folder_of(place_.target); folder != 0) {
-        tools_log().warn("a power cut may take the name of {} away: its folder cannot be synced: {}", place_.path,
-                         std::strerror(folder));
-      }
+      settle_folder_of(place_.target);
     }
     return opened;
   }

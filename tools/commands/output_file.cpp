@@ -12,6 +12,7 @@
 #include <iostream>
 #include <optional>
 
+#include "engine/durable/disk.hpp"
 #include "tools/commands/interrupt.hpp"
 #include "tools/commands/program_log.hpp"
 
@@ -59,23 +60,18 @@ std::optional<std::string> role_of(const FileStatus& file, const std::vector<std
   return std::nullopt;
 }
 
-/// The name itself is written to the disk when the folder is.
-void settle_folder_of(const fs::path& file) {
-  const int folder = ::open(file.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder < 0 || (fsync(folder) != 0 && errno != EINVAL)) {  // which is for folders that need none
-    tools_log().warn("{} is written, but a power cut may still take its name away: its folder cannot be synced: {}",
-                     file.string(), std::strerror(errno));
-  }
-  if (folder >= 0) {
-    ::close(folder);
-  }
-}
-
 }  // namespace
 
 // ------------------------------------------------------------------------------------------------------------- places
 
 bool is_standard_output(const std::string& path) { return path == "-" || path == "/dev/stdout"; }
+
+void settle_folder_of(const fs::path& file) {
+  if (const int error = engine::real_disk().sync_folder_of(file); error != 0) {
+    tools_log().warn("{} is written, but a power cut may still take its name away: its folder cannot be synced: {}",
+                     file.string(), std::strerror(error));
+  }
+}
 
 Error cannot_write(const std::string& path, const std::string& reason) {
   return {Errc::io, "cannot write " + path + ": " + (reason.empty() ? std::strerror(errno) : reason)};

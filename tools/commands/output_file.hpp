@@ -32,6 +32,9 @@ struct OutputPlace {
 /// to, by whichever name; a folder; a link to nothing; what may not be written.
 [[nodiscard]] Result<OutputPlace> find_place(const std::string& path, const std::vector<std::string>& inputs);
 
+/// Puts the name of a file on the disk, as its folder is; warns when that cannot be.
+void settle_folder_of(const std::filesystem::path& file);
+
 /// "cannot write PATH: REASON", io; the reason is that of errno when none is given.
 [[nodiscard]] Error cannot_write(const std::string& path, const std::string& reason = "");
 
