@@ -36,15 +36,27 @@ Identify read_identify(Fields& in) {
   return op;
 }
 
-void write_identify(const Identify& op, Json& out) {
-  Json& pairs = out["pairs"] = Json::array();
-  for (std::size_t k = 0; k < op.pairs.size(); ++k) {
-    Json pair = Json::array({op.pairs[k].first, op.pairs[k].second});
-    if (const auto map = op.maps.find(k); map != op.maps.end()) {
-      pair.push_back(map->second.size() == 1 ? Json(map->second[0]) : Json(map->second));
-    }
-    pairs.push_back(std::move(pair));
+void write_vertex_map(const Identify::Map& map, JsonText& out) {
+  if (map.size() == 1) {
+    out.value(map[0]);
+  } else {
+    out.value(map);
   }
+}
+
+void write_identify(const Identify& op, JsonText& out) {
+  out.key("pairs");
+  out.begin_list();
+  for (std::size_t k = 0; k < op.pairs.size(); ++k) {
+    out.begin_list();
+    out.value(op.pairs[k].first);
+    out.value(op.pairs[k].second);
+    if (const auto map = op.maps.find(k); map != op.maps.end()) {
+      write_vertex_map(map->second, out);
+    }
+    out.end_list();
+  }
+  out.end_list();
 }
 
 Degenerate read_degenerate(Fields& in) {
@@ -62,12 +74,13 @@ Degenerate read_degenerate(Fields& in) {
   return op;
 }
 
-void write_degenerate(const Degenerate& op, Json& out) {
-  out["cell"] = op.cell;
+void write_degenerate(const Degenerate& op, JsonText& out) {
+  out.field("cell", op.cell);
+  out.key("along");
   if (op.component) {
-    out["along"] = {*op.component, op.index};
+    out.list_of(*op.component, op.index);
   } else {
-    out["along"] = op.index;
+    out.value(op.index);
   }
 }
 
@@ -97,15 +110,22 @@ Deidentify read_deidentify(Fields& in) {
   })};
 }
 
-void write_deidentify(const Deidentify& op, Json& out) {
-  Json& splits = out["split"] = Json::array();
+void write_deidentify(const Deidentify& op, JsonText& out) {
+  out.key("split");
+  out.begin_list();
   for (const Deidentify::Split& split : op.splits) {
-    Json moves = Json::array();
+    out.begin_object();
+    out.field("cell", split.cell);
+    out.field("as", split.copy);
+    out.key("moves");
+    out.begin_list();
     for (const auto& [cell, face] : split.moves) {
-      moves.push_back(Json::array({cell, face}));
+      out.list_of(cell, face);
     }
-    splits.push_back(Json{{"cell", split.cell}, {"as", split.copy}, {"moves", std::move(moves)}});
+    out.end_list();
+    out.end_object();
   }
+  out.end_list();
 }
 
 }  // namespace

@@ -105,9 +105,4 @@ std::vector<std::string> Fields::texts(const std::string& field, const Json& val
   return read_each(items(field, value, expected), [&](const Json& item) { return text(field, item); });
 }
 
-Json json_integer(const sparse::Integer& n) {
-  const auto word = n.to_int64();
-  return word ? Json(*word) : Json(n.to_string());
-}
-
 }  // namespace sesame::ops

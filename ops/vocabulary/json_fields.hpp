@@ -71,7 +71,4 @@ template <class Item, class Read>
   return all;
 }
 
-/// An integer as `Fields::integer` reads it.
-[[nodiscard]] Json json_integer(const sparse::Integer& n);
-
 }  // namespace sesame::ops

@@ -3,20 +3,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 namespace sesame::ops {
 namespace {
+
+constexpr std::size_t most_within = 32;
+
+/// Takes away what is in a value, from the inside, so that nothing is left for which its destructor wants memory.
+void empty(Json& value) {
+  if (value.is_structured()) {
+    for (Json& item : value) {
+      empty(item);
+    }
+    value.clear();
+  }
+}
 
 /// Builds the value that a line says, and looks through the fields of each object when it ends.
 class LineParser final : public nlohmann::json_sax<Json> {
  public:
   /// Throws Wrong.
-  static Json parse(std::string_view line) {
-    Json root;
+  static void parse(std::string_view line, Json& root) {
     LineParser parser(root);
     Json::sax_parse(line, &parser);
-    return root;
   }
 
   bool null() override { return add(nullptr); }
@@ -34,8 +43,10 @@ class LineParser final : public nlohmann::json_sax<Json> {
     return close();
   }
   bool key(string_t& field) override {
+    auto& object = *open_.back()->get_ptr<Json::object_t*>();
+    make_room(object);
     // Not by operator[], which would look through all the fields before it.
-    open_.back()->get_ptr<Json::object_t*>()->emplace_back(std::move(field), nullptr);
+    object.emplace_back(std::move(field), nullptr);
     return true;
   }
   bool parse_error(std::size_t column, const std::string& /*token*/,
@@ -65,12 +76,29 @@ class LineParser final : public nlohmann::json_sax<Json> {
     return true;
   }
   bool open(Json value) {
+    if (open_.size() == most_within) {
+      throw Wrong{fmt::format("lists and objects stand more than {} deep within one another; no operation has so many",
+                              most_within)};
+    }
     open_.push_back(&place(std::move(value)));
     return true;
   }
   bool close() {
     open_.pop_back();
     return true;
+  }
+
+  /// For one more field. An object that grows by itself copies its values, whole, as its keys cannot be moved.
+  static void make_room(Json::object_t& object) {
+    if (object.size() < object.capacity()) {
+      return;
+    }
+    Json::object_t larger;
+    larger.reserve(2 * object.size() + 4);
+    for (auto& [field, value] : object) {
+      larger.emplace_back(field, std::move(value));
+    }
+    object.swap(larger);
   }
 
   void refuse_doubled_fields(const Json::object_t& object) {
@@ -91,12 +119,15 @@ class LineParser final : public nlohmann::json_sax<Json> {
 
 }  // namespace
 
-Json parse_json_line(std::string_view line) {
+/// By way of the other constructor, so that what was read is emptied when this one throws.
+JsonLine::JsonLine(std::string_view line) : JsonLine() {
   const std::size_t begin = line.find_first_not_of(" \t\r");
   if (begin == std::string_view::npos || line[begin] != '{') {
     throw Wrong{"a line should be one JSON object, {...}"};
   }
-  return LineParser::parse(line);
+  LineParser::parse(line, object_);
 }
+
+JsonLine::~JsonLine() { empty(object_); }
 
 }  // namespace sesame::ops

@@ -12,14 +12,6 @@ std::vector<Integer> read_integers(Fields& in, const std::string& field, const J
   return read_each(in.items(field, value, "a list of integers"), [&](const Json& n) { return in.integer(field, n); });
 }
 
-Json json_integers(const std::vector<Integer>& numbers) {
-  Json out = Json::array();
-  for (const Integer& n : numbers) {
-    out.push_back(json_integer(n));
-  }
-  return out;
-}
-
 Expect read_expect(Fields& in) {
   Expect op;
   if (const Json* betti = in.find("betti")) {
@@ -38,22 +30,16 @@ Expect read_expect(Fields& in) {
   return op;
 }
 
-void write_expect(const Expect& op, Json& out) {
-  if (op.betti) {
-    out["betti"] = json_integers(*op.betti);
-  }
-  if (op.torsion) {
-    Json& torsion = out["torsion"] = Json::array();
-    for (const auto& factors : *op.torsion) {
-      torsion.push_back(json_integers(factors));
+void write_expect(const Expect& op, JsonText& out) {
+  const auto write = [&](std::string_view field, const auto& expected) {
+    if (expected) {
+      out.field(field, *expected);
     }
-  }
-  if (op.euler) {
-    out["euler"] = json_integer(*op.euler);
-  }
-  if (op.cells) {
-    out["cells"] = json_integers(*op.cells);
-  }
+  };
+  write("betti", op.betti);
+  write("torsion", op.torsion);
+  write("euler", op.euler);
+  write("cells", op.cells);
 }
 
 AskClass read_class(Fields& in) {
@@ -68,11 +54,13 @@ AskClass read_class(Fields& in) {
   return op;
 }
 
-void write_class(const AskClass& op, Json& out) {
-  Json& chain = out["chain"] = Json::array();
+void write_class(const AskClass& op, JsonText& out) {
+  out.key("chain");
+  out.begin_list();
   for (const auto& [coefficient, cell] : op.chain) {
-    chain.push_back(Json::array({json_integer(coefficient), cell}));
+    out.list_of(coefficient, cell);
   }
+  out.end_list();
 }
 
 Undo read_undo(Fields& in) {
@@ -88,11 +76,11 @@ Undo read_undo(Fields& in) {
   return op;
 }
 
-void write_undo(const Undo& op, Json& out) { out["steps"] = op.steps; }
+void write_undo(const Undo& op, JsonText& out) { out.field("steps", op.steps); }
 
 Note read_note(Fields& in) { return {in.text("text")}; }
 
-void write_note(const Note& op, Json& out) { out["text"] = op.text; }
+void write_note(const Note& op, JsonText& out) { out.field("text", op.text); }
 
 }  // namespace
 
@@ -122,8 +110,10 @@ Header read_header(const Json& object) {
   return header;
 }
 
-Json written(const Header& header) {
-  return Json{{"sesame", header.version}, {"ring", header.ring}, {"title", header.title}};
+void write_header(const Header& header, JsonText& out) {
+  out.field("sesame", header.version);
+  out.field("ring", header.ring);
+  out.field("title", header.title);
 }
 
 }  // namespace sesame::ops

@@ -46,9 +46,9 @@ std::vector<Point> read_points(Fields& in, std::size_t vertices) {
   return all;
 }
 
-void write_points(const std::vector<Point>& points, Json& out) {
+void write_points(const std::vector<Point>& points, JsonText& out) {
   if (!points.empty()) {
-    out["at"] = points;
+    out.field("at", points);
   }
 }
 
@@ -68,11 +68,11 @@ ConeBase read_base(Fields& in) {
   return in.texts("over", *over, "the name of a body or a list of cells");
 }
 
-void write_base(const ConeBase& over, Json& out) {
+void write_base(const ConeBase& over, JsonText& out) {
   if (const auto* body = std::get_if<std::string>(&over)) {
-    out["over"] = *body;
+    out.field("over", *body);
   } else if (const auto* cells = std::get_if<std::vector<std::string>>(&over)) {
-    out["over"] = *cells;
+    out.field("over", *cells);
   }
 }
 
@@ -87,9 +87,9 @@ MakeSimplex read_simplex(Fields& in) {
   return op;
 }
 
-void write_simplex(const MakeSimplex& op, Json& out) {
-  out["name"] = op.name;
-  out["dim"] = op.dimension;
+void write_simplex(const MakeSimplex& op, JsonText& out) {
+  out.field("name", op.name);
+  out.field("dim", op.dimension);
   write_points(op.at, out);
 }
 
@@ -111,9 +111,9 @@ MakeSimploid read_simploid(Fields& in) {
   return op;
 }
 
-void write_simploid(const MakeSimploid& op, Json& out) {
-  out["name"] = op.name;
-  out["type"] = op.type;
+void write_simploid(const MakeSimploid& op, JsonText& out) {
+  out.field("name", op.name);
+  out.field("type", op.type);
   write_points(op.at, out);
 }
 
@@ -151,22 +151,25 @@ MakeComplex read_complex(Fields& in) {
   return op;
 }
 
-void write_complex(const MakeComplex& op, Json& out) {
-  out["name"] = op.name;
-  Json& cells = out["cells"] = Json::array();
+void write_complex(const MakeComplex& op, JsonText& out) {
+  out.field("name", op.name);
+  out.key("cells");
+  out.begin_list();
   for (const MakeComplex::Cell& cell : op.cells) {
-    Json item{{"id", cell.id}};
+    out.begin_object();
+    out.field("id", cell.id);
     if (cell.type) {
-      item["type"] = *cell.type;
+      out.field("type", *cell.type);
     }
     if (!cell.faces.empty()) {
-      item["faces"] = cell.faces;
+      out.field("faces", cell.faces);
     }
     if (cell.at) {
-      item["at"] = *cell.at;
+      out.field("at", *cell.at);
     }
-    cells.push_back(std::move(item));
+    out.end_object();
   }
+  out.end_list();
 }
 
 // ------------------------------------------------------------------------------------------------ cones and
@@ -180,11 +183,11 @@ MakeCone read_cone(Fields& in) {
   return op;
 }
 
-void write_cone(const MakeCone& op, Json& out) {
-  out["apex"] = op.apex;
+void write_cone(const MakeCone& op, JsonText& out) {
+  out.field("apex", op.apex);
   write_base(op.over, out);
   if (op.at) {
-    out["at"] = *op.at;
+    out.field("at", *op.at);
   }
 }
 
@@ -201,8 +204,8 @@ MakeSuspension read_suspension(Fields& in) {
   return op;
 }
 
-void write_suspension(const MakeSuspension& op, Json& out) {
-  out["apexes"] = op.apexes;
+void write_suspension(const MakeSuspension& op, JsonText& out) {
+  out.field("apexes", op.apexes);
   write_base(op.over, out);
   write_points(op.at, out);
 }
@@ -226,12 +229,12 @@ MakeProduct read_product(Fields& in) {
   return op;
 }
 
-void write_product(const MakeProduct& op, Json& out) {
-  out["name"] = op.name;
-  out["left"] = op.left;
-  out["right"] = op.right;
+void write_product(const MakeProduct& op, JsonText& out) {
+  out.field("name", op.name);
+  out.field("left", op.left);
+  out.field("right", op.right);
   if (op.simplicial) {
-    out["kind"] = "simplicial";
+    out.field("kind", "simplicial");
   }
 }
 

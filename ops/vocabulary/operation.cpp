@@ -55,14 +55,22 @@ Operation read_operation(const Json& object) {
 template <class Read>
 auto parse_line(std::string_view line, Read read) -> Result<decltype(read(Json{}))> {
   try {
-    return read(parse_json_line(line));
+    return read(JsonLine(line).object());
   } catch (Wrong& wrong) {
     return Error{Errc::bad_input, std::move(wrong.what)};
   }
 }
 
-/// Text that is not UTF-8 can only come from a program; what is illegal in it is replaced.
-std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+/// The object whose fields `write(out)` adds.
+template <class Write>
+std::string object_text(Write write) {
+  std::string text;
+  JsonText out(text);
+  out.begin_object();
+  write(out);
+  out.end_object();
+  return text;
+}
 
 }  // namespace
 
@@ -75,12 +83,14 @@ Result<Operation> parse_operation(std::string_view line) { return parse_line(lin
 Result<Header> parse_header(std::string_view line) { return parse_line(line, read_header); }
 
 std::string to_text(const Operation& operation) {
-  Json out;
-  out["op"] = keyword(operation);
-  std::visit([&](const auto& op) { form_of(op).write(op, out); }, operation);
-  return dump(out);
+  return object_text([&](JsonText& out) {
+    out.field("op", keyword(operation));
+    std::visit([&](const auto& op) { form_of(op).write(op, out); }, operation);
+  });
 }
 
-std::string to_text(const Header& header) { return dump(written(header)); }
+std::string to_text(const Header& header) {
+  return object_text([&](JsonText& out) { write_header(header, out); });
+}
 
 }  // namespace sesame::ops

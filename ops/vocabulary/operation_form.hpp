@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "ops/vocabulary/json_fields.hpp"
+#include "ops/vocabulary/json_text.hpp"
 #include "ops/vocabulary/operation.hpp"
 
 namespace sesame::ops {
@@ -15,7 +16,7 @@ struct Form {
   /// Throws Wrong.
   Op (*read)(Fields& in);
   /// Adds the fields, in the order of the documentation; not those that say no more than their absence.
-  void (*write)(const Op& operation, Json& out);
+  void (*write)(const Op& operation, JsonText& out);
 };
 
 // making_forms.cpp
@@ -40,6 +41,6 @@ extern const Form<Note> note_form;
 
 /// The header of a log, which is no operation. Throws Wrong.
 [[nodiscard]] Header read_header(const Json& object);
-[[nodiscard]] Json written(const Header& header);
+void write_header(const Header& header, JsonText& out);
 
 }  // namespace sesame::ops

@@ -19,10 +19,14 @@ std::string read_label(Fields& in, const std::string& field, const Json& value) 
 }
 
 /// An integer that 64 bits can say as a number, any other label as a string.
-Json json_label(std::string_view label) {
+void write_label(std::string_view label, JsonText& out) {
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(label.data(), label.data() + label.size(), number);
-  return error == std::errc{} && std::to_string(number) == label ? Json(number) : Json(label);
+  if (error == std::errc{} && std::to_string(number) == label) {
+    out.value(number);
+  } else {
+    out.value(label);
+  }
 }
 
 /// Of a list of simplices one expects that some are there already; of one simplex, unless it is said, that it is not.
@@ -49,18 +53,24 @@ Insert read_insert(Fields& in) {
   return op;
 }
 
-void write_insert(const Insert& op, Json& out) {
+void write_insert(const Insert& op, JsonText& out) {
   const bool is_one = op.simplices.size() == 1;
-  Json simplices = Json::array();
-  for (const NameLists::List labels : op.simplices) {
-    Json& simplex = simplices.emplace_back(Json::array());
-    for (const std::string_view label : labels) {
-      simplex.push_back(json_label(label));
-    }
+  out.key(is_one ? "simplex" : "simplices");
+  if (!is_one) {
+    out.begin_list();
   }
-  out[is_one ? "simplex" : "simplices"] = std::move(is_one ? simplices[0] : simplices);
+  for (const NameLists::List labels : op.simplices) {
+    out.begin_list();
+    for (const std::string_view label : labels) {
+      write_label(label, out);
+    }
+    out.end_list();
+  }
+  if (!is_one) {
+    out.end_list();
+  }
   if (op.exist_ok == is_one) {
-    out["exist_ok"] = op.exist_ok;
+    out.field("exist_ok", op.exist_ok);
   }
 }
 
@@ -71,9 +81,11 @@ Collapse read_collapse(Fields& in) {
   return op;
 }
 
-void write_collapse(const Collapse& op, Json& out) {
-  out["from"] = json_label(op.from);
-  out["to"] = json_label(op.to);
+void write_collapse(const Collapse& op, JsonText& out) {
+  out.key("from");
+  write_label(op.from, out);
+  out.key("to");
+  write_label(op.to, out);
 }
 
 }  // namespace

@@ -1,60 +1,58 @@
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "ops/vocabulary/json_text.hpp"
 #include "replay/script/reporter.hpp"
 #include "replay/text/text_buffer.hpp"
 
 namespace sesame::replay {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using engine::CellChain;
-using sparse::Integer;
+using ops::JsonText;
 using sparse::Rational;
 
-/// Integers beyond 64 bits are written as strings of digits: most JSON readers would round them.
-Json number(const Integer& n) {
-  const auto word = n.to_int64();
-  return word ? Json(*word) : Json(n.to_string());
-}
-
-/// Fractions too: "1/2".
-Json number(const Rational& n) { return n.is_integer() ? number(n.numerator()) : Json(n.to_string()); }
-
-template <class Number>
-Json numbers(const std::vector<Number>& list) {
-  Json out = Json::array();
-  for (const Number& n : list) {
-    out.push_back(number(n));
+/// Fractions as texts: "1/2".
+void write(const Rational& n, JsonText& out) {
+  if (n.is_integer()) {
+    out.value(n.numerator());
+  } else {
+    out.value(n.to_string());
   }
-  return out;
 }
 
-Json torsion(const std::vector<std::vector<Integer>>& by_degree) {
-  Json out = Json::array();
-  for (const auto& factors : by_degree) {
-    out.push_back(numbers(factors));
-  }
-  return out;
+void write_term(const CellChain::Term& term, const ops::Structure& structure, JsonText& out) {
+  const auto& [coefficient, cell] = term;
+  out.begin_list();
+  write(coefficient, out);
+  out.value(structure.name(cell));
+  out.end_list();
 }
 
-Json chain(const CellChain& chain, const ops::Structure& structure) {
-  Json out = Json::array();
-  for (const auto& [coefficient, cell] : chain.terms) {
-    out.push_back(Json::array({number(coefficient), structure.name(cell)}));
-  }
-  return out;
-}
-
-Json answer(const engine::ClassAnswer& found, const ops::Structure& structure) {
-  Json out{{"cycle", found.is_cycle}, {"zero", found.is_zero}, {"coefficients", nullptr}, {"bounds", nullptr}};
+void write(const engine::ClassAnswer& found, const ops::Structure& structure, JsonText& out) {
+  out.begin_object();
+  out.field("cycle", found.is_cycle);
+  out.field("zero", found.is_zero);
+  out.key("coefficients");
   if (found.is_cycle) {
-    out["coefficients"] = numbers(found.coefficients);
+    out.begin_list();
+    for (const Rational& coefficient : found.coefficients) {
+      write(coefficient, out);
+    }
+    out.end_list();
+  } else {
+    out.null();
   }
+  out.key("bounds");
   if (found.bounds) {
-    out["bounds"] = chain(*found.bounds, structure);
+    out.begin_list();
+    for (const auto& term : found.bounds->terms) {
+      write_term(term, structure, out);
+    }
+    out.end_list();
+  } else {
+    out.null();
   }
-  return out;
+  out.end_object();
 }
 
 /// A member `name`, or `name_of_length` when the chain is too long.
@@ -65,17 +63,21 @@ void add_chain(TextBuffer& text, const char* name, const char* name_of_length, c
     return;
   }
   text.add(",\"").add(name).add("\":[");
-  bool is_first = true;
-  for (const auto& [coefficient, cell] : chain.terms) {
-    text.add(is_first ? "" : ",").add(Json::array({number(coefficient), structure.name(cell)}).dump());
-    is_first = false;
+  std::string separated;
+  JsonText out(separated);
+  for (const auto& term : chain.terms) {
+    write_term(term, structure, out);
+    text.add(separated);
+    separated.clear();
   }
   text.add(']');
 }
 
 void add_generator(TextBuffer& text, const engine::Generator& generator, const GeneratorOptions& options,
                    const ops::Structure& structure) {
-  text.add(R"({"dim":)").add_integer(generator.degree).add(R"(,"order":)").add(number(generator.order).dump());
+  std::string order;
+  JsonText(order).value(generator.order);
+  text.add(R"({"dim":)").add_integer(generator.degree).add(R"(,"order":)").add(order);
   add_chain(text, "chain", "terms", generator.cycle, length_of_cycle(generator, options), structure);
   if (!generator.order.is_zero()) {
     add_chain(text, "bounds", "bounds_terms", generator.bounding, length_of_bounding(generator, options), structure);
@@ -88,43 +90,54 @@ class JsonReporter final : public Reporter {
   explicit JsonReporter(std::ostream& out) : out_{out} {}
 
   void step(engine::Engine& engine, const ReportedStep& reported) override {
-    Json object{{"step", reported.step.step},       {"op", reported.step.op},
-                {"cells", engine.cells()},          {"euler", engine.euler_characteristic()},
-                {"betti", reported.homology.betti}, {"torsion", torsion(reported.homology.torsion)},
-                {"small", reported.homology.small}, {"big", reported.homology.big}};
+    text_.clear();
+    JsonText out(text_);
+    out.begin_object();
+    out.field("step", reported.step.step);
+    out.field("op", reported.step.op);
+    write_state(engine, reported.homology, out);
+    out.field("small", reported.homology.small);
+    out.field("big", reported.homology.big);
     if (reported.step.already > 0) {
-      object["already"] = reported.step.already;
+      out.field("already", reported.step.already);
     }
     if (reported.step.answer) {
-      object["class"] = answer(*reported.step.answer, engine.structure());
+      out.key("class");
+      write(*reported.step.answer, engine.structure(), out);
     }
-    object["us"] = reported.microseconds;
-    out_ << object.dump() << '\n' << std::flush;  // live: a program may be waiting for it
+    out.field("us", reported.microseconds);
+    out.end_object();
+    end_line();
   }
 
   void refused(const RefusedStep& refused) override {
-    const Json object{{"step", refused.step}, {"error", {{"line", refused.line}, {"what", refused.what}}}};
-    // What a script says may be no UTF-8.
-    out_ << object.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n' << std::flush;
+    text_.clear();
+    JsonText out(text_);
+    out.begin_object();
+    out.field("step", refused.step);
+    out.key("error");
+    out.begin_object();
+    out.field("line", refused.line);
+    out.field("what", refused.what);
+    out.end_object();
+    out.end_object();
+    end_line();
   }
 
   void summary(engine::Engine& engine, const Summary& summary) override {
-    const engine::Homology homology = engine.homology();
-    Json object{{"summary", true},
-                {"ring", sparse::ring_name(engine.ring())},
-                {"steps", summary.steps},
-                {"cells", engine.cells()},
-                {"euler", engine.euler_characteristic()},
-                {"betti", homology.betti},
-                {"torsion", torsion(homology.torsion)},
-                {"seconds", summary.seconds}};
+    text_.clear();
+    JsonText out(text_);
+    out.begin_object();
+    out.field("summary", true);
+    out.field("ring", sparse::ring_name(engine.ring()));
+    out.field("steps", summary.steps);
+    write_state(engine, engine.homology(), out);
+    out.field("seconds", summary.seconds);
     if (summary.already > 0) {
-      object["already"] = summary.already;
+      out.field("already", summary.already);
     }
+    out_ << text_;
     bool is_interrupted = summary.interrupted;
-    std::string text = object.dump();
-    text.pop_back();  // the brace
-    out_ << text;
     if (summary.generators != nullptr) {
       is_interrupted = !generators(engine, summary) || is_interrupted;
     }
@@ -132,6 +145,19 @@ class JsonReporter final : public Reporter {
   }
 
  private:
+  static void write_state(engine::Engine& engine, const engine::Homology& homology, JsonText& out) {
+    out.field("cells", engine.cells());
+    out.field("euler", engine.euler_characteristic());
+    out.field("betti", homology.betti);
+    out.field("torsion", homology.torsion);
+  }
+
+  /// Live: a program may be waiting for it.
+  void end_line() {
+    text_ += '\n';
+    out_ << text_ << std::flush;
+  }
+
   /// Writes them one after another. Whether these are all.
   bool generators(engine::Engine& engine, const Summary& summary) {
     TextBuffer text(out_);
@@ -156,6 +182,7 @@ class JsonReporter final : public Reporter {
   }
 
   std::ostream& out_;
+  std::string text_;  ///< of a line; kept for the next one
 };
 
 }  // namespace

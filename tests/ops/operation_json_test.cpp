@@ -333,6 +333,9 @@ TEST_CASE("nesting of any depth is refused without a crash", "[ops]") {
     objects += R"({"op":)";
   }
   CHECK_FALSE(parse_operation(objects));
+  CHECK(parse_operation(R"({"op":"expect","betti":)" + nested(31) + "}").error().what.find("deep") ==
+        std::string::npos);
+  CHECK_THAT(complaint(R"({"op":"expect","betti":)" + nested(32) + "}"), Contains("more than 32 deep"));
 }
 
 TEST_CASE("the header names its ring and its version", "[ops]") {
