@@ -180,6 +180,9 @@ void Engine::keep(ops::Operation&& operation) {
   log_.push_back(std::move(operation));
   ++applied_;
   is_ahead_ = false;
+  if (written_to_ != nullptr) {
+    written_to_->confirm();
+  }
 }
 
 void Engine::write_to(std::shared_ptr<StepLog> log, std::shared_ptr<LogSnapshots> snapshots) {

@@ -19,6 +19,7 @@ class LogBeingTaken final : public StepLog {
     ++steps_;
     return Done{};
   }
+  void confirm() noexcept override {}
   Status take_back() override {
     --steps_;
     return Done{};

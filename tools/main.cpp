@@ -16,6 +16,7 @@
 #include "sparse/contract.hpp"
 #include "tools/commands/command_line.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/log_file.hpp"
 #include "tools/commands/program_log.hpp"
 
 namespace {
@@ -50,6 +51,7 @@ void add_help_command(CLI::App& app, int& status) {
 }
 
 [[noreturn]] void end_for_want_of_memory() {
+  sesame::tools::settle_log_at_sudden_end();
   std::cerr << "sesame: out of memory\n";
   std::_Exit(static_cast<int>(Outcome::limit_reached));
 }
@@ -103,7 +105,8 @@ void* checked(Allocate&& allocate) {
 std::terminate_handler default_end = nullptr;
 
 /// Where no exception can pass: in GMP and FLINT, which would abort without a word of ours, and in destructors that
-/// allocate, as those of nlohmann::json do. What was written stays: logs are flushed step by step.
+/// allocate, as those of nlohmann::json do. What was written stays, but for a step that was not done: logs are written
+/// step by step.
 void expect_memory_to_run_out_anywhere() {
   (void)Reserve::instance();
   mp_set_memory_functions([](std::size_t size) { return checked([size] { return std::malloc(size); }); },

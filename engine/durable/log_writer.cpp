@@ -267,6 +267,12 @@ void LogWriter::sync_by_the_clock() {
   }
 }
 
+void LogWriter::end_suddenly() noexcept {
+  if (before_) {
+    (void)file_->truncate(before_->bytes);
+  }
+}
+
 Status LogWriter::close() {
   Lock lock(mutex_);
   if (is_closed_) {

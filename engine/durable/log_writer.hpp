@@ -59,6 +59,7 @@ class LogWriter final : public StepLog {
   Status go_on(const LogPosition& place);
 
   Status append(const ops::Operation& operation) override;
+  void confirm() noexcept override { before_.reset(); }
   Status take_back() override;
   [[nodiscard]] bool can_be_read_back() const override { return file_->is_readable(); }
   /// Reads the file.
@@ -68,6 +69,9 @@ class LogWriter final : public StepLog {
   Status bind(std::uint64_t state, bool syncs) override;
   /// Puts everything on the disk, and takes no more. Errors: io.
   Status close();
+  /// For a program that is about to end where no exception can pass: takes the operation out of the file that was
+  /// appended last, if it has not been confirmed. Wants neither memory nor a lock.
+  void end_suddenly() noexcept;
 
   /// Behind the last record.
   [[nodiscard]] LogPosition position() const;
@@ -98,7 +102,8 @@ class LogWriter final : public StepLog {
   std::condition_variable wakes_clock_, wakes_writer_;
   LogPosition written_;                ///< behind the last whole record
   LogPosition synced_;                 ///< on the disk, for sure
-  std::optional<LogPosition> before_;  ///< the record appended last, while it can be taken back
+  std::optional<LogPosition> before_;  ///< the record appended last, while it can be taken back; the clock's thread
+                                       ///< does not look at it
   std::string unsynced_;               ///< the bytes between, unless they are never synced
   std::chrono::steady_clock::time_point oldest_unsynced_;
   std::uint64_t generation_ = 0;  ///< how often something was taken back: what is synced meanwhile does not count

@@ -20,6 +20,8 @@ class StepLog {
   /// Takes an operation that cannot be refused any more, before anything of it happens. Errors, io: it is not written;
   /// the step is refused then, and the next one is tried like any other.
   virtual Status append(const ops::Operation& operation) = 0;
+  /// The operation appended last has happened, and is not taken back any more.
+  virtual void confirm() noexcept = 0;
   /// The operation appended last has not happened after all: nothing of it is to remain. Errors: io.
   virtual Status take_back() = 0;
   /// Notes what the answers are after the operations appended so far, as a hash: see answer_hash. `syncs`: after these

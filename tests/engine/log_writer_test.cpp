@@ -96,6 +96,36 @@ TEST_CASE("a call that fails, whichever, loses no step and leaves no half one", 
   }
 }
 
+TEST_CASE("a program that ends all of a sudden leaves the steps that have happened, and no other", "[engine][log]") {
+  const auto& [name, policy] = GENERATE(from_range(policies));
+  CAPTURE(name);
+  for (int steps = 0; steps <= 3; ++steps) {
+    MemoryDisk disk;
+    const auto writer = begin_log(disk, policy);
+    std::vector<std::string> happened;
+    for (int k = 1; k <= steps; ++k) {
+      REQUIRE(writer->append(note("step " + std::to_string(k))));
+      writer->confirm();
+      happened.push_back(text_of(k));
+    }
+    SECTION("between two steps") {
+      writer->end_suddenly();
+      check_log(disk.bytes("log"), happened);
+    }
+    SECTION("in a step") {
+      REQUIRE(writer->append(note("under way")));
+      writer->end_suddenly();
+      check_log(disk.bytes("log"), happened);
+    }
+    SECTION("in a step that is taken back") {
+      REQUIRE(writer->append(note("under way")));
+      REQUIRE(writer->take_back());
+      writer->end_suddenly();
+      check_log(disk.bytes("log"), happened);
+    }
+  }
+}
+
 TEST_CASE("a disk that stays full refuses every step, and the log has those before", "[engine][log]") {
   const auto& [name, policy] = GENERATE(from_range(policies));
   CAPTURE(name);

@@ -3,6 +3,7 @@
 //   FAIL_READ_AT         reads of it end with EIO at this byte
 //   FAIL_ALLOCATION      of the allocations after the first read of it, the one with this number (from 1) gets no
 //   memory
+//   FAIL_ALLOCATIONS_FROM  of these, the one with this number and all that follow get none
 //   FAIL_SYNC            when it is set, no fsync of it succeeds
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -38,8 +39,9 @@ bool is_the_file(int file) {
 }
 
 bool fails_now() {
-  static const long last = number_of("FAIL_ALLOCATION");
-  return has_begun && ++allocations == last;
+  static const long only = number_of("FAIL_ALLOCATION");
+  static const long first = number_of("FAIL_ALLOCATIONS_FROM");
+  return has_begun && (++allocations == only || (first > 0 && allocations >= first));
 }
 
 }  // namespace

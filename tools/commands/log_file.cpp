@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <iostream>
@@ -43,7 +44,16 @@ class StandardOutput final : public engine::File {
   std::int64_t holder() override { return 0; }
 };
 
+/// The one whose last step the program has not done when it ends all of a sudden.
+std::atomic<engine::LogWriter*> log_of_sudden_end = nullptr;
+
 }  // namespace
+
+void settle_log_at_sudden_end() noexcept {
+  if (engine::LogWriter* log = log_of_sudden_end) {
+    log->end_suddenly();
+  }
+}
 
 Result<std::unique_ptr<LogFile>> LogFile::open(const std::string& path, Old old, const engine::SyncPolicy& sync,
                                                const std::vector<std::string>& inputs, std::size_t longest_line) {
@@ -111,6 +121,7 @@ Status LogFile::write_to(std::unique_ptr<engine::File> file, int error, const en
     }
   }
   writer_ = std::make_shared<engine::LogWriter>(std::move(file), place_.path, sync);
+  log_of_sudden_end = writer_.get();
   return Done{};
 }
 
@@ -124,6 +135,7 @@ Status LogFile::go_on(std::size_t longest_line) {
 }
 
 Status LogFile::close(bool is_whole) {
+  log_of_sudden_end = nullptr;
   if (const Status closed = writer_->close(); !closed) {
     if (part_ != nullptr) {
       part_->remove();
@@ -149,6 +161,7 @@ std::uint64_t LogFile::size() const {
 std::string LogFile::part() const { return part_ != nullptr && size() > 0 ? part_->path().string() : ""; }
 
 LogFile::~LogFile() {
+  log_of_sudden_end = nullptr;
   if (writer_ != nullptr) {
     (void)writer_->close();
   }

@@ -59,4 +59,8 @@ class LogFile {
   std::optional<engine::LogReader> older_;
 };
 
+/// For a program that is about to end where no exception can pass: takes a step that has not been done out of the log
+/// that is open, if there is one. Wants no memory.
+void settle_log_at_sudden_end() noexcept;
+
 }  // namespace sesame::tools
