@@ -137,7 +137,11 @@ class ArchiveReader {
     using Element = typename List::value_type;
     static_assert(Plain<Element>);
     List list;
-    list.resize(get_count(sizeof(Element)));
+    if constexpr (requires { list.resize_for_overwrite(std::size_t{}); }) {
+      list.resize_for_overwrite(get_count(sizeof(Element)));
+    } else {
+      list.resize(get_count(sizeof(Element)));
+    }
     get_bytes(list.data(), list.size() * sizeof(Element));
     if (!is_good()) {
       list.resize(0);

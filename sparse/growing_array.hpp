@@ -92,6 +92,11 @@ class GrowingArray {
     std::uninitialized_value_construct(elements_ + size_, elements_ + size);
     size_ = size;
   }
+  /// New elements are whatever is there: for one who writes all of them now, without touching the memory twice.
+  void resize_for_overwrite(std::size_t size) requires std::is_trivially_copyable_v<T> {
+    reserve(size);
+    size_ = size;
+  }
   void reserve(std::size_t capacity) {
     if (capacity > capacity_) {
       set_capacity(capacity);
