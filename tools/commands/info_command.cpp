@@ -67,13 +67,12 @@ Result<Info> read_info(engine::LogReader& reader, bool takes_steps) {
     return Error{Errc::bad_input, reader.name() + ": this log is empty: it has no header yet"};
   }
   info.header = **header;
-  const Result<sparse::AnyRing> ring = sparse::parse_ring(info.header.ring);
-  if (!ring) {
-    return Error{Errc::bad_input, reader.name() + ": " + ring.error().what};
+  Result<std::unique_ptr<engine::Engine>> engine = engine_for(info.header);
+  if (!engine) {
+    return Error{Errc::bad_input, reader.name() + ": " + engine.error().what};
   }
   if (takes_steps) {
-    info.engine = std::make_unique<engine::Engine>(*ring, ops::Limits{}, engine::RebasePolicy{},
-                                                   engine::HistoryPolicy{UINT64_MAX, false});
+    info.engine = std::move(*engine);
   }
   while (!stop_requested()) {
     info.end = reader.position();

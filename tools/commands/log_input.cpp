@@ -33,6 +33,15 @@ Result<engine::LogReader> open_log(const std::string& path, std::size_t longest_
   return engine::LogReader(name, bytes_of(std::make_shared<replay::ByteSource>(std::move(*source))), longest_line);
 }
 
+Result<std::unique_ptr<engine::Engine>> engine_for(const ops::Header& header) {
+  const Result<sparse::AnyRing> ring = sparse::parse_ring(header.ring);
+  if (!ring) {
+    return ring.error();
+  }
+  return std::make_unique<engine::Engine>(*ring, ops::Limits{}, engine::RebasePolicy{},
+                                          engine::HistoryPolicy{UINT64_MAX, false});
+}
+
 Status salvage(const std::string& path, const engine::LogPosition& until, const std::string& to) {
   const Result<OutputPlace> place = find_place(to, {path});
   if (!place) {

@@ -55,12 +55,11 @@ class Audit {
     return defect;
   }
   Status begin(const ops::Header& header) {
-    const Result<sparse::AnyRing> ring = sparse::parse_ring(header.ring);
-    if (!ring) {
-      return ring.error();
+    Result<std::unique_ptr<engine::Engine>> engine = engine_for(header);
+    if (!engine) {
+      return engine.error();
     }
-    engine_ = std::make_unique<engine::Engine>(*ring, ops::Limits{}, engine::RebasePolicy{},
-                                               engine::HistoryPolicy{UINT64_MAX, false});
+    engine_ = std::move(*engine);
     return Done{};
   }
 
