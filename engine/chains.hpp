@@ -15,6 +15,8 @@ namespace sesame::engine {
 /// A chain of the object is written in cells, by their canonical names, with the orientations that these stand for; one
 /// of S in its generators, numbered by age. Inside they are chains of current cells as they are oriented themselves,
 /// and of symbols; this class translates. It keeps nothing.
+///
+/// Threads: one at a time, for queries too.
 template <Ring R>
 class Chains {
  public:

@@ -13,6 +13,7 @@
 namespace sesame::engine {
 
 /// Answers questions about classes: what the algebra of S says (Groups), written in cells by F, G and K (Chains).
+/// Threads: one at a time, for queries too.
 template <Ring R>
 class Classes {
  public:

@@ -28,6 +28,7 @@ namespace sesame::engine {
 template <sparse::Ring R>
 class LiveEquivalence;
 class LogSnapshots;
+class View;
 struct OpenOptions;
 struct OpenedLog;
 
@@ -49,7 +50,8 @@ using Observer = std::function<void(const ops::Operation&, const StepReport&)>;
 /// (HistoryPolicy) and has none beside it (`write_to`) cannot do that: there the exception leaves `apply` as well, and
 /// the engine takes no further call.
 ///
-/// Not thread-safe: queries bring memoised results up to date.
+/// Not thread-safe, as queries bring memoised results up to date: one thread at a time calls an engine. Others ask a
+/// View. Several engines may be used by as many threads.
 class Engine {
  public:
   explicit Engine(sparse::AnyRing ring = sparse::Integers{}, ops::Limits limits = {}, const RebasePolicy& rebases = {},
@@ -165,6 +167,8 @@ class Engine {
   void give_up() const;
 
  private:
+  friend class View;  // which has the object as it is now
+
   LiveObject& object() const;
   LiveObject& object_with_all_steps() const;
   [[nodiscard]] bool has_log() const {

@@ -51,6 +51,8 @@ struct RebasePolicy {
 /// back further is a rebase there. So that this costs what the object of that time does, and not a look at all cells
 /// ever made, its cells are noted at some rebases, at the cost of half a byte for each cell made. (While there are lazy
 /// families all cells are looked at.)
+///
+/// Threads: one at a time, for queries too.
 class Equivalences {
  public:
   Equivalences(const sparse::AnyRing& ring, const ops::Structure& structure, const RebasePolicy& policy);

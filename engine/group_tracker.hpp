@@ -16,6 +16,8 @@ namespace sesame::engine {
 /// Takes the operations of a tower one by one, and knows the groups over Z after each. No cells, names or chains are
 /// kept; for these there is the Engine. Memory: that of the complex and its classes; once there was a boundary without
 /// a unit, that of all that has happened since.
+///
+/// Threads: one at a time, for queries too.
 class GroupTracker final : public TowerTracker {
  public:
   void include(int dimension, Slot slot, std::span<const Slot> facets, Time time) override;

@@ -18,6 +18,8 @@ namespace sesame::engine {
 
 /// C <= B => S: the left reduction is BigComplex, the right one Rewriter. This class keeps them current, by what the
 /// journal says, and takes them back; questions about chains are answered by Chains, those about classes by Classes.
+///
+/// Threads: one at a time, for queries too.
 template <Ring R>
 class LiveEquivalence final : public HomologyTracker {
  public:

@@ -266,12 +266,13 @@ void LiveObject::forget_old_steps() {
 
 // -------------------------------------------------------------------------------------------------------- snapshots
 
-void LiveObject::save(sparse::ArchiveWriter& to) const {
+void LiveObject::save(sparse::ArchiveWriter& to, Reduction reduction) const {
   to.put(applied_);
   numbers_.save(to);
   to.put(has_forgotten_);
   workspace_.save(to);
-  const std::optional<EliminationRecord> record = equivalences_.record_afresh();
+  const std::optional<EliminationRecord> record =
+      reduction == Reduction::recorded ? equivalences_.record_afresh() : std::nullopt;
   to.put(record.has_value());
   if (record) {
     record->save(to);

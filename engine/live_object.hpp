@@ -27,6 +27,8 @@ namespace sesame::engine {
 
 /// A workspace and its equivalences, step by step. What its functions say of errors and cost, Engine says. After an
 /// exception it is void, and can only be destroyed.
+///
+/// Threads: one at a time, for queries too.
 class LiveObject {
  public:
   /// `undoable`: so many steps can be undone.
@@ -49,8 +51,10 @@ class LiveObject {
   [[nodiscard]] std::uint64_t applied() const { return applied_; }
 
   // ---- snapshots: what an object is, without how it came about
+  /// A record of the reduction of the object makes `begin_equivalence` cost half, and making one costs the other half.
+  enum class Reduction : std::uint8_t { recorded, left_out };
   /// Writes it down. Changes nothing.
-  void save(sparse::ArchiveWriter& to) const;
+  void save(sparse::ArchiveWriter& to, Reduction reduction = Reduction::recorded) const;
   /// Into a new object; fails what is unsound. If that went well, `begin_equivalence` has to be called before anything
   /// else. Requires: the ring, the limits and the number of undoable steps are those of the object that was saved.
   /// Cost: what was made.

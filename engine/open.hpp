@@ -27,6 +27,7 @@ struct OpenOptions {
   bool has_snapshots = true;  ///< if the disk is the real one: see LogSnapshots
 };
 
+/// Threads: one at a time, for queries too.
 struct OpenedLog {
   std::unique_ptr<Engine> engine;  ///< which writes to the log
   std::shared_ptr<LogWriter> log;

@@ -81,17 +81,6 @@ Status read_header(const ObjectTerms& terms, sparse::ArchiveReader& from) {
   return from.status();
 }
 
-Status check_worth(const LiveObject& object) {
-  const auto counts = object.cells();
-  const std::uint64_t cells = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
-  if (object.structure().lazy().families() > 0 && cells > few &&
-      cells / most_lazy > object.structure().cells().size()) {
-    return Error{Errc::refused, "no snapshot is written of an object most of whose " + std::to_string(cells) +
-                                    " cells are in products and cones that are not written out"};
-  }
-  return Done{};
-}
-
 Result<Snapshot> read(const ObjectTerms& terms, const RebasePolicy& rebases, sparse::ArchiveReader& from) {
   if (Status header = read_header(terms, from); !header) {
     return header.error();
@@ -110,6 +99,17 @@ Result<Snapshot> read(const ObjectTerms& terms, const RebasePolicy& rebases, spa
 }
 
 }  // namespace
+
+Status check_worth(const LiveObject& object) {
+  const auto counts = object.cells();
+  const std::uint64_t cells = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  if (object.structure().lazy().families() > 0 && cells > few &&
+      cells / most_lazy > object.structure().cells().size()) {
+    return Error{Errc::refused, "no snapshot is written of an object most of whose " + std::to_string(cells) +
+                                    " cells are in products and cones that are not written out"};
+  }
+  return Done{};
+}
 
 Status write_snapshot(const LiveObject& object, const ObjectTerms& terms, const SnapshotMark& mark,
                       const sparse::ArchiveWriter::Sink& sink) {

@@ -27,15 +27,19 @@ struct ObjectTerms {
   std::uint64_t undoable = UINT64_MAX;
 };
 
+/// Threads: one at a time, for queries too.
 struct Snapshot {
   SnapshotMark mark;
   std::unique_ptr<LiveObject> object;
 };
 
+/// Refused when most cells of the object are in lazy families, which an equivalence that is begun afresh would have to
+/// write out: doing the steps again is quicker.
+Status check_worth(const LiveObject& object);
+
 /// Writes a snapshot of an object, which stays as it is: cells, names, what can be undone, but not how it came about.
 /// The same object gives the same bytes. Requires: `mark.operations` is what the object has applied.
-/// Errors    those of the sink; refused when most cells of the object are in lazy families, which the equivalence of
-///           whoever reads it would have to write out: doing the steps again is quicker.
+/// Errors    those of the sink, and of check_worth.
 /// Cost      the cells ever made, with their faces and names.
 Status write_snapshot(const LiveObject& object, const ObjectTerms& terms, const SnapshotMark& mark,
                       const sparse::ArchiveWriter::Sink& sink);

@@ -9,7 +9,8 @@
 
 namespace sesame::engine {
 
-/// What a step did and what it took. Nothing is measured unless `step_log` wants to know when the step begins.
+/// What a step did and what it took. Nothing is measured unless `step_log` wants to know when the step begins. Threads:
+/// one at a time, for queries too.
 class StepAccount {
  public:
   /// Before the step.

@@ -18,6 +18,8 @@ namespace sesame::engine {
 ///
 /// Invariants: a generator as created is itself minus the e that were added to it, each e again as it was created. A
 /// generator belongs to one node at a time. Without splits nothing is stored, and queries cost O(1).
+///
+/// Threads: one at a time, for queries too.
 template <Ring R>
 class BasisShifts {
  public:

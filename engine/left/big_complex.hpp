@@ -40,6 +40,8 @@ namespace sesame::engine {
 /// created then, and the forest begins with each of them on its own.
 ///
 /// Source: S. Peltier's habilitation (2023), section 3.3.3; see engine/LIVE_FORM.md.
+///
+/// Threads: one at a time, for queries too.
 template <Ring R>
 class BigComplex {
  public:

@@ -12,6 +12,8 @@ namespace sesame::engine {
 ///   F w = g v for a vertex w of the base, 0 on the rest;   K c = (-1)^(p+1) v*c for a p-cell c of the base, K v*c = 0
 ///
 /// Cost: one term each.
+///
+/// Threads: one at a time, for queries too.
 template <Ring R>
 class ConeMaps final : public FamilyMaps<R> {
  public:

@@ -24,6 +24,8 @@ namespace sesame::engine {
 /// summed over all de-identifications: the *gains* of the lazy cells.
 ///
 /// Source: engine/LIVE_FORM.md.
+///
+/// Threads: one at a time, for queries too.
 template <Ring R>
 class Families {
  public:

@@ -17,6 +17,8 @@ namespace sesame::engine {
 ///
 /// Invariant: what is remembered is in normal form, in current cells and symbols; a reference to it is valid until
 /// `truncate`. Cost: for what is new, that of the two reductions' maps; else O(1).
+///
+/// Threads: one at a time, for queries too.
 template <Ring R>
 class FrozenMaps {
  public:

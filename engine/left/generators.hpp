@@ -16,6 +16,8 @@ namespace sesame::engine {
 ///
 /// Invariants: what a generator stands for never changes; a cell that is lazy, or degenerate from the start, has none.
 /// Every query is O(1), that by a cell of the window's beginning by a hash.
+///
+/// Threads: one at a time, for queries too.
 class Generators {
  public:
   /// None yet. `window` must outlive it.

@@ -28,6 +28,8 @@ namespace sesame::engine {
 ///
 /// Cost: of P at most log2(cells) terms, of g that times the number of faces, of f O(1) terms per generator that is of
 /// no family and attached to none.
+///
+/// Threads: one at a time, as queries keep what they find.
 template <Ring R>
 class LeftMaps {
  public:

@@ -14,6 +14,8 @@ namespace sesame::engine {
 ///
 /// with the maps of the frozen factors; how a|b is a chain of cells of the product is what the kinds of products differ
 /// in.
+///
+/// Threads: one at a time, for queries too.
 template <Ring R>
 class TensorMaps : public FamilyMaps<R> {
  public:

@@ -23,6 +23,8 @@ using ops::Structure;
 /// like others. So an equivalence can be begun afresh from the object as it is, and knows nothing of how it came about.
 ///
 /// Cost of every query that is not said: that of the same query of the structure, restricted to the window.
+///
+/// Threads: one at a time, as queries keep what they find.
 class Window {
  public:
   using Copy = ops::SplitHistory::Copy;

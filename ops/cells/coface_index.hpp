@@ -27,6 +27,8 @@ namespace sesame::ops {
 ///
 /// Cost: amortised, the faces of what a step makes and moves, and the lists of what it removes, each entry of which is
 /// copied as often as its class doubles. Of the first query: the incidences of the object.
+///
+/// Threads: one at a time, as queries keep what they find.
 class CofaceIndex {
  public:
   CofaceIndex(const CellStore& cells, const Forest& forest, const Faces& faces, const Values& values,

@@ -25,6 +25,8 @@ namespace sesame::ops {
 /// to; and names that are put together when they are asked for: those of faces of standard simploids, which are found
 /// and told by arithmetic and count as given, and those of lazy cells. What any other name denotes is read by
 /// NameReader. Cost of what is not said: the length of the name.
+///
+/// Threads: one at a time, as queries keep what they find.
 class Directory {
  public:
   Directory(VertexMaps& maps, const CellStore& cells, const Forest& forest, const Values& values, const LazyCells& lazy,

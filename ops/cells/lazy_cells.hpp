@@ -23,6 +23,8 @@ namespace sesame::ops {
 /// Cells of products and of cones over whole bodies get an id, their faces and their name when something first asks for
 /// them. That is knowledge, not state: it happens inside queries too, and nothing that the structure says depends on it
 /// but ids.
+///
+/// Threads: one at a time, as queries keep what they find.
 class LazyCells final : public FaceSource {
  public:
   LazyCells(TypeTable& types, VertexMaps& maps, CellStore& cells, Forest& forest, const Values& values,

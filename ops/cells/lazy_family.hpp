@@ -52,6 +52,7 @@ struct LazyKey {
   Value right;
   friend bool operator==(const LazyKey&, const LazyKey&) = default;
 };
+/// Threads: one at a time, as queries keep what they find.
 struct LazyCell {
   LazyKey key;
   bool is_expanded = false;

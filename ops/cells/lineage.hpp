@@ -11,6 +11,8 @@ namespace sesame::ops {
 
 /// The history of nodes. A node is given up at most once: for another node with which it is merged, for the cell that
 /// it is squashed onto, or, when a lazy cone is taken over its body, for the cell of the cone that it is from then on.
+///
+/// Threads: one at a time, for queries too.
 class Lineage {
  public:
   explicit Lineage(const Structure& structure) : structure_{structure} {}

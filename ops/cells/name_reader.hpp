@@ -27,6 +27,8 @@ namespace sesame::ops {
 /// Cost: look-ups proportional to the length of the name, for each v*c of the last kind the nodes that c has become one
 /// with. When names with odd brackets have been given (Directory::odd_names) and one is part of this name, all bars are
 /// tried, up to a limit.
+///
+/// Threads: one at a time, for queries too.
 class NameReader {
  public:
   /// Products and cones in a name, one within the other. More are not read, and no product or cone is made that has

@@ -39,6 +39,8 @@ namespace sesame::ops {
 ///
 /// Each part says what it knows. Some of them make nodes when they are asked, of lazy and of degenerate cells: that is
 /// knowledge, not state, and counts against no limit.
+///
+/// Threads: one at a time, for queries too.
 class Structure {
  public:
   Structure() { cells_.set_face_source(lazy_); }

@@ -16,6 +16,8 @@ namespace sesame::ops {
 
 /// The normal forms of values, and their faces. Cost of what is not said: O(log nodes) for each time that what the
 /// value is of has become degenerate.
+///
+/// Threads: one at a time, as queries keep what they find.
 class Values {
  public:
   Values(VertexMaps& maps, CellStore& cells, Forest& forest, const Faces& faces, Journal& journal)

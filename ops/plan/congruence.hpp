@@ -25,6 +25,8 @@ using Equation = std::pair<Value, Value>;
 /// faces of the same types in the same order, so the only thing that can be refused is a cell that is itself in another
 /// order. That two degenerate values are equal says, by the Eilenberg-Zilber lemma, no more and no less than what it
 /// says along sections of each that take every vertex between them.
+///
+/// Threads: one at a time, for queries too.
 class Congruence {
  public:
   explicit Congruence(const Structure& structure) : structure_{structure} {}

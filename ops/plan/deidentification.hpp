@@ -19,6 +19,8 @@ namespace sesame::ops {
 
 /// Works out de-identifications: copies under ids of their own, faces as they would be, and the laws between them.
 /// Keeps its memory between calls.
+///
+/// Threads: one at a time, for queries too.
 class SplitPlanner {
  public:
   explicit SplitPlanner(const Structure& structure) : structure_{structure} {}

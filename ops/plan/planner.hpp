@@ -14,7 +14,7 @@
 
 namespace sesame::ops {
 
-/// Works out plans; changes nothing. Keeps scratch memory between calls.
+/// Works out plans; changes nothing. Keeps scratch memory between calls. Threads: one at a time, for queries too.
 class Planner {
  public:
   explicit Planner(const Structure& structure, Limits limits = {}) : structure_{structure}, limits_{limits} {}

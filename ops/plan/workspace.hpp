@@ -13,6 +13,7 @@
 namespace sesame::ops {
 
 /// Plans steps, carries them out and takes them back. What a step is, is said once, here: everybody else reads it.
+/// Threads: one at a time, for queries too.
 class Workspace {
  public:
   /// A step that is not taken back, in one word.

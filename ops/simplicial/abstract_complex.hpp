@@ -34,6 +34,8 @@ namespace sesame::ops {
 /// vertex of a cell and leaves it in its place, so two orders of the same vertices may meet when cells are merged.
 ///
 /// Append-only but for undo: a journal of changes, taken back in reverse order.
+///
+/// Threads: one at a time, for queries too.
 class AbstractComplex {
  public:
   AbstractComplex() { simplices_.build_stars(); }

@@ -21,6 +21,8 @@ namespace sesame::ops {
 ///
 /// A contraction of two vertices moves the one with the smaller star, and `change_of` tells what becomes of each
 /// simplex of that star. Who carries the changes out one by one, and keeps them, can take them back in reverse order.
+///
+/// Threads: one at a time, as queries keep what they find.
 class SimplexIndex {
  public:
   using Vertex = VertexId;

@@ -19,6 +19,8 @@ namespace sesame::ops {
 /// Simplices have a *slot*, a number that is unique among the current ones of their dimension; slots are used again.
 /// A simplex is oriented by the order of its vertices' slots, so its facet k, the one without vertex k, has coefficient
 /// (-1)^k in its boundary.
+///
+/// Threads: one at a time, for queries too.
 class TowerComplex {
  public:
   using Slot = SimplexIndex::Slot;

@@ -17,6 +17,8 @@ using Label = std::uint64_t;
 
 /// The view that a tower has of a complex: simplices by the labels of their vertices, whatever keeps them. An inclusion
 /// adds a simplex whose facets are there; a contraction makes one of two vertices that are there.
+///
+/// Threads: one at a time, for queries too.
 class TowerRules {
  public:
   using Vertex = SimplexIndex::Vertex;

@@ -20,6 +20,7 @@ struct NamedGenerator {
   engine::Generator generator;
 };
 
+/// Threads: one at a time, for queries too.
 struct Drawing {
   const ObjectCells& cells;
   std::vector<ops::Point> points;  ///< of the vertices

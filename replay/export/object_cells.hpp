@@ -21,6 +21,8 @@ struct BoundaryTerm {
 
 /// The cells of an object by dimension, those of one by age, oriented as their canonical names say. To be used as long
 /// as the structure is not changed.
+///
+/// Threads: one at a time, for queries too.
 class ObjectCells {
  public:
   /// Lists them. Errors, refused: products and large cones would have to be written out, and there are more than

@@ -34,6 +34,7 @@ enum class Outcome : int {
 /// How an error ends a command.
 [[nodiscard]] Outcome outcome_of(Errc code);
 
+/// Threads: one at a time, for queries too.
 struct ReplayOptions {
   std::optional<sparse::AnyRing> ring;          ///< instead of the one that the header names
   std::optional<std::uint64_t> until;           ///< stop after that many operations

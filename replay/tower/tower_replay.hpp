@@ -30,7 +30,7 @@ struct FaceAdder {
 /// The same error, after the log has been told that an operation did not happen.
 Error told(const Error& error);
 
-/// A tower under way.
+/// A tower under way. Threads: one at a time, for queries too.
 class TowerReplay {
  public:
   /// Trackers, and a history, are told of every operation; they have to outlive this object. The history may be null.
