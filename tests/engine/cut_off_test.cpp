@@ -185,6 +185,7 @@ TEST_CASE("memory that runs out at any allocation of any operation leaves the st
 }
 
 TEST_CASE("memory that runs out while a line is read or written is an exception, and nothing else", "[engine][log]") {
+  keep_gmp_and_flint_out();
   const auto read_and_written = [](const std::string& line) { return to_text(*ops::parse_operation(line)); };
   std::vector<std::string> lines = script;
   lines.push_back(R"({"op":"note","text":"quoted \"text\", \u00e9 \u0001"})");
