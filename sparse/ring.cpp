@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "sparse/quoted.hpp"
+
 namespace sesame::sparse {
 namespace {
 
@@ -24,7 +26,7 @@ bool is_prime(std::int64_t n) {
 }
 
 Error bad_modulus(const std::string& p, const std::string& why) {
-  return {Errc::bad_input, "ring Z/" + p + ": " + why + "; a modulus is a prime below 2^31"};
+  return {Errc::bad_input, "ring Z/" + printable(p) + ": " + why + "; a modulus is a prime below 2^31"};
 }
 
 }  // namespace
@@ -59,19 +61,20 @@ Result<AnyRing> parse_ring(std::string_view text) {
   }
   if (!text.starts_with("Z/")) {
     return Error{Errc::bad_input,
-                 "unknown ring \"" + std::string{text} + "\": a ring is Z, Q, or Z/p with p a prime below 2^31"};
+                 "unknown ring " + quoted(text) + ": a ring is Z, Q, or Z/p with p a prime below 2^31"};
   }
   const std::string modulus{text.substr(2)};
   const auto number = Integer::parse(modulus);
   if (!number || modulus.starts_with('+')) {
-    return bad_modulus(modulus, "\"" + modulus + "\" is not a number");
+    return bad_modulus(modulus, quoted(modulus) + " is not a number");
   }
   if (*number == Integer{2}) {
     return AnyRing{Z2{}};
   }
   const auto p = number->to_int64();
   if (!p) {
-    return bad_modulus(modulus, number->to_string() + (number->sign() < 0 ? " is not a prime" : " is too large"));
+    return bad_modulus(modulus,
+                       printable(number->to_string()) + (number->sign() < 0 ? " is not a prime" : " is too large"));
   }
   auto ring = Zp::make(*p);
   if (!ring) {

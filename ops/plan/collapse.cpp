@@ -7,6 +7,7 @@
 
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/step_names.hpp"
+#include "sparse/quoted.hpp"
 
 namespace sesame::ops {
 namespace {
@@ -83,8 +84,8 @@ class CollapsePlanner {
 Result<LabelId> resolve_label(const std::string& text, const Structure& structure) {
   const LabelId label = structure.abstract().label(text);
   if (label == none) {
-    return Error{Errc::unknown_name,
-                 fmt::format("there is no vertex \"{}\": {} makes one", text, to_text(Insert{{{text}}, false}))};
+    return Error{Errc::unknown_name, fmt::format("there is no vertex {}: {} makes one", sparse::quoted(text),
+                                                 sparse::printable(to_text(Insert{{{text}}, false})))};
   }
   return label;
 }

@@ -13,6 +13,7 @@
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/step_names.hpp"
 #include "sparse/hash_index.hpp"
+#include "sparse/quoted.hpp"
 
 namespace sesame::ops {
 namespace {
@@ -47,7 +48,8 @@ class ComplexPlanner {
   using Faces = boost::container::small_vector<CellId, 6>;
 
   [[nodiscard]] std::string title(std::uint32_t k) const {
-    return fmt::format("cell \"{}\" of complex \"{}\"", operation_.cells.id(k), operation_.name);
+    return fmt::format("cell {} of complex {}", sparse::quoted(operation_.cells.id(k)),
+                       sparse::quoted(operation_.name));
   }
 
   Status index_cells() {
@@ -55,13 +57,13 @@ class ComplexPlanner {
       const std::string_view id = operation_.cells.id(k);
       if (!is_name(id)) {
         return Error{Errc::bad_input,
-                     fmt::format("cell {} of complex \"{}\" needs an id without white space or control characters",
-                                 k + 1, operation_.name)};
+                     fmt::format("cell {} of complex {} needs an id without white space or control characters", k + 1,
+                                 sparse::quoted(operation_.name))};
       }
       const std::uint64_t hash = hash_of(id);
       if (find(id, hash) != none) {
-        return Error{Errc::bad_input,
-                     fmt::format("complex \"{}\" lists cell \"{}\" twice: ids must differ", operation_.name, id)};
+        return Error{Errc::bad_input, fmt::format("complex {} lists cell {} twice: ids must differ",
+                                                  sparse::quoted(operation_.name), sparse::quoted(id))};
       }
       index_.insert(hash, k);
     }
@@ -107,7 +109,8 @@ class ComplexPlanner {
   Result<CellId> place_face(std::uint32_t k, std::size_t f, std::string_view id) {
     const std::uint32_t face = find(id, hash_of(id));
     if (face == none) {
-      return Error{Errc::unknown_name, fmt::format("{} names a face \"{}\" that is not listed there", title(k), id)};
+      return Error{Errc::unknown_name,
+                   fmt::format("{} names a face {} that is not listed there", title(k), sparse::quoted(id))};
     }
     if (Status s = check_face_type(k, f, face); !s) {
       return s.error();

@@ -17,6 +17,7 @@
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/step_names.hpp"
+#include "sparse/quoted.hpp"
 
 namespace sesame::ops {
 namespace {
@@ -270,7 +271,7 @@ Status check_apexes(const MakeSuspension& operation, const Structure& structure)
   }
   const auto& [one, other] = operation.apexes;
   if (one == other) {
-    return Error{Errc::bad_input, fmt::format("both apexes are called \"{}\": names are unique", one)};
+    return Error{Errc::bad_input, fmt::format("both apexes are called {}: names are unique", sparse::quoted(one))};
   }
   if (extends_name(one, other) || extends_name(other, one)) {
     return Error{Errc::bad_input,

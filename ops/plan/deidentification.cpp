@@ -9,6 +9,7 @@
 #include "ops/cells/cofaces.hpp"
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/step_names.hpp"
+#include "sparse/quoted.hpp"
 
 namespace sesame::ops {
 namespace {
@@ -91,7 +92,8 @@ Status SplitPlanner::add_copy(const Deidentify::Split& split) {
   const std::size_t number = copies_.size();
   const std::uint64_t name_hash = hash_of(split.copy);
   if (copy_named(split.copy) != sparse::HashIndex::nothing) {
-    return Error{Errc::bad_input, fmt::format("the name \"{}\" is given to two copies: names are unique", split.copy)};
+    return Error{Errc::bad_input,
+                 fmt::format("the name {} is given to two copies: names are unique", sparse::quoted(split.copy))};
   }
   make_room_for_one(copies_);
   copy_index_.insert(name_hash, static_cast<std::uint32_t>(number));

@@ -18,6 +18,7 @@
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/step_names.hpp"
 #include "sparse/hash_index.hpp"
+#include "sparse/quoted.hpp"
 
 namespace sesame::ops {
 namespace {
@@ -246,9 +247,9 @@ Status check_simplex(NameLists::List simplex, const Limits& limits) {
   for (const std::string_view label : simplex) {
     if (!is_label(label)) {
       return Error{Errc::bad_input,
-                   fmt::format("\"{}\" is not a label: a label is not empty, and has no white space, no control "
+                   fmt::format("{} is not a label: a label is not empty, and has no white space, no control "
                                "characters, and none of {{ }} and comma",
-                               label)};
+                               sparse::quoted(label))};
     }
   }
   if (Status s = check_size(type_of(simplex), limits); !s) {
@@ -258,7 +259,7 @@ Status check_simplex(NameLists::List simplex, const Limits& limits) {
   std::sort(labels.begin(), labels.end());
   if (const auto twice = std::adjacent_find(labels.begin(), labels.end()); twice != labels.end()) {
     return Error{Errc::bad_input,
-                 fmt::format("the label \"{}\" stands twice in the simplex: labels must differ", *twice)};
+                 fmt::format("the label {} stands twice in the simplex: labels must differ", sparse::quoted(*twice))};
   }
   return Done{};
 }

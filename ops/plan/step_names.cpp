@@ -2,39 +2,31 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string_view>
 
 #include "ops/cells/name_reader.hpp"
+#include "sparse/quoted.hpp"
 
 namespace sesame::ops {
-namespace {
 
-/// A name that may have any length, for a sentence: the beginning of a long one.
-std::string shortened(std::string_view name) {
-  constexpr std::size_t most = 200;
-  std::size_t length = std::min(name.size(), most);
-  while (length < name.size() && (static_cast<unsigned char>(name[length]) & 0xc0U) == 0x80U) {
-    --length;  // not within a character
-  }
-  return length == name.size() ? std::string{name}
-                               : fmt::format("{}... ({} bytes)", name.substr(0, length), name.size());
-}
+using sparse::quoted;
+
+namespace {
 
 std::string why_unreadable(const std::string& name, NameReader::Failure failure, const Structure& structure) {
   switch (failure) {
     case NameReader::Failure::nested:
-      return fmt::format("the name \"{}\" has more than {} products and cones within one another, the limit",
-                         shortened(name), NameReader::most_nested);
+      return fmt::format("the name {} has more than {} products and cones within one another, the limit", quoted(name),
+                         NameReader::most_nested);
     case NameReader::Failure::ambiguous:
       return fmt::format(
-          "the name \"{}\" can be taken apart in too many ways, since there are names with brackets that "
+          "the name {} can be taken apart in too many ways, since there are names with brackets that "
           "do not match or with bars outside of brackets",
-          shortened(name));
+          quoted(name));
     case NameReader::Failure::unknown:
       break;
   }
-  return fmt::format("there is no cell \"{}\"{}", shortened(name),
+  return fmt::format("there is no cell {}{}", quoted(name),
                      structure.lookup_body(name) ? ": this is the name of a body; name a cell of it" : "");
 }
 
@@ -61,7 +53,7 @@ Result<BodyId> resolve_body(const std::string& name, const Structure& structure)
   const auto body = structure.lookup_body(name);
   if (!body) {
     return Error{Errc::unknown_name,
-                 fmt::format("there is no body \"{}\"{}", name,
+                 fmt::format("there is no body {}{}", quoted(name),
                              structure.lookup(name) ? ": this is a cell; name the body that it belongs to" : "")};
   }
   if (const FamilyId family = structure.bodies().consumed_by(*body); family != none) {
@@ -91,12 +83,12 @@ Result<BodyId> abstract_body(LabelId label, const Structure& structure) {
 Status check_new_name(const std::string& name, const Structure& structure) {
   if (!is_name(name)) {
     return Error{Errc::bad_input,
-                 fmt::format("\"{}\" is not a name: a name is UTF-8, not empty, and has no white space or control "
+                 fmt::format("{} is not a name: a name is UTF-8, not empty, and has no white space or control "
                              "characters",
-                             name)};
+                             quoted(name))};
   }
   if (structure.is_name_taken(name)) {
-    return Error{Errc::bad_input, fmt::format("the name \"{}\" is in use: names are unique, choose another", name)};
+    return Error{Errc::bad_input, fmt::format("the name {} is in use: names are unique, choose another", quoted(name))};
   }
   return Done{};
 }

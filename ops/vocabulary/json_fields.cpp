@@ -1,4 +1,5 @@
 #include "ops/vocabulary/json_fields.hpp"
+#include "sparse/quoted.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -44,7 +45,7 @@ const Json& Fields::need(const std::string& field) {
 void Fields::finish() const {
   for (const auto& [key, value] : object_.items()) {
     if (!known_.contains(key)) {
-      throw Wrong{fmt::format("{} has an unknown field \"{}\"; its fields are: {}", what_, key,
+      throw Wrong{fmt::format("{} has an unknown field {}; its fields are: {}", what_, sparse::quoted(key),
                               fmt::join(known_.begin(), known_.end(), ", "))};
     }
   }
@@ -79,7 +80,7 @@ sparse::Integer Fields::integer(const std::string& field, const Json& value) con
     if (auto parsed = sparse::Integer::parse(value.get<std::string>())) {
       return *parsed;
     }
-    throw Wrong{fmt::format("field \"{}\": \"{}\" is not an integer", field, value.get<std::string>())};
+    throw Wrong{fmt::format("field \"{}\": {} is not an integer", field, sparse::quoted(value.get<std::string>()))};
   }
   wrong(field, "an integer (beyond 64 bits: a string of digits)", value);
 }
@@ -89,7 +90,7 @@ int Fields::small(const std::string& field, const Json& value, int least) const 
   const auto word = n.to_int64();
   if (!word || *word < least || *word > 1'000'000) {
     throw Wrong{fmt::format("field \"{}\" should be an integer from {} on that is no dimension out of reach, but is {}",
-                            field, least, n.to_string())};
+                            field, least, sparse::printable(n.to_string()))};
   }
   return static_cast<int>(*word);
 }

@@ -1,4 +1,5 @@
 #include "ops/vocabulary/json_line.hpp"
+#include "sparse/quoted.hpp"
 
 #include <fmt/format.h>
 
@@ -108,7 +109,7 @@ class LineParser final : public nlohmann::json_sax<Json> {
     }
     std::sort(fields_.begin(), fields_.end());
     if (const auto twice = std::adjacent_find(fields_.begin(), fields_.end()); twice != fields_.end()) {
-      throw Wrong{fmt::format("the field \"{}\" stands twice in one object", *twice)};
+      throw Wrong{fmt::format("the field {} stands twice in one object", sparse::quoted(*twice))};
     }
   }
 

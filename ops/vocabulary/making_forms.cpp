@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ops/vocabulary/operation_form.hpp"
+#include "sparse/quoted.hpp"
 
 namespace sesame::ops {
 namespace {
@@ -135,7 +136,7 @@ MakeComplex::Cell read_cell(const Json& value) {
     cell.faces = in.texts("faces", *faces, "a list of cell ids");
   }
   if (in.find("at") != nullptr && !cell.faces.empty()) {
-    throw Wrong{fmt::format("cell \"{}\" has a position \"at\", but only vertices have one", cell.id)};
+    throw Wrong{fmt::format("cell {} has a position \"at\", but only vertices have one", sparse::quoted(cell.id))};
   }
   cell.at = read_point(in);
   in.finish();
@@ -221,8 +222,8 @@ MakeProduct read_product(Fields& in) {
   if (const Json* kind = in.find("kind")) {
     const std::string word = in.text("kind", *kind);
     if (word != "simploidal" && word != "simplicial") {
-      throw Wrong{
-          fmt::format("field \"kind\" of a product should be \"simploidal\" or \"simplicial\", but is \"{}\"", word)};
+      throw Wrong{fmt::format("field \"kind\" of a product should be \"simploidal\" or \"simplicial\", but is {}",
+                              sparse::quoted(word))};
     }
     op.simplicial = word == "simplicial";
   }

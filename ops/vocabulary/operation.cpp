@@ -8,6 +8,7 @@
 
 #include "ops/vocabulary/json_line.hpp"
 #include "ops/vocabulary/operation_form.hpp"
+#include "sparse/quoted.hpp"
 
 namespace sesame::ops {
 namespace {
@@ -49,7 +50,7 @@ Operation read_operation(const Json& object) {
     return *std::move(operation);
   }
   const auto known = std::apply([](const auto*... form) { return std::array{form->keyword...}; }, forms);
-  throw Wrong{fmt::format("there is no op \"{}\"; the ops are: {}", word, fmt::join(known, ", "))};
+  throw Wrong{fmt::format("there is no op {}; the ops are: {}", sparse::quoted(word), fmt::join(known, ", "))};
 }
 
 template <class Read>
