@@ -11,6 +11,11 @@ namespace sesame::replay {
 Result<std::size_t> find_line_end(ByteSource& source, std::size_t begin, std::uint64_t line, std::size_t longest) {
   for (std::size_t searched = begin;;) {
     const std::size_t end = std::min(source.window().find('\n', searched), source.window().size());
+    const std::size_t zero = source.window().substr(0, end).find('\0', searched);
+    if (zero != std::string_view::npos && zero - begin <= longest) {
+      return Error{Errc::bad_input, fmt::format("{}:{}: byte {} of this line is zero, and no text has such bytes",
+                                                source.name(), line, zero - begin)};
+    }
     if (end - begin > longest) {
       return Error{Errc::bad_input, fmt::format("{}:{}: this line is longer than {} bytes; where such lines are "
                                                 "meant, --max-line (replay, tower) raises the limit",
@@ -31,12 +36,28 @@ Result<std::size_t> find_line_end(ByteSource& source, std::size_t begin, std::ui
 }
 
 Result<std::string_view> LineSource::beginning() {
-  if (source_.window().empty()) {
-    if (const Result<bool> got = source_.more(); !got) {
+  constexpr std::size_t most = std::size_t{1} << 16;
+  constexpr std::string_view space = " \t\r\n";
+  bool says_something = false;
+  for (std::size_t at = 0;;) {
+    const std::string_view text = source_.window().substr(0, most);
+    for (; at < text.size(); ++at) {
+      if (text[at] == '\0' || (says_something && text[at] == '\n')) {
+        return text.substr(0, at + 1);
+      }
+      says_something = says_something || space.find(text[at]) == std::string_view::npos;
+    }
+    if (text.size() == most) {
+      return text;
+    }
+    const Result<bool> got = source_.more();
+    if (!got) {
       return got.error();
     }
+    if (!*got) {
+      return text;
+    }
   }
-  return source_.window();
 }
 
 Result<std::optional<std::string_view>> LineSource::next() {

@@ -18,7 +18,8 @@ namespace sesame::replay {
 inline constexpr std::size_t longest_line = std::size_t{1} << 30;
 
 /// Where the line that begins at `begin` ends in the window of a source: at a line feed, or where the input ends.
-/// Errors: those of the source; bad_input for a line, of this number, that is longer than `longest`.
+/// Errors: those of the source; bad_input for a line, of this number, that is longer than `longest`, or has a zero byte:
+/// data that are no text may have no lines, and are not to be read to their end.
 Result<std::size_t> find_line_end(ByteSource& source, std::size_t begin, std::uint64_t line, std::size_t longest);
 
 /// Reads line by line, nothing after an error. A line that was still being written when the input was stopped is none.
@@ -27,11 +28,13 @@ class LineSource {
   explicit LineSource(ByteSource source, std::size_t longest = longest_line)
       : source_{std::move(source)}, longest_{longest} {}
 
-  /// What has been read and is not handed out yet, at the beginning of the input one byte at least, unless it is empty.
+  /// To be called before `next`: the first line that says something, and those before it; but not what comes behind a
+  /// zero byte, which no text has, or behind 64 KiB. It does not depend on the pieces in which the input comes.
   /// Errors: those of the source.
   Result<std::string_view> beginning();
   /// The next line without its line feed, the first one without a byte order mark; nothing at the end. Valid until the
-  /// next one is read. Errors: those of the source; bad_input, with its place, when a line is too long.
+  /// next one is read. Errors: those of the source; bad_input, with its place, when a line is too long or has a zero
+  /// byte.
   Result<std::optional<std::string_view>> next();
   /// Gives back the memory that the line read last has taken, if it was a long one; then it is not valid any more.
   void drop() { source_.shrink(); }

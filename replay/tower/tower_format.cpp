@@ -240,12 +240,6 @@ Result<TowerFormat> find_format(ByteSource& source, std::size_t longest) {
   if (source.window().substr(0, head).find('\0') != std::string_view::npos) {
     return TowerFormat::phat_binary;
   }
-  if (const std::size_t zero = source.window().find('\0'); zero != std::string_view::npos) {
-    return Error{Errc::bad_input,
-                 fmt::format("{}: byte {} of this is zero, which no text and no binary boundary matrix "
-                             "of PHAT has there",
-                             source.name(), zero)};
-  }
   FormatFinder finder(source.name());
   std::size_t begin = 0;
   for (std::uint64_t line = 1; line <= most_lines; ++line) {

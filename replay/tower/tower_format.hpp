@@ -97,7 +97,7 @@ class FormatFinder {
 
 /// Finds out what an input is, and consumes nothing of it. A zero byte among the first 8 means phat_binary: no text has
 /// one, and every count of columns below 2^56 does. Errors: those of the source; bad_input, with the place, when it is
-/// none of the formats, as data with a zero byte elsewhere in the first block that is read.
+/// none of the formats, as data with a zero byte elsewhere in the lines that it takes to know.
 Result<TowerFormat> find_format(ByteSource& source, std::size_t longest = longest_line);
 
 }  // namespace sesame::replay

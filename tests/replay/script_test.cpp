@@ -221,11 +221,30 @@ TEST_CASE("a line that is too long is refused before all of it is read", "[repla
 
 TEST_CASE("data that are no text are refused by their first bytes", "[replay]") {
   const std::string zeros(1000, '\0');
-  for (const std::string& data : {zeros, "# " + zeros, "{\"sesame\":1" + zeros, header_line + "\n" + zeros}) {
+  for (const std::string& data : {zeros, "# " + zeros, "\n{\"sesame\":1" + zeros}) {
     ScriptReader reader(source_of({data}, End::failed, "s.jsonl"));  // no more than these is asked for
     const auto seen = read_all(reader);
     REQUIRE(seen.size() == 1);
     CHECK(seen[0] == "s.jsonl: a script is a text, but byte " + std::to_string(data.find('\0')) + " of this is zero");
+  }
+  ScriptReader reader(source_of({header_line + "\n# " + zeros}, End::failed, "s.jsonl"));
+  CHECK(read_all(reader).back() == "s.jsonl:2: byte 2 of this line is zero, and no text has such bytes");
+  CHECK(reader.is_broken());
+}
+
+TEST_CASE("a zero byte anywhere is told in the same words in whatever pieces a script comes", "[replay]") {
+  const std::string text = "\n# a comment\n" + header_line + "\n\n# with a \n" + vertex_a + "\n";
+  for (std::size_t at = 0; at < text.size(); at += 3) {
+    std::string data = text;
+    data[at] = '\0';
+    ScriptReader whole(source_of({data}, End::whole, "s.jsonl"));
+    std::vector<std::string> pieces;
+    for (std::size_t k = 0; k < data.size(); k += 5) {
+      pieces.push_back(data.substr(k, 5));
+    }
+    ScriptReader in_pieces(source_of(pieces, End::whole, "s.jsonl"));
+    CAPTURE(at);
+    CHECK(read_all(in_pieces) == read_all(whole));
   }
 }
 

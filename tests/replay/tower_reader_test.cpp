@@ -154,8 +154,8 @@ TEST_CASE("An input that is of no format is told so, with its line", "[tower_rea
   CHECK_THAT(read(std::string(100, 'x')).at(0),
              Catch::StartsWith("FILE:1: \"" + std::string(40, 'x') + "...\"" + start));
   CHECK_THAT(read("\n0.5,\n0.25,0.125,\n").at(0), Catch::StartsWith("FILE:2: this looks like the lower half of"));
-  CHECK(read("(Y\xFF,\n)(a b)" + std::string(9, '\0')).at(0) ==
-        "FILE: byte 11 of this is zero, which no text and no binary boundary matrix of PHAT has there");
+  CHECK(read("# a comment\n(a b" + std::string(9, '\0')).at(0) ==
+        "FILE:2: byte 4 of this line is zero, and no text has such bytes");
 }
 
 TEST_CASE("Facets are inclusions, one at a time, wherever their brackets break", "[tower_reader]") {
@@ -227,7 +227,8 @@ TEST_CASE("Malformed lines of a tower are reported with their line and what woul
       {"nan i 1", "\"nan\"" + start},
       {"1e999 i 1", "\"1e999\"" + start},
       {"1,5 i 1", "\"1,5\"" + start},
-      {std::string("i\0 1", 4), "\"i?\"" + start},
+      {std::string("i\0 1", 4), "byte 1 of this line is zero, and no text has such bytes"},
+      {"i\x01 1", "\"i?\"" + start},
       {"1 i 1", "an operation with a time, but the one of line 1 has none: all should have one, or none"},
       {"1 x 1", "an operation with a time, but the one of line 1 has none: all should have one, or none"}};
   for (const auto& [line, what] : cases) {
@@ -413,6 +414,22 @@ TEST_CASE("gzip data that are cut off or damaged anywhere are reported, and noth
     CHECK((!(at >= 4 && at <= 9) || seen == read_tower));
   }
   CHECK(read(packed + "trailing", TowerFormat::tower).back() == "FILE: the gzip data are damaged");
+}
+
+TEST_CASE("A zero byte anywhere is told in the same words in whatever pieces a tower comes", "[tower_reader]") {
+  const std::string text = "# a comment\n\ni 0\n# another\ni 1\n";
+  for (std::size_t at = 8; at < text.size(); ++at) {
+    std::string data = text;
+    data[at] = '\0';
+    std::vector<std::string> pieces;
+    for (std::size_t k = 0; k < data.size(); k += 3) {
+      pieces.push_back(data.substr(k, 3));
+    }
+    auto reader = TowerReader::from(tests::source_of(std::move(pieces), tests::End::whole, "FILE"));
+    CAPTURE(at);
+    CHECK((reader ? read_all(**reader, "FILE") : Lines{reader.error().what}) == read(data));
+    CHECK_THAT(read(data).back(), Catch::EndsWith(" of this line is zero, and no text has such bytes"));
+  }
 }
 
 TEST_CASE("A binary matrix is none of gzip, however many columns it has", "[tower_reader]") {
