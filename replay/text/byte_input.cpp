@@ -218,6 +218,9 @@ class GzipInput final : public ByteInput {
     stream_.avail_out = static_cast<uInt>(std::min(to.size(), std::size_t{1} << 30));
     const uInt room = stream_.avail_out;
     while (stream_.avail_out == room) {
+      if (is_damaged_) {
+        return damaged("the gzip data are damaged");
+      }
       if (stream_.avail_in == 0) {
         const Result<std::size_t> got = refill();
         if (!got) {
@@ -235,9 +238,7 @@ class GzipInput final : public ByteInput {
       if (outcome == Z_MEM_ERROR) {
         throw std::bad_alloc();
       }
-      if (outcome != Z_OK && outcome != Z_STREAM_END) {
-        return damaged("the gzip data are damaged");
-      }
+      is_damaged_ = outcome != Z_OK && outcome != Z_STREAM_END;  // behind what it has unpacked, which is told first
       if (is_between_members_) {
         inflateReset(&stream_);
       }
@@ -262,7 +263,7 @@ class GzipInput final : public ByteInput {
   std::unique_ptr<ByteInput> input_;
   std::vector<char> packed_;
   z_stream stream_{};
-  bool is_between_members_ = false;
+  bool is_between_members_ = false, is_damaged_ = false;
 };
 
 }  // namespace

@@ -416,6 +416,31 @@ TEST_CASE("gzip data that are cut off or damaged anywhere are reported, and noth
   CHECK(read(packed + "trailing", TowerFormat::tower).back() == "FILE: the gzip data are damaged");
 }
 
+TEST_CASE("What is read before a damage in gzip data does not depend on the pieces in which they come",
+          "[tower_reader]") {
+  std::string lines;
+  for (int vertex = 0; vertex < 300; ++vertex) {
+    lines += "i " + std::to_string(vertex * vertex) + "\n";
+  }
+  const auto read_in_pieces = [](const std::string& data, std::size_t size) {
+    std::vector<std::string> pieces;
+    for (std::size_t at = 0; at < data.size(); at += size) {
+      pieces.push_back(data.substr(at, size));
+    }
+    auto reader = TowerReader::from(tests::source_of(std::move(pieces), tests::End::whole, "FILE"));
+    return reader ? read_all(**reader, "FILE") : Lines{reader.error().what};
+  };
+  const std::string packed = gzipped(lines);
+  for (std::size_t at = 20; at < packed.size(); at += 7) {
+    std::string data = packed;
+    data[at] = static_cast<char>(data[at] ^ 0x55);
+    CAPTURE(at);
+    const Lines whole = read_in_pieces(data, data.size());
+    CHECK(read_in_pieces(data, 1) == whole);
+    CHECK(read_in_pieces(data, 50) == whole);
+  }
+}
+
 TEST_CASE("A zero byte anywhere is told in the same words in whatever pieces a tower comes", "[tower_reader]") {
   const std::string text = "# a comment\n\ni 0\n# another\ni 1\n";
   for (std::size_t at = 8; at < text.size(); ++at) {
