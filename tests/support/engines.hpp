@@ -8,8 +8,8 @@
 
 #include "engine/engine.hpp"
 #include "engine/live_equivalence.hpp"
-#include "reductions/homology.hpp"
 #include "sparse/matrix_text.hpp"
+#include "tests/support/groups.hpp"
 #include "tests/support/structures.hpp"
 
 namespace sesame::tests {
@@ -17,7 +17,6 @@ namespace sesame::tests {
 using engine::CellChain;
 using engine::ClassAnswer;
 using engine::Engine;
-using reductions::AbelianGroup;
 using sparse::AnyRing;
 using sparse::Integer;
 
@@ -42,31 +41,6 @@ inline void build(Engine& engine, const std::vector<std::string>& lines) {
   for (const std::string& line : lines) {
     carry_out(engine, line);
   }
-}
-
-/// H_0, H_1, ... as the engine says, without trivial groups at the top.
-inline std::vector<AbelianGroup> live_groups(Engine& engine) {
-  const engine::Homology homology = engine.homology();
-  std::vector<AbelianGroup> groups;
-  for (std::size_t p = 0; p < homology.betti.size(); ++p) {
-    groups.push_back({static_cast<sparse::Index>(homology.betti[p]), homology.torsion[p]});
-  }
-  while (!groups.empty() && groups.back().is_trivial()) {
-    groups.pop_back();
-  }
-  return groups;
-}
-
-/// The same by a Smith form of the cells' boundaries, over the ring given.
-template <sparse::Ring R>
-std::vector<AbelianGroup> groups_from_scratch(const ops::Structure& structure, const R& ring) {
-  const ops::CellBasis basis = ops::cells_at(structure, ops::now(structure));
-  std::vector<AbelianGroup> groups =
-      reductions::homology_groups(ops::chain_complex(structure, basis, ops::now(structure), ring));
-  while (!groups.empty() && groups.back().is_trivial()) {
-    groups.pop_back();
-  }
-  return groups;
 }
 
 inline std::string to_text(const CellChain& chain) {

@@ -4,8 +4,6 @@
 
 #include <zlib.h>
 
-#include <algorithm>
-#include <cstring>
 #include <memory>
 #include <string>
 #include <utility>
@@ -13,40 +11,9 @@
 
 #include "replay/text/byte_source.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/piece_input.hpp"
 
 namespace sesame::tests {
-
-/// How an input ends.
-enum class End { whole, stopped, failed };
-
-/// Yields the pieces one by one, and then ends as it should.
-class PieceInput final : public replay::ByteInput {
- public:
-  PieceInput(std::vector<std::string> pieces, End end) : pieces_{std::move(pieces)}, end_{end} {}
-
-  Result<std::size_t> read(std::span<char> to) override {
-    while (next_ < pieces_.size() && pieces_[next_].empty()) {
-      ++next_;
-    }
-    if (next_ == pieces_.size()) {
-      if (end_ == End::failed) {
-        return Error{Errc::io, "cannot read the input: it broke"};
-      }
-      return std::size_t{0};
-    }
-    std::string& piece = pieces_[next_];
-    const std::size_t size = std::min(piece.size(), to.size());
-    std::memcpy(to.data(), piece.data(), size);
-    piece.erase(0, size);
-    return size;
-  }
-  [[nodiscard]] bool is_stopped() const override { return end_ == End::stopped && next_ == pieces_.size(); }
-
- private:
-  std::vector<std::string> pieces_;
-  End end_;
-  std::size_t next_ = 0;
-};
 
 /// A source of these pieces. Its first bytes are read at once: that has to succeed.
 inline replay::ByteSource source_of(std::vector<std::string> pieces, End end, const std::string& name) {

@@ -72,7 +72,8 @@ inline ops::MakeComplex multiples_of_a_loop(const std::string& name, int n, bool
 
 /// One vertex, loops, and triangles on loops drawn at random: d_0 - d_1 + d_2 = 0 for any three, so H_1 is a random
 /// group, and its torsion does not lie on the surface.
-inline ops::MakeComplex random_relations(const std::string& name, Random& random) {
+template <class Draws>
+ops::MakeComplex random_relations(const std::string& name, Draws& random) {
   ops::MakeComplex complex{name, {{"v", {}, {}, {}}}};
   const int loops = random.in(1, 4);
   for (int k = 1; k <= loops; ++k) {
@@ -85,12 +86,14 @@ inline ops::MakeComplex random_relations(const std::string& name, Random& random
   return complex;
 }
 
-/// Draws operations one after the other. Each is legal in the state for which it was drawn.
-class RandomSteps {
+/// Draws operations one after the other. Each is legal in the state for which it was drawn. `Draws` is a Random, or
+/// draws numbers from somewhere else as that does.
+template <class Draws>
+class DrawnSteps {
  public:
-  explicit RandomSteps(unsigned seed, StreamShape shape = {}) : random_{seed}, shape_{shape} {}
+  explicit DrawnSteps(Draws random, StreamShape shape = {}) : random_{std::move(random)}, shape_{shape} {}
 
-  Random& random() { return random_; }
+  Draws& random() { return random_; }
 
   ops::Operation next(const ops::Structure& structure) {
     const std::vector<ops::CellId> cells = current_cells(structure);
@@ -368,9 +371,14 @@ class RandomSteps {
     return cone_or_suspension(std::move(op));
   }
 
-  Random random_;
+  Draws random_;
   StreamShape shape_;
   int names_ = 0;
+};
+
+class RandomSteps : public DrawnSteps<Random> {
+ public:
+  explicit RandomSteps(unsigned seed, StreamShape shape = {}) : DrawnSteps{Random{seed}, shape} {}
 };
 
 }  // namespace sesame::tests
