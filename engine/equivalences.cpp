@@ -111,7 +111,7 @@ void Equivalences::give_up(std::size_t part) {
   const Window& window = old.tracker->window();
   const ops::CellId noted_before = notes_.empty() ? ops::CellId{} : notes_.back().cells.made_since;
   if (window.begin().created >= noted_before + made_for_each_noted * std::max<std::size_t>(window.cells().size(), 1)) {
-    notes_.push_back({forgotten_ + part, {window.cells(), window.begin().created}});
+    notes_.push_back({forgotten_ + part, {window.cells(), window.begin().created, window.begin().asked}});
   }
   cells_kept_ -= old.cells;
   old.tracker.reset();

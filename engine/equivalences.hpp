@@ -49,8 +49,7 @@ struct RebasePolicy {
 ///
 /// Undoing past a rebase resumes the tracker before it exactly. Of a long history only the last ones are kept; going
 /// back further is a rebase there. So that this costs what the object of that time does, and not a look at all cells
-/// ever made, its cells are noted at some rebases, at the cost of half a byte for each cell made. (While there are lazy
-/// families all cells are looked at.)
+/// ever made, its cells are noted at some rebases, at the cost of half a byte for each cell made.
 ///
 /// Threads: one at a time, for queries too.
 class Equivalences {

@@ -91,10 +91,10 @@ struct Work {
   friend Work operator+(Work a, const Work& b) { return a += b; }
 };
 
-/// Among which cells those of the present object are: some, and all that were made since.
+/// Among which cells those of the present object are: some, and all that were made and asked for since.
 struct CellsToLookAt {
   std::vector<ops::CellId> cells;
-  ops::CellId made_since = 0;  ///< the first of these
+  ops::CellId made_since = 0, asked_since = ops::asked_node(0);  ///< the first of these
 };
 
 /// Keeps the homological equivalence C <= B => S of a structure current over one ring.

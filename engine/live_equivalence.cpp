@@ -16,33 +16,27 @@ using sparse::expects;
 
 namespace {
 
-/// The cells of the object, lazy ones written out.
-std::vector<CellId> cells_of_object(const Structure& structure) {
+/// The cells of the object, lazy ones written out, by dimension and age. Cost: those that have to be looked at, and the
+/// families.
+std::vector<CellId> current_cells(const Structure& structure, std::span<const CellId> among, CellId made_since,
+                                  CellId asked_since) {
   structure.lazy().make_all();
-  const ops::CellBasis basis = ops::cells_at(structure, ops::now(structure));
-  std::vector<CellId> cells;
-  for (const std::vector<CellId>& of_degree : basis.generators()) {
-    cells.insert(cells.end(), of_degree.begin(), of_degree.end());
-  }
-  ops::sort_by_dimension_and_age(structure, cells);
-  return cells;
-}
-
-/// The cells of the object, by dimension and age: of those made before `made_since` only some have to be looked at.
-std::vector<CellId> current_cells(const Structure& structure, std::span<const CellId> among, CellId made_since) {
-  if (structure.lazy().families() > 0) {
-    return cells_of_object(structure);
-  }
+  const bool has_families = structure.lazy().families() > 0;
   std::vector<CellId> cells;
   cells.reserve(among.size() + (structure.cells().size() - made_since));
   const auto add = [&](CellId c) {
-    if (structure.is_current(c)) {
+    if (structure.is_current(c) && !(has_families && structure.lazy().is_consumed(c))) {
       cells.push_back(c);
     }
   };
   std::for_each(among.begin(), among.end(), add);
   for (CellId c = made_since; c < structure.cells().size(); ++c) {
     add(c);
+  }
+  if (has_families) {  // else nodes that were asked for are degenerate
+    for (CellId c = asked_since; c < structure.cells().asked(); ++c) {
+      add(c);
+    }
   }
   ops::sort_by_dimension_and_age(structure, cells);
   return cells;
@@ -79,8 +73,9 @@ LiveEquivalence<R>::LiveEquivalence(R ring, Window window, const EliminationReco
 
 template <Ring R>
 std::unique_ptr<HomologyTracker> LiveEquivalence<R>::afresh() const {
+  const ops::Moment& begin = window_.begin();
   return std::make_unique<LiveEquivalence>(
-      ring_, Window{structure_, current_cells(structure_, window_.cells(), window_.begin().created)});
+      ring_, Window{structure_, current_cells(structure_, window_.cells(), begin.created, begin.asked)});
 }
 
 // ------------------------------------------------------------------------------------------------------- maintenance
@@ -250,7 +245,8 @@ std::unique_ptr<HomologyTracker> make_tracker(const sparse::AnyRing& ring, const
 
 std::unique_ptr<HomologyTracker> make_tracker_afresh(const sparse::AnyRing& ring, const Structure& structure,
                                                      const CellsToLookAt& among, const EliminationRecord* record) {
-  return make_tracker_of(ring, Window{structure, current_cells(structure, among.cells, among.made_since)}, record);
+  return make_tracker_of(
+      ring, Window{structure, current_cells(structure, among.cells, among.made_since, among.asked_since)}, record);
 }
 
 #define SESAME_INSTANTIATE(R) template class LiveEquivalence<R>;

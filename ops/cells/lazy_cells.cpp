@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace sesame::ops {
@@ -99,8 +100,12 @@ std::vector<Incidence> LazyCells::faces_of(const LazyKey& key) const {
   return faces;
 }
 
+/// Cost: O(1) when they are all there, as they are after the first time.
 void LazyCells::make_all_of(FamilyId id) const {
   const LazyFamily& family = families_[id];
+  if (made_[id].size() == std::accumulate(family.counts.begin(), family.counts.end(), std::uint64_t{0})) {
+    return;
+  }
   if (family.kind == FamilyKind::cone) {
     for (const BodyId body : family.bodies) {
       for (const CellId c : cells_of(body)) {
