@@ -11,6 +11,7 @@
 #include "engine/live_equivalence.hpp"
 #include "engine/log.hpp"
 #include "engine/log_snapshots.hpp"
+#include "engine/renewal.hpp"
 #include "engine/step_account.hpp"
 #include "sparse/contract.hpp"
 
@@ -29,6 +30,11 @@ Engine::Engine(sparse::AnyRing ring, ops::Limits limits, const RebasePolicy& reb
   rebase_log();
   refusal_log();
   object_->watch(resources_);
+  if (history_.forgets_cells && history_.undoable < UINT64_MAX / 16) {
+    renewal_ = std::make_unique<Renewal>(history_.undoable, [this] {
+      return std::make_unique<LiveObject>(ring_, limits_, rebases_, history_.undoable);
+    });
+  }
 }
 
 Engine::~Engine() = default;
@@ -134,8 +140,27 @@ Result<StepReport> Engine::apply(ops::Operation operation) {
   } catch (const std::exception& e) {  // the step has happened: what is wrong, the next one will meet
     step_log().warn("after step {}: {}", applied_, e.what());
   }
+  result->renewed = renew();
   call_observers(*result);
   return result;
+}
+
+/// After a step. Whether another object has taken the place of the one before. Where there is a log none does: an
+/// object that has forgotten nothing would have to do all its steps again, and might refuse some.
+bool Engine::renew() {
+  if (renewal_ == nullptr || has_log()) {
+    return false;
+  }
+  std::unique_ptr<LiveObject> next =
+      ask([this](LiveObject& object) { return renewal_->after_step(object, log_.back()); });
+  if (next == nullptr) {
+    return false;
+  }
+  rebases_of_others_ += object_->equivalences().rebases() + 1;
+  work_of_others_ += object_->equivalences().work();
+  object_ = std::move(next);
+  object_->watch(resources_);
+  return true;
 }
 
 Result<StepReport> Engine::attempt(ops::Operation& operation) {
@@ -188,6 +213,9 @@ void Engine::keep(ops::Operation&& operation) {
 void Engine::write_to(std::shared_ptr<StepLog> log, std::shared_ptr<LogSnapshots> snapshots) {
   written_to_ = std::move(log);
   snapshots_ = std::move(snapshots);
+  if (renewal_ != nullptr) {
+    renewal_->drop();  // it would miss steps
+  }
 }
 
 void Engine::resume(std::unique_ptr<LiveObject> object) {

@@ -28,6 +28,7 @@ namespace sesame::engine {
 template <sparse::Ring R>
 class LiveEquivalence;
 class LogSnapshots;
+class Renewal;
 class View;
 struct OpenOptions;
 struct OpenedLog;
@@ -79,7 +80,7 @@ class Engine {
   Result<ops::Plan> plan(const ops::Operation& operation);
   /// Takes back the last n steps (an Undo operation without the operation's text).
   /// When only so many can be undone, memory still grows with the cells ever made: names of those that are no more go
-  /// on denoting what became of them.
+  /// on denoting what became of them, unless HistoryPolicy::forgets_cells.
   Result<StepReport> undo(std::uint64_t steps = 1) { return apply(ops::Undo{steps}); }
   /// The number of steps that can be undone: those applied, undos and the undone not counted, the last ones of them if
   /// there is a limit.
@@ -110,10 +111,10 @@ class Engine {
   /// How often the equivalence was begun afresh from the object as it was, undone times not counted: see Equivalences.
   /// Then, and when such a step is undone, the representatives of classes may change, and the basis in which classes
   /// are written.
-  [[nodiscard]] std::uint64_t rebases() const { return object().equivalences().rebases(); }
+  [[nodiscard]] std::uint64_t rebases() const { return rebases_of_others_ + object().equivalences().rebases(); }
 
   /// What has been done so far, in terms and entries. The difference over a step is that step's cost.
-  [[nodiscard]] Work work() const { return object().equivalences().work(); }
+  [[nodiscard]] Work work() const { return work_of_others_ + object().equivalences().work(); }
 
   // ---- chains
   /// A chain from names; terms of one cell are added up. Errors: unknown_name; bad_input when the cells differ in
@@ -184,6 +185,7 @@ class Engine {
   Status bind(bool syncs);
   void bind_now_and_then();
   void call_observers(const StepReport& report) const;
+  bool renew();
 
   sparse::AnyRing ring_;
   ops::Limits limits_;
@@ -199,6 +201,9 @@ class Engine {
   std::shared_ptr<StepLog> written_to_;
   std::shared_ptr<LogSnapshots> snapshots_;
   std::vector<Observer> observers_;
+  std::unique_ptr<Renewal> renewal_;     ///< or null
+  std::uint64_t rebases_of_others_ = 0;  ///< of the objects before this one
+  Work work_of_others_;                  ///< likewise
 };
 
 }  // namespace sesame::engine

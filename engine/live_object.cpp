@@ -291,6 +291,13 @@ void LiveObject::load(sparse::ArchiveReader& from) {
              "the steps that can be undone have numbers");
 }
 
+void LiveObject::begin_with(const LiveObject& other) {
+  workspace_.begin_with(other.workspace_);
+  applied_ = other.applied_;
+  has_forgotten_ = true;
+  equivalences_.begin_afresh();
+}
+
 void LiveObject::begin_equivalence() {
   sparse::expects(!record_ || structure().lazy().families() == 0, "a record is one of an object that is written out");
   equivalences_.begin_afresh(record_ ? &*record_ : nullptr);

@@ -59,6 +59,10 @@ class LiveObject {
   /// else. Requires: the ring, the limits and the number of undoable steps are those of the object that was saved.
   /// Cost: what was made.
   void load(sparse::ArchiveReader& from);
+  /// Into a new object: the cells of another one as they are, and nothing of how they came about. None of its steps can
+  /// be undone here; its names stay as ops::Workspace::begin_with says. Requires: both were made on the same terms.
+  /// Cost: a look at all cells that the other one has known, and that of reducing the object.
+  void begin_with(const LiveObject& other);
   /// Begins the equivalence afresh. Cost: that of reducing the object.
   void begin_equivalence();
   /// How many of the undoable steps this object itself can take back: those since it was loaded.

@@ -21,14 +21,17 @@ struct SequenceSizes {
 
 /// What a step did.
 struct StepReport {
-  std::uint64_t step = 0;                 ///< counted from 1, over all steps that were applied
-  std::string_view op;                    ///< the keyword of its operation
-  ops::StepKind kind{};                   ///< what it was to the object
-  ops::Moment before, after;              ///< cells created and removed until then
-  ops::EventCounts events;                ///< of the journal, that it made or, an undo, took back
-  std::uint64_t steps_undone = 0;         ///< by an undo
-  std::uint64_t already = 0;              ///< simplices of an insertion that were there; see Plan::already
-  bool rebased = false;                   ///< the equivalence was begun afresh: see Engine::rebases
+  std::uint64_t step = 0;          ///< counted from 1, over all steps that were applied
+  std::string_view op;             ///< the keyword of its operation
+  ops::StepKind kind{};            ///< what it was to the object
+  ops::Moment before, after;       ///< cells created and removed until then
+  ops::EventCounts events;         ///< of the journal, that it made or, an undo, took back
+  std::uint64_t steps_undone = 0;  ///< by an undo
+  std::uint64_t already = 0;       ///< simplices of an insertion that were there; see Plan::already
+  bool rebased = false;            ///< the equivalence was begun afresh: see Engine::rebases
+  /// The step ended with another object in the place of the one before: see HistoryPolicy::forgets_cells. References to
+  /// parts of the engine, ids of cells and moments, those in this report too, are those of the one before.
+  bool renewed = false;
   std::optional<SequenceSizes> sequence;  ///< of a step that added or removed cells
   std::optional<ClassAnswer> answer;      ///< to a `class`
 };
@@ -39,6 +42,11 @@ struct HistoryPolicy {
   std::uint64_t undoable = UINT64_MAX;
   /// Whether `Engine::log` has all operations that were applied, or only the last one.
   bool keeps_log = true;
+  /// Whether cells are forgotten that are gone and that no undo can bring back. Then memory does not grow with the
+  /// history: see Renewal. Names of such cells need not denote anything any more, nor names of products, cones and
+  /// simplices other than those that cells are called by; ids of cells become others now and then: see
+  /// StepReport::renewed. Only where there is a limit on undo, and neither a log in memory nor one beside it.
+  bool forgets_cells = false;
 };
 
 }  // namespace sesame::engine

@@ -108,11 +108,16 @@ class Structure {
     VertexMaps maps{types};
   };
 
-  friend class Workspace;  // which saves and loads
+  class Renewal;
+  friend class Workspace;  // which saves and loads, and begins
   /// Writes down all but the journal: what can be undone is not kept. Changes nothing.
   void save(sparse::ArchiveWriter& to) const;
   /// Into a new structure, whose journal then begins; fails what is unsound. Cost: what was made, with faces and names.
   void load(sparse::ArchiveReader& from);
+  /// Into an empty structure, whose journal then begins: the present object of another one, and nothing of how it came
+  /// about. Lazy cells are written out. Cells keep the names that they are called by, and bodies theirs; so do cells
+  /// that became others after so many removals. Everything has other numbers. Cost: that of all nodes of the other one.
+  void begin_with(const Structure& other, LinkId names_since);
 
   void note(EventKind kind, std::size_t number) { journal_.append(kind, static_cast<std::uint32_t>(number)); }
   void add_cells(const Plan& plan, BodyId new_body);

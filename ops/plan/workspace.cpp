@@ -97,6 +97,12 @@ void Workspace::forget_since(Journal::Position position) {
   structure_.truncate(position);
 }
 
+void Workspace::begin_with(const Workspace& other) {
+  structure_.begin_with(other.structure_,
+                        other.steps_.empty() ? other.structure_.forest().links() : other.before(0).links);
+  forgotten_ = other.forgotten_ + other.below_ + other.steps_.size();
+}
+
 void Workspace::save(sparse::ArchiveWriter& to) const {
   structure_.save(to);
   to.put(below_ + steps_.size());

@@ -66,6 +66,11 @@ class Workspace {
   /// Forgets what queries have made since the journal was at a position. Requires: no step since then.
   void forget_since(Journal::Position position);
 
+  /// Begins with the present object of another workspace, none of whose steps can be taken back here: see
+  /// Structure::begin_with. Names stay of what its steps have removed that can still be taken back. Requires: nothing
+  /// has happened here, and the limits are the same.
+  void begin_with(const Workspace& other);
+
   // ---- archives
   /// Changes nothing.
   void save(sparse::ArchiveWriter& to) const;

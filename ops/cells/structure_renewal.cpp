@@ -1,0 +1,219 @@
+// A structure that begins with the present object of another one.
+#include <algorithm>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "ops/cells/cell_order.hpp"
+#include "ops/cells/structure.hpp"
+#include "sparse/contract.hpp"
+
+namespace sesame::ops {
+namespace {
+
+/// The cells of the object, each after its faces, and among those of a dimension by age.
+std::vector<CellId> cells_of_object(const Structure& structure) {
+  structure.lazy().make_all();
+  std::vector<CellId> cells;
+  structure.cells().for_each_node([&](CellId c) {
+    if (structure.is_current(c) && !structure.lazy().is_consumed(c)) {
+      cells.push_back(c);
+    }
+  });
+  sort_by_dimension_and_age(structure, cells);
+  return cells;
+}
+
+}  // namespace
+
+/// What one structure takes over from another.
+class Structure::Renewal {
+ public:
+  Renewal(Structure& to, const Structure& from) : to_{to}, from_{from} {}
+
+  void take_knowledge();
+  void take_bodies();
+  void take_cells();
+  void take_body_names();
+  void take_names_since(LinkId links);
+  void take_abstract();
+
+ private:
+  void take_name_of(CellId old);
+  /// The name of a node, and of its body if that is called so. `old`: a current cell of that body.
+  void add_name(const std::string& name, CellId node, CellId old);
+  [[nodiscard]] BodyId body(CellId old) const { return bodies_.at(from_.body_of(old)); }
+  /// Questions on the way may make orders that were not known when knowledge was taken.
+  [[nodiscard]] OrderId renewed(OrderId order) const {
+    return order == same_order ? OrderId{same_order} : to_.maps().order(from_.maps().permutation(order));
+  }
+  [[nodiscard]] Value renewed(const Value& value) const {
+    return {cells_.at(value.cell), value.type, value.collapsed, renewed(value.order)};
+  }
+  /// A node with faces; `face(k)`: a value of the new structure.
+  template <class Face>
+  CellId add_node(TypeId type, BodyId body, Face&& face);
+
+  Structure& to_;
+  const Structure& from_;
+  std::unordered_map<BodyId, BodyId> bodies_;
+  std::unordered_map<CellId, CellId> cells_;
+};
+
+/// Types and orders keep their numbers.
+void Structure::Renewal::take_knowledge() {
+  std::vector<char> bytes;
+  sparse::ArchiveWriter writer([&](std::span<const char> block) -> Status {
+    bytes.insert(bytes.end(), block.begin(), block.end());
+    return Done{};
+  });
+  from_.types().save(writer);
+  from_.maps().save(writer);
+  const Status written = writer.finish();
+  std::size_t at = 0;
+  sparse::ArchiveReader reader(
+      [&](std::span<char> to) -> Result<std::size_t> {
+        const std::size_t taken = std::min(to.size(), bytes.size() - at);
+        std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(at), taken, to.begin());
+        at += taken;
+        return taken;
+      },
+      bytes.size());
+  to_.types().load(reader);
+  to_.maps().load(reader);
+  sparse::expects(written && reader.is_good(), "types and orders are read as they are written");
+}
+
+void Structure::Renewal::take_bodies() {
+  for (const BodyId old : from_.bodies_.current()) {
+    bodies_.emplace(old, to_.bodies_.add(from_.bodies_.kind(old)));
+  }
+}
+
+template <class Face>
+CellId Structure::Renewal::add_node(TypeId type, BodyId body, Face&& face) {
+  const auto arity = static_cast<std::uint32_t>(to_.types().info(type).faces.size());
+  std::vector<Incidence> faces;
+  for (std::uint32_t k = 0; k < arity; ++k) {
+    faces.push_back(to_.values_.incidence_of(face(k)));
+  }
+  const CellId node = to_.cells_.add(type, to_.directory_.names().size(), body);
+  to_.forest_.add(node);
+  for (const auto& [cell, order] : faces) {
+    to_.cells_.add_face(cell, order);
+  }
+  to_.bodies_.add_cells(body, {node, node + 1});
+  return node;
+}
+
+void Structure::Renewal::take_cells() {
+  for (const CellId old : cells_of_object(from_)) {
+    const BodyId of = body(old);
+    const CellId cell = add_node(from_.cells_.type_id(old), of,
+                                 [&](std::uint32_t k) { return renewed(from_.values_.face_of_cell(old, k)); });
+    cells_.emplace(old, cell);
+    add_name(from_.name(old), cell, old);
+    if (const OrderId order = from_.directory_.named_value(old).order; order != same_order) {
+      to_.directory_.set_order(cell, renewed(order));
+    }
+    to_.count(cell, 1);
+  }
+}
+
+void Structure::Renewal::add_name(const std::string& name, CellId node, CellId old) {
+  const BodyId of = body(old);
+  const bool is_of_body = !to_.bodies_.is_named(of) && name == from_.directory_.name_of_body(from_.body_of(old));
+  if (is_of_body) {
+    to_.bodies_.set_name(of, to_.directory_.names().size());
+  }
+  to_.directory_.add(name, node, is_of_body ? of : BodyId{none});
+}
+
+/// Those that are no names of cells.
+void Structure::Renewal::take_body_names() {
+  for (const BodyId old : from_.bodies_.current()) {
+    const BodyId of = bodies_.at(old);
+    if (!to_.bodies_.is_named(of)) {
+      to_.bodies_.set_name(of, to_.directory_.names().size());
+      to_.directory_.add(from_.directory_.name_of_body(old), none, of);
+    }
+  }
+}
+
+/// Those of cells that have become others since, or are called by another name since they are others as well.
+void Structure::Renewal::take_names_since(LinkId links) {
+  for (LinkId link = links; link < from_.forest_.links(); ++link) {
+    const CellId removed = from_.forest_.removed(link);
+    take_name_of(removed);
+    if (const CellId survivor = from_.forest_.parent(removed); survivor != none) {
+      take_name_of(survivor);
+    }
+  }
+}
+
+/// As that of a node that has become what the other one has: so a name keeps its order.
+void Structure::Renewal::take_name_of(CellId old) {
+  const Value value = from_.values_.of(old);
+  if (is_asked_for(old) || !cells_.contains(value.cell)) {
+    return;
+  }
+  const std::string name = from_.directory_.own_name(old);
+  if (to_.directory_.find(name)) {
+    return;
+  }
+  const Value is_now = renewed(value);
+  const CellId node = add_node(from_.cells_.type_id(old), to_.cells_.body(is_now.cell),
+                               [&](std::uint32_t k) { return to_.values_.face(is_now, k); });
+  add_name(name, node, value.cell);
+  if (const OrderId order = from_.directory_.order_of_own_name(old); order != same_order) {
+    to_.directory_.set_order(node, renewed(order));
+  }
+  to_.forest_.begin_step();
+  if (is_now.is_degenerate()) {
+    to_.forest_.link_squashed(node, is_now);
+  } else {
+    to_.forest_.link(node, is_now.cell, is_now.order, to_.maps().sign(is_now.order), is_now.cell);
+  }
+}
+
+/// Vertices that are there, by the labels that they are called by.
+void Structure::Renewal::take_abstract() {
+  const auto is_abstract = [&](CellId old, CellId cell) {
+    return from_.abstract_.contains(old) && to_.bodies_.kind(to_.cells_.body(cell)).is_abstract;
+  };
+  std::vector<std::pair<CellId, CellId>> simplices;
+  for (const auto& [old, cell] : cells_) {
+    if (is_abstract(old, cell)) {
+      simplices.emplace_back(cell, old);
+    }
+  }
+  std::sort(simplices.begin(), simplices.end());
+  std::unordered_map<VertexId, VertexId> vertices;
+  for (const auto& [cell, old] : simplices) {
+    std::vector<VertexId> renewed;
+    for (const VertexId vertex : from_.abstract_.vertices(old)) {
+      const auto [at, is_new] = vertices.try_emplace(vertex);
+      if (is_new) {  // its own simplex comes first
+        const LabelId label = to_.abstract_.add_label(from_.abstract_.text(from_.abstract_.label_of(vertex)));
+        at->second = VertexId{std::uint32_t{label}};
+      }
+      renewed.push_back(at->second);
+    }
+    to_.abstract_.include(cell, renewed);
+  }
+}
+
+void Structure::begin_with(const Structure& other, LinkId names_since) {
+  sparse::expects(cells_.size() == 0 && bodies_.size() == 0, "only what is empty begins with another object");
+  Renewal renewal(*this, other);
+  renewal.take_knowledge();
+  renewal.take_bodies();
+  renewal.take_cells();
+  renewal.take_names_since(names_since);
+  renewal.take_body_names();
+  renewal.take_abstract();
+  journal_.clear();
+}
+
+}  // namespace sesame::ops
