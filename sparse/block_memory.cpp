@@ -1,8 +1,11 @@
 #include "sparse/block_memory.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <cstring>
+
+#include "sparse/block_statistics.hpp"
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -16,6 +19,8 @@ namespace sesame::sparse {
 
 namespace {
 
+std::atomic<std::size_t> all_pages{0};  // bytes; a statistic, which orders nothing
+
 bool has_pages(std::size_t bytes) { return bytes >= least_bytes_of_pages; }
 
 void* allocate(std::size_t bytes) {
@@ -23,7 +28,11 @@ void* allocate(std::size_t bytes) {
     return std::malloc(bytes);
   }
   void* const pages = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  return pages == MAP_FAILED ? nullptr : pages;
+  if (pages == MAP_FAILED) {
+    return nullptr;
+  }
+  all_pages.fetch_add(bytes, std::memory_order_relaxed);
+  return pages;
 }
 
 }  // namespace
@@ -31,7 +40,11 @@ void* allocate(std::size_t bytes) {
 void* resize_block(void* block, std::size_t bytes, std::size_t wanted) noexcept {
   if (block != nullptr && has_pages(bytes) && has_pages(wanted)) {
     void* const moved = mremap(block, bytes, wanted, MREMAP_MAYMOVE);
-    return moved == MAP_FAILED ? nullptr : moved;
+    if (moved == MAP_FAILED) {
+      return nullptr;
+    }
+    all_pages.fetch_add(wanted - bytes, std::memory_order_relaxed);  // modulo 2^64: it may become smaller
+    return moved;
   }
   if (!has_pages(bytes) && !has_pages(wanted)) {
     return std::realloc(block, wanted);
@@ -47,10 +60,13 @@ void* resize_block(void* block, std::size_t bytes, std::size_t wanted) noexcept 
 void release_block(void* block, std::size_t bytes) noexcept {
   if (block != nullptr && has_pages(bytes)) {
     munmap(block, bytes);
+    all_pages.fetch_sub(bytes, std::memory_order_relaxed);
   } else {
     std::free(block);
   }
 }
+
+std::size_t bytes_of_pages() noexcept { return all_pages.load(std::memory_order_relaxed); }
 
 #else
 
@@ -59,6 +75,8 @@ void* resize_block(void* block, std::size_t /*bytes*/, std::size_t wanted) noexc
 }
 
 void release_block(void* block, std::size_t /*bytes*/) noexcept { std::free(block); }
+
+std::size_t bytes_of_pages() noexcept { return 0; }
 
 #endif
 
