@@ -20,6 +20,8 @@ namespace sesame::engine {
 /// Cost: an object has a successor for about one of nine steps, which then costs twice; beginning one, the cells made
 /// since the last one, of which there are several for each that is there. Memory: that of some times the object, and of
 /// some times the steps that can be undone.
+///
+/// Threads: one at a time, for queries too.
 class Renewal {
  public:
   using Begin = std::function<std::unique_ptr<LiveObject>()>;
