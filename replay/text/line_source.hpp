@@ -18,8 +18,8 @@ namespace sesame::replay {
 inline constexpr std::size_t longest_line = std::size_t{1} << 30;
 
 /// Where the line that begins at `begin` ends in the window of a source: at a line feed, or where the input ends.
-/// Errors: those of the source; bad_input for a line, of this number, that is longer than `longest`, or has a zero byte:
-/// data that are no text may have no lines, and are not to be read to their end.
+/// Errors: those of the source; bad_input for a line, of this number, that is longer than `longest`, or has a zero
+/// byte: data that are no text may have no lines, and are not to be read to their end.
 Result<std::size_t> find_line_end(ByteSource& source, std::size_t begin, std::uint64_t line, std::size_t longest);
 
 /// Reads line by line, nothing after an error. A line that was still being written when the input was stopped is none.
