@@ -45,6 +45,10 @@ void ClassSpace<R>::store(Record& record, std::span<const TermType> terms) {
   const auto size = static_cast<std::uint32_t>(terms.size());
   garbage_ += room;
   record.size = size;
+  if (size == 0) {
+    record.at = {0};  // a place that is in the pool, however little is there
+    return;
+  }
   if constexpr (has_inline_terms) {
     if (size == 1) {
       record.at = terms[0];
