@@ -151,8 +151,20 @@ bool Engine::renew() {
   if (renewal_ == nullptr || has_log()) {
     return false;
   }
-  std::unique_ptr<LiveObject> next =
-      ask([this](LiveObject& object) { return renewal_->after_step(object, log_.back()); });
+  std::unique_ptr<LiveObject> next;
+  try {
+    if (!renewal_->after_step(object(), log_.back())) {
+      return false;
+    }
+    next = renewal_->successor(object(), homology());
+  } catch (const std::bad_alloc&) {  // which is no matter to the step, that has happened
+    renewal_->drop();
+    if (is_void_ || object_->structure().lazy().families() > 0) {
+      give_up();
+      throw;
+    }
+    renewal_->end(*object_);
+  }
   if (next == nullptr) {
     return false;
   }

@@ -29,21 +29,22 @@ bool have_same_groups(const Homology& one, const Homology& other) {
 
 }  // namespace
 
-std::unique_ptr<LiveObject> Renewal::after_step(LiveObject& object, const ops::Operation& step) {
+bool Renewal::after_step(const LiveObject& object, const ops::Operation& step) {
   if (next_ == nullptr) {
     if (is_time(object)) {
       begin(object);
     }
-    return nullptr;
+    return false;
   }
   if (!follows(object, step)) {
     end(object);
-    return nullptr;
+    return false;
   }
-  if (next_->undoable() < undoable_) {
-    return nullptr;
-  }
-  if (!have_same_groups(object.homology(), next_->homology())) {
+  return next_->undoable() >= undoable_;
+}
+
+std::unique_ptr<LiveObject> Renewal::successor(const LiveObject& object, const Homology& groups) {
+  if (!have_same_groups(groups, next_->homology())) {
     rebase_log().error("a successor of the object has other groups, and is dropped");
     end(object);
     return nullptr;
@@ -64,7 +65,7 @@ void Renewal::end(const LiveObject& object) {
   next_time_ = object.applied() + undoable_;
 }
 
-void Renewal::begin(LiveObject& object) {
+void Renewal::begin(const LiveObject& object) {
   begun_ = object.applied();
   next_time_ = begun_ + undoable_between * undoable_;
   next_ = begin_();

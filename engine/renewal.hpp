@@ -29,15 +29,20 @@ class Renewal {
   /// `undoable`: so many steps can be undone. `begin` makes an empty object on the terms of the others.
   Renewal(std::uint64_t undoable, Begin begin) : undoable_{undoable}, begin_{std::move(begin)} {}
 
-  /// To be called after each step of the object. Returns the successor when it is to take the place of the object.
-  [[nodiscard]] std::unique_ptr<LiveObject> after_step(LiveObject& object, const ops::Operation& step);
+  /// To be called after each step of the object. Whether there is a successor that can take the place of the object.
+  /// When memory runs out there is none, and the object is as it was, unless it has lazy cells, of which some may have
+  /// been under way.
+  [[nodiscard]] bool after_step(const LiveObject& object, const ops::Operation& step);
+  /// The successor, when it has these groups, which are those of the object; or null. Requires: there is one.
+  [[nodiscard]] std::unique_ptr<LiveObject> successor(const LiveObject& object, const Homology& groups);
   /// Another object has taken the place, or may have: there is no successor.
   void drop() { next_.reset(); }
+  /// The same, and no other is begun soon.
+  void end(const LiveObject& object);
 
  private:
   [[nodiscard]] bool is_time(const LiveObject& object) const;
-  void end(const LiveObject& object);
-  void begin(LiveObject& object);
+  void begin(const LiveObject& object);
   /// Whether the successor has done the step as well.
   [[nodiscard]] bool follows(const LiveObject& object, const ops::Operation& step);
 

@@ -8,6 +8,7 @@
 
 #include "engine/answer_hash.hpp"
 #include "engine/open.hpp"
+#include "engine/renewal.hpp"
 #include "engine/view.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/logs.hpp"
@@ -242,6 +243,51 @@ TEST_CASE("memory that runs out while a view is taken or asked leaves engine and
     REQUIRE(answers_of(engine) == right);
   }
   CHECK(failing > 100);
+}
+
+TEST_CASE("memory that runs out while an object is renewed is no matter to the object", "[engine][renewal]") {
+  keep_gmp_and_flint_out();
+  static constexpr std::uint64_t undoable = 4;
+  const auto new_object = [] {
+    return std::make_unique<engine::LiveObject>(sparse::Integers{}, ops::Limits{}, engine::RebasePolicy{}, undoable);
+  };
+  int cut_off = 0, renewals = 0;
+  for (std::uint64_t failing = 1; failing < 2000; failing = failing * 5 / 4 + 1) {
+    CAPTURE(failing);
+    std::unique_ptr<engine::LiveObject> object = new_object();
+    engine::Renewal renewal(undoable, new_object);
+    const auto carry_out = [&](const ops::Operation& step) {
+      REQUIRE(object->apply(step, [](const ops::Operation&) { return Done{}; }));
+      failure = {true, 0, failing};
+      bool is_ready = false;
+      try {
+        is_ready = renewal.after_step(*object, step);
+        failure.armed = false;
+      } catch (const std::bad_alloc&) {
+        failure.armed = false;
+        ++cut_off;
+        renewal.end(*object);
+      }
+      if (is_ready) {
+        if (auto successor = renewal.successor(*object, object->homology())) {
+          object = std::move(successor);
+          ++renewals;
+        }
+      }
+    };
+    carry_out(ops::MakeSimplex{"t", 2, {}});
+    for (int k = 0; k < 1800; ++k) {  // cells come and go
+      const std::string name = "x" + std::to_string(k);
+      carry_out(ops::MakeSimplex{name, 1, {}});
+      carry_out(ops::Degenerate{name, 1, 0});
+      carry_out(ops::Identify{{{"t.0", name + ".0"}}});
+    }
+    REQUIRE(object->cells()[0] == 3);
+    REQUIRE(object->homology().betti == std::vector<std::int64_t>{1, 0, 0});
+    REQUIRE(object->first_defect() == std::nullopt);
+  }
+  CHECK(cut_off > 20);
+  CHECK(renewals > 0);
 }
 
 TEST_CASE("an observer that throws stops neither the step nor the other observers", "[engine]") {
