@@ -45,7 +45,8 @@ class Run {
     std::unique_ptr<engine::Engine> own;
     std::unique_ptr<engine::Engine>& owner = options_.engine != nullptr ? *options_.engine : own;
     owner = std::make_unique<engine::Engine>(*ring, options_.limits, engine::RebasePolicy{},
-                                             engine::HistoryPolicy{options_.undoable, false}, options_.resources);
+                                             engine::HistoryPolicy{options_.undoable, false, options_.forgets_cells},
+                                             options_.resources);
     engine::Engine& engine = *owner;
     if (options_.observer) {
       engine.observe(options_.observer);

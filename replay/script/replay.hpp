@@ -52,6 +52,7 @@ struct ReplayOptions {
   engine::Resources resources;              ///< that the session may take; beyond them a step is refused
   std::optional<std::chrono::duration<double>> most_time;  ///< then no further step is taken: limit_reached
   std::uint64_t undoable = UINT64_MAX;                     ///< so many steps can be undone; with `needs_barcode`, all
+  bool forgets_cells = false;                              ///< that are gone and cannot come back: see HistoryPolicy
   /// Where the engine is put instead of being destroyed, which takes a tenth of the time: for a program that ends then.
   std::unique_ptr<engine::Engine>* engine = nullptr;
   /// Where the steps are written, before they happen. When that fails the replay ends with wrong_usage.

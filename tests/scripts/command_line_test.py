@@ -92,13 +92,27 @@ class Replay(unittest.TestCase):
 
     def test_wrong_usage_is_status_1(self):
         for arguments in (["replay"], ["replay", "/nowhere/at/all.jsonl"], ["replay", "--ring", "Z/4", "-"], ["no"],
-                          ["replay", "--until", "0", "-"], ["replay", "--undo-limit", "-1", "-"], ["replay", "/"], [],
-                          ["help", "nothing"],
+                          ["replay", "--until", "0", "-"], ["replay", "--undo-limit", "-1", "-"],
+                          ["replay", "--forget", "-"], ["replay", "--forget", "--undo-limit", "9", "--verify", "-"],
+                          ["replay", "/"], [], ["help", "nothing"],
                           ["import", "/nowhere.off"], ["replay", "--every", "-1", "-"], ["replay", "--every", "x", "-"],
                           ["import", "--weld", "nan", "/nowhere.off"]):
             done = run(*arguments, text="")
             self.assertEqual((arguments, done.returncode), (arguments, 1))
             self.assertNotEqual(done.stderr, "")
+
+    def test_cells_that_are_gone_can_be_forgotten(self):
+        steps = "".join(f'{{"op":"simplex","name":"x{k}","dim":1}}\n{{"op":"degenerate","cell":"x{k}","along":0}}\n'
+                        f'{{"op":"identify","pairs":[["t.0","x{k}.0"]]}}\n' for k in range(2000))
+        script = HEADER + TRIANGLE + steps
+        limited = ["--quiet", "--json", "--undo-limit", "5"]
+        kept, forgotten = (json.loads(replay(script, *limited, *more).stdout.splitlines()[-1])
+                           for more in ([], ["--forget"]))
+        del kept["seconds"], forgotten["seconds"]
+        self.assertEqual(kept, forgotten)
+        # A name that nobody can come back to is free again.
+        again = script + '{"op":"simplex","name":"x7","dim":1}\n'
+        self.assertEqual([replay(again, *limited, *more).returncode for more in ([], ["--forget"])], [2, 0])
 
     def test_a_wrong_script_is_status_2_with_its_place(self):
         cases = {

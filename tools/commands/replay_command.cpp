@@ -48,6 +48,7 @@ struct Arguments {
   std::uint64_t every = 0;
   std::size_t longest_line = replay::longest_line;
   std::uint64_t undoable = UINT64_MAX;
+  bool forgets_cells = false;
   std::int64_t explicit_cones = ops::Limits{}.cells_of_explicit_cone;
   std::string log;
   LogFile::Old old_log = LogFile::Old::is_refused;
@@ -217,6 +218,7 @@ int run_replay(Arguments& arguments, bool& is_superseded) {
   options.verify = arguments.verify;
   options.limits.cells_of_explicit_cone = arguments.explicit_cones;
   options.undoable = arguments.undoable;
+  options.forgets_cells = arguments.forgets_cells;
   options.resources = arguments.resources;
   if (arguments.most_seconds > 0) {
     options.most_time = std::chrono::duration<double>(arguments.most_seconds);
@@ -271,16 +273,17 @@ void add_replay_command(CLI::App& app, int& status) {
   command->add_flag("--json", arguments->json, "One JSON object per reported step on standard output");
   add_generator_options(*command, arguments->generators,
                         "The generators of the homology groups at the end; =1 or =0-2,4: of these dimensions only");
-  command->add_flag("--verify", arguments->verify, "Check every law after every step (slow)");
+  CLI::Option* verify = command->add_flag("--verify", arguments->verify, "Check every law after every step (slow)");
   command
       ->add_option("--explicit-cones", arguments->explicit_cones,
                    "Write cones over whole bodies of up to N cells out; of larger ones only the cells that are used")
       ->capture_default_str()
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000}));
-  command
-      ->add_option("--undo-limit", arguments->undoable,
-                   "Keep what it takes to undo the last N steps only: less memory in long sessions; default: all")
-      ->check(from_one_on());
+  CLI::Option* undo_limit =
+      command
+          ->add_option("--undo-limit", arguments->undoable,
+                       "Keep what it takes to undo the last N steps only: less memory in long sessions; default: all")
+          ->check(from_one_on());
   add_size(*command, "--max-memory", arguments->resources.most_bytes,
            "Refuse a step that would bring the program beyond so much memory: 500M, 2G");
   command
@@ -290,6 +293,12 @@ void add_replay_command(CLI::App& app, int& status) {
   command->add_option("--max-time", arguments->most_seconds, "Take no further step after so many seconds")
       ->check(above_zero());
   CLI::Option* log = command->add_option("--log", arguments->log, "Keep the steps that were applied in this file");
+  command
+      ->add_flag("--forget", arguments->forgets_cells,
+                 "With --undo-limit: forget cells that are gone, and their names, when no undo can bring them back")
+      ->needs(undo_limit)
+      ->excludes(log)
+      ->excludes(verify);
   const auto old_log = [&](const char* name, LogFile::Old old, const char* description) {
     const auto choose = [arguments, old](std::int64_t) { arguments->old_log = old; };
     return command->add_flag_function(name, choose, description)->needs(log);
