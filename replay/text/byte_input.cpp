@@ -125,7 +125,8 @@ class FollowedFile final : public FileInput {
       return "removed";
     }
     if (!path_.empty() && stat(path_.c_str(), &named) != 0) {
-      return "moved away";
+      struct stat since {};  // it may have been there when `now` was asked for
+      return fstat(descriptor(), &since) == 0 && since.st_nlink == 0 ? "removed" : "moved away";
     }
     const bool is_other = !path_.empty() && (named.st_dev != now.st_dev || named.st_ino != now.st_ino);
     return is_other ? "replaced" : nullptr;
