@@ -10,6 +10,11 @@ namespace sesame::tools {
 
 double Measure::to_double() const { return std::ldexp(value, exponent); }
 
+bool is_less(const Measure& a, const Measure& b) {
+  const int exponent = std::max(a.exponent, b.exponent);
+  return std::ldexp(a.value, a.exponent - exponent) < std::ldexp(b.value, b.exponent - exponent);
+}
+
 std::string to_text(const Measure& measure) {
   const double number = measure.to_double();
   if (measure.value == 0 || std::isnormal(number)) {
@@ -40,6 +45,14 @@ int binary_exponent(std::span<const Point> points) {
 
 Point scaled(const Point& point, int exponent) {
   return {std::ldexp(point[0], exponent), std::ldexp(point[1], exponent), std::ldexp(point[2], exponent)};
+}
+
+std::vector<Point> within_one(std::vector<Point> points) {
+  const int exponent = binary_exponent(points);
+  for (Point& point : points) {
+    point = scaled(point, -exponent);
+  }
+  return points;
 }
 
 }  // namespace sesame::tools

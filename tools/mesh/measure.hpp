@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "tools/mesh/mesh.hpp"
 
@@ -18,6 +19,9 @@ struct Measure {
   [[nodiscard]] double to_double() const;
 };
 
+/// Whether one is less than another, both as they are beyond the doubles.
+[[nodiscard]] bool is_less(const Measure& a, const Measure& b);
+
 /// Six digits, as `%g` has them.
 [[nodiscard]] std::string to_text(const Measure& measure);
 
@@ -26,5 +30,9 @@ struct Measure {
 
 /// The point times 2^exponent. Nothing is rounded unless it falls below the normal doubles.
 [[nodiscard]] Point scaled(const Point& point, int exponent);
+
+/// The points, scaled by a power of two to within 1 of the origin: so no distance between them is too large for a
+/// double.
+[[nodiscard]] std::vector<Point> within_one(std::vector<Point> points);
 
 }  // namespace sesame::tools

@@ -53,7 +53,9 @@ Result<MeshHomology> mesh_homology(const Mesh& mesh, const MeshHomologyOptions& 
   if (options.generators) {
     const MeshCells cells(parts, result.engine->structure(), options.source);
     add(components_of(cells), result);
-    add(loops_of(cells, *result.engine, options.ring), result);
+    FoundGenerators loops = loops_of(cells, *result.engine, options.ring, result.validity);
+    result.sorting = std::move(loops.sorting);
+    add(std::move(loops), result);
     add(surfaces_of(cells, *result.engine, options.ring), result);
   }
   return result;
