@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "engine/engine.hpp"
@@ -12,12 +13,14 @@
 #include "tests/tools/mesh_support.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/mesh/script.hpp"
+#include "tools/mesh/validity.hpp"
 
 namespace sesame::tools {
 
 namespace {
 
 using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
 using nlohmann::json;
 using tests::Captured;
 
@@ -68,6 +71,86 @@ TEST_CASE("sesame mesh --json gives one object with validity, groups and generat
     CHECK(generator.at("length").get<double>() > 0);
     CHECK(generator.at("vertices").size() == generator.at("chain").size());
   }
+}
+
+TEST_CASE("sesame mesh --json says on which side loops bound, and where they are") {
+  const json object = json::parse(run({"--json", mesh_path("torus.off")}).out);
+  CHECK(object.at("validity").at("components").at(0).at("loops_sorted") == true);
+  CHECK(object.at("validity").at("components").at(0).at("loops_not_sorted").is_null());
+  CHECK(object.at("loops_left_out") == 0);
+  const Mesh mesh = read_fixture("torus.off");
+  std::multiset<std::string> sides;
+  for (const json& generator : object.at("generators")) {
+    if (generator.at("dim") != 1) {
+      CHECK_FALSE(generator.contains("loop"));
+      continue;
+    }
+    sides.insert(generator.at("loop"));
+    CHECK(generator.at("component") == 0);
+    const auto vertices = generator.at("vertices").get<std::vector<std::uint32_t>>();
+    const auto& edges = generator.at("edges");
+    REQUIRE(generator.at("points").size() == vertices.size());
+    REQUIRE(edges.size() == vertices.size());
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      CHECK(generator.at("points").at(k) == json(mesh.points[vertices[k]]));
+      CHECK(edges.at(k) == json::array({vertices[k], vertices[(k + 1) % vertices.size()], 1}));
+    }
+  }
+  CHECK(sides == std::multiset<std::string>{"handle", "tunnel"});
+}
+
+TEST_CASE("loops of what has no inside have no side, and sesame mesh says why") {
+  const json object = json::parse(run({"--json", mesh_path("moebius.off")}).out);
+  CHECK(object.at("validity").at("components").at(0).at("loops_sorted") == false);
+  for (const json& generator : object.at("generators")) {
+    CHECK((generator.at("dim") != 1 || generator.at("loop").is_null()));
+  }
+  const Run text = run({mesh_path("moebius.off")});
+  CHECK_THAT(text.out, Contains("no side: it is not orientable, so it has no inside"));
+  CHECK_THAT(text.out, !Contains("handle, length"));
+}
+
+TEST_CASE("sesame mesh --shorter-than leaves out long loops, and says how many") {
+  const json object = json::parse(run({"--json", "--shorter-than", "5", mesh_path("torus.off")}).out);
+  CHECK(object.at("shorter_than") == 5);
+  CHECK(object.at("loops_left_out") == 1);
+  CHECK(object.at("generators").size() == 3);
+  const Run text = run({"--shorter-than", "5", mesh_path("torus.off")});
+  CHECK_THAT(text.out, Contains("handle, length 4.82843"));
+  CHECK_THAT(text.out, !Contains("tunnel, length"));
+  CHECK_THAT(text.out, Contains("Left out: 1 loop of length 5 or more"));
+  CHECK(run({"--shorter-than", "0", mesh_path("torus.off")}).status == 1);
+}
+
+TEST_CASE("sesame mesh writes its loops into files, as drawings and as a table") {
+  const tests::TemporaryFile obj{""};
+  const tests::TemporaryFile ply{""};
+  const tests::TemporaryFile vtk{""};
+  const tests::TemporaryFile csv{""};
+  const Run result =
+      run({"--obj", obj.path(), "--ply", ply.path(), "--vtk", vtk.path(), "--csv", csv.path(), mesh_path("torus.off")});
+  CHECK(result.errors.empty());
+  REQUIRE(result.status == 0);
+  CHECK_THAT(contents_at(obj.path()), Contains("g H1_0_handle\nl ") && Contains("g H1_1_tunnel\nl "));
+  CHECK_THAT(contents_at(ply.path()), Contains("property int H1_0_handle") && Contains("element vertex 9\n"));
+  CHECK_THAT(contents_at(vtk.path()), Contains("SCALARS H1_1_tunnel int 1"));
+  const std::string table = contents_at(csv.path());
+  CHECK(std::count(table.begin(), table.end(), '\n') == 7);
+  CHECK_THAT(table, StartsWith("loop,side,component,order,length,edge,from,to,times,x1,y1,z1,x2,y2,z2\n"
+                               "0,handle,0,0,4.82843,0,0,1,1,"));
+  CHECK_THAT(table, Contains("\n1,tunnel,0,0,10.3862,2,7,1,1,"));
+  // Drawings are meshes again, with the same surface on them.
+  for (const auto& [path, name] : {std::pair{obj.path(), "again.obj"}, {ply.path(), "again.ply"}}) {
+    const Validity again = validate(parsed(contents_at(path), name));
+    CHECK(again.components.size() == 1);
+    CHECK(again.components.at(0).genus() == 1);
+  }
+}
+
+TEST_CASE("the report and a drawing cannot both go to standard output") {
+  const Run result = run({"--csv", "-", mesh_path("torus.off")});
+  CHECK(result.status == 1);
+  CHECK_THAT(result.errors, Contains("should name files"));
 }
 
 TEST_CASE("chains of sesame mesh can be asked about in the script of sesame import") {

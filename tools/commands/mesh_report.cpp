@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <set>
 
 #include "replay/script/groups.hpp"
 #include "sesame/version.hpp"
@@ -41,23 +42,30 @@ Json number(const Measure& measure) {
   return measure.value == 0 || std::isnormal(value) ? Json(value) : Json(to_text(measure));
 }
 
-Json validity_object(const Validity& validity, const std::vector<std::string>& more_remarks) {
+Json validity_object(const MeshHomology& found) {
+  const Validity& validity = found.validity;
   Json components = Json::array();
-  for (const Component& component : validity.components) {
+  for (std::size_t k = 0; k < validity.components.size(); ++k) {
+    const Component& component = validity.components[k];
     const auto genus = component.genus();
-    components.push_back({{"vertices", component.vertices},
-                          {"edges", component.edges},
-                          {"faces", component.faces},
-                          {"euler", component.euler()},
-                          {"boundary_edges", component.boundary_edges},
-                          {"boundary_loops", component.boundary_loops},
-                          {"manifold", component.is_manifold},
-                          {"orientable", component.is_orientable},
-                          {"closed", component.is_closed()},
-                          {"genus", genus ? Json(*genus) : Json(nullptr)}});
+    Json& object = components.emplace_back(Json({{"vertices", component.vertices},
+                                                 {"edges", component.edges},
+                                                 {"faces", component.faces},
+                                                 {"euler", component.euler()},
+                                                 {"boundary_edges", component.boundary_edges},
+                                                 {"boundary_loops", component.boundary_loops},
+                                                 {"manifold", component.is_manifold},
+                                                 {"orientable", component.is_orientable},
+                                                 {"closed", component.is_closed()},
+                                                 {"genus", genus ? Json(*genus) : Json(nullptr)}}));
+    if (k < found.sorting.size()) {
+      const auto& [is_sorted, why_not] = found.sorting[k];
+      object["loops_sorted"] = is_sorted;
+      object["loops_not_sorted"] = why_not.empty() ? Json(nullptr) : Json(why_not);
+    }
   }
   Json remarks = validity.remarks;
-  for (const std::string& remark : more_remarks) {
+  for (const std::string& remark : found.remarks) {
     remarks.push_back(remark);
   }
   return {{"points_in_file", validity.points_in_file},
@@ -83,15 +91,39 @@ Json validity_object(const Validity& validity, const std::vector<std::string>& m
           {"remarks", std::move(remarks)}};
 }
 
+/// Of the vertices of a loop.
+Json points_of(const MeshGenerator& generator) {
+  Json points = Json::array();
+  for (const CycleEdge& edge : generator.edges) {
+    if (!generator.vertices.empty()) {
+      points.push_back(edge.points[0]);
+    }
+  }
+  return points;
+}
+
+/// How a cycle runs along edges: from, to and how often.
+Json edges_of(const MeshGenerator& generator) {
+  Json edges = Json::array();
+  for (const CycleEdge& edge : generator.edges) {
+    edges.push_back(Json::array({edge.vertices[0], edge.vertices[1], number(edge.times)}));
+  }
+  return edges;
+}
+
 Json generator_object(const MeshGenerator& generator, const ops::Structure& structure) {
   Json out{{"dim", generator.degree}, {"order", number(generator.order)}};
   if (generator.degree < 2) {
     out["vertices"] = generator.vertices;
   }
   if (generator.degree == 1) {
+    out["points"] = points_of(generator);
+    out["loop"] = generator.side ? Json(side_name(*generator.side)) : Json(nullptr);
+    out["component"] = generator.part;
     out["length"] = number(generator.length);
     out["closed"] = !generator.vertices.empty();
     out["short"] = generator.is_short;
+    out["edges"] = edges_of(generator);
   }
   if (generator.degree == 2) {
     out["triangles"] = generator.triangles;
@@ -125,11 +157,18 @@ void write_json(std::ostream& out, const MeshHomology& found, const MeshReportOp
     }
     generators.push_back(generator_object(generator, engine.structure()));
   }
-  const Json object{{"mesh", options.source},           {"ring", sparse::ring_name(found.ring)},
-                    {"version", SESAME_VERSION},        {"validity", validity_object(found.validity, found.remarks)},
-                    {"cells", engine.cells()},          {"euler", engine.euler_characteristic()},
-                    {"betti", found.homology.betti},    {"torsion", std::move(torsion)},
-                    {"loops_tried", found.loops_tried}, {"generators", std::move(generators)},
+  const Json object{{"mesh", options.source},
+                    {"ring", sparse::ring_name(found.ring)},
+                    {"version", SESAME_VERSION},
+                    {"validity", validity_object(found)},
+                    {"cells", engine.cells()},
+                    {"euler", engine.euler_characteristic()},
+                    {"betti", found.homology.betti},
+                    {"torsion", std::move(torsion)},
+                    {"loops_tried", found.loops_tried},
+                    {"generators", std::move(generators)},
+                    {"shorter_than", options.shorter_than ? Json(*options.shorter_than) : Json(nullptr)},
+                    {"loops_left_out", options.loops_left_out},
                     {"seconds", options.seconds}};
   // The path of the mesh may be no UTF-8.
   out << object.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
@@ -242,14 +281,42 @@ void print_generator(std::ostream& out, const MeshGenerator& generator, std::siz
     out << "; " << place_text(generator) << '\n';
     return;
   }
-  out << fmt::format("  {:>4}  length {}, {}{}; {}\n", number, to_text(generator.length),
-                     counted(generator.chain.terms.size(), "edge", "edges"),
-                     generator.order.is_zero() ? "" : ", of order " + generator.order.to_string(),
-                     place_text(generator));
+  out << fmt::format(
+      "  {:>4}  {}length {}, {}{}; {}\n", number, generator.side ? std::string{side_name(*generator.side)} + ", " : "",
+      to_text(generator.length), counted(generator.chain.terms.size(), "edge", "edges"),
+      generator.order.is_zero() ? "" : ", of order " + generator.order.to_string(), place_text(generator));
   if (generator.vertices.empty()) {
     out << "        not one loop: " << replay::chain_text(generator.chain, structure, most_terms) << '\n';
   } else {
     out << fmt::format("        vertices {}\n", fmt::join(generator.vertices, " "));
+  }
+}
+
+/// What handle and tunnel mean, and which components have neither.
+void print_sides(std::ostream& out, const MeshHomology& found, bool any_side) {
+  constexpr std::size_t most_components = 10;
+  if (any_side) {
+    out << "A handle loop bounds inside its surface, so a disc there would cut a handle; a tunnel loop bounds outside, "
+           "so\n"
+           "a disc there would close a tunnel. Each closed surface is looked at as if it were alone, and taken not to "
+           "meet\n"
+           "itself.\n";
+  }
+  std::set<std::uint32_t> without;
+  for (const MeshGenerator& generator : found.generators) {
+    if (generator.degree == 1 && !generator.side) {
+      without.insert(generator.part);
+    }
+  }
+  std::size_t unsorted = 0;
+  for (const std::uint32_t part : without) {
+    if (const std::string& why_not = found.sorting[part].why_not; !why_not.empty() && ++unsorted <= most_components) {
+      out << fmt::format("The loops of component {} have no side: {}.\n", part, why_not);
+    }
+  }
+  if (unsorted > most_components) {
+    out << fmt::format("Nor have those of {}.\n",
+                       counted(unsorted - most_components, "other component", "other components"));
   }
 }
 
@@ -260,6 +327,8 @@ void print_notes(std::ostream& out, const MeshHomology& found, const MeshReportO
       is_obj ? " (OBJ itself counts from 1)" : "");
   const auto short_ones = std::count_if(found.generators.begin(), found.generators.end(),
                                         [](const MeshGenerator& g) { return g.is_short; });
+  const bool any_side = std::any_of(found.generators.begin(), found.generators.end(),
+                                    [](const MeshGenerator& g) { return g.side.has_value(); });
   const auto others = std::count_if(found.generators.begin(), found.generators.end(),
                                     [](const MeshGenerator& g) { return g.degree == 1 && !g.is_short; });
   if (short_ones + others > 0) {
@@ -267,9 +336,16 @@ void print_notes(std::ostream& out, const MeshHomology& found, const MeshReportO
   }
   if (short_ones > 0) {
     out << fmt::format(
-        "The loops are short: the shortest that can generate H1 together, of {} loops along edges that were compared.\n"
-        "Shorter ones may exist: this is a search, not a proof.\n",
-        found.loops_tried);
+        "The loops are short: the shortest that can generate H1{} together, of {} loops along edges that were\n"
+        "compared. Shorter ones may exist: this is a search, not a proof.\n",
+        any_side ? ", or the half of it that bounds on one side," : "", found.loops_tried);
+  }
+  if (short_ones + others > 0) {
+    print_sides(out, found, any_side);
+  }
+  if (options.shorter_than) {
+    out << fmt::format("Left out: {} of length {} or more (--shorter-than).\n",
+                       counted(options.loops_left_out, "loop", "loops"), *options.shorter_than);
   }
   if (others > 0) {
     out << fmt::format("{} of H1 {} not shortened: what is listed is any cycle of the class.\n",

@@ -14,6 +14,8 @@ struct MeshReportOptions {
   std::string source;  ///< the mesh file
   /// How many generators at most: of each group for people, in all for programs. Nothing: 20, and all.
   std::optional<std::size_t> generators_limit;
+  std::optional<double> shorter_than;  ///< loops that are not were left out
+  std::size_t loops_left_out = 0;
   double seconds = 0;
 };
 
