@@ -1,9 +1,13 @@
 #include "tools/mesh/loop_sorting.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
 #include <utility>
 
 #include "sparse/smith.hpp"
+#include "tools/mesh/geometry.hpp"
 #include "tools/mesh/graph.hpp"
 #include "tools/mesh/measure.hpp"
 
@@ -93,7 +97,7 @@ class Sorting {
     const ExactSigns signs(points_);
     const EdgeGraph graph(points_, incidence_.edges);
     SurfaceCutter cutter(mesh_, incidence_, graph, signs, points_);
-    for (std::size_t part = 0; part < parts.count; ++part) {
+    for (std::uint32_t part = 0; part < parts.count; ++part) {
       const Component& component = validity_.components[part];
       const auto genus = component.genus();
       std::string& why_not = found_.parts[part].why_not;
@@ -105,7 +109,11 @@ class Sorting {
         why_not = "it has more than " + std::to_string(most_handles) + " handles";
       } else if (*genus > 0) {
         if (const auto system = cutter.cut(edges[part], why_not)) {
-          found_.parts[part].is_sorted = sort(*system, signs, why_not);
+          LinkingForm form = linking_form(*system, incidence_.edges, signs);
+          if (!form.obstacle.empty()) {
+            form = form_of_moved(*system, edges[part], part);
+          }
+          found_.parts[part].is_sorted = sort(*system, form, why_not);
         }
       }
     }
@@ -116,8 +124,37 @@ class Sorting {
   // Coordinates of edges that are crossed are long vectors then, and Smith forms large.
   static constexpr long long most_handles = 500;
 
-  bool sort(const CutSystem& system, const ExactSigns& signs, std::string& why_not) {
-    const LinkingForm form = linking_form(system, incidence_.edges, signs);
+  /// That of the surface with its points moved a little, each by some part of the shortest edge at it.
+  LinkingForm form_of_moved(const CutSystem& system, const std::vector<std::uint32_t>& edges, std::uint32_t part) {
+    std::map<std::uint32_t, double> shortest;
+    double longest = 0;
+    for (const std::uint32_t e : edges) {
+      const Point along = minus(points_[incidence_.edges[e][1]], points_[incidence_.edges[e][0]]);
+      const double length = std::sqrt(dot(along, along));
+      longest = std::max(longest, length);
+      for (const std::uint32_t end : incidence_.edges[e]) {
+        const auto at = shortest.emplace(end, length).first;
+        at->second = length > 0 ? std::min(at->second > 0 ? at->second : length, length) : at->second;
+      }
+    }
+    std::vector<Point> moved = points_;
+    std::mt19937_64 random{part};  // NOLINT(cert-msc51-cpp): the same input, the same answer
+    for (const auto& [point, length] : shortest) {
+      for (double& x : moved[point]) {
+        const double step = static_cast<double>(random() >> 11U) * 0x1p-53 - 0.5;
+        x = std::clamp(x + 1e-6 * step * (length > 0 ? length : longest), -1.0, 1.0);
+      }
+    }
+    LinkingForm form = linking_form(system, incidence_.edges, ExactSigns(moved));
+    if (form.obstacle.empty()) {
+      found_.remarks.push_back("component " + std::to_string(part) +
+                               " touches itself, or has triangles without area: its loops were sorted with its points "
+                               "moved by up to a millionth of their edges");
+    }
+    return form;
+  }
+
+  bool sort(const CutSystem& system, const LinkingForm& form, std::string& why_not) {
     if (!form.obstacle.empty()) {
       why_not = form.obstacle;
       return false;

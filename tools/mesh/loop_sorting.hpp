@@ -36,6 +36,7 @@ struct LoopSorting {
   std::vector<PartSorting> parts;  ///< as connected_parts counts them, and Validity
   HalfOfLoops handles;             ///< bound inside
   HalfOfLoops tunnels;             ///< bound outside
+  std::vector<std::string> remarks;
 };
 
 /// What linking numbers say about the classes of a surface, one of which is sorted as above.
@@ -57,7 +58,9 @@ struct LoopSorting {
 /// (2013).
 ///
 /// Inside and outside are meant with respect to each connected part alone, whatever others are in or around it.
-/// Parts that are no closed orientable surfaces have no inside. That a surface does not meet itself is assumed, but for
+/// Parts that are no closed orientable surfaces have no inside. Where triangles have no area, or sheets touch, so that
+/// there are no linking numbers, they are taken of the surface with its points moved by a millionth of the edges there;
+/// a remark says so. That a surface does not meet itself is assumed, but for
 /// the checks above: one that does, and passes them, is sorted by its linking numbers.
 ///
 /// `mesh`: as normalise leaves it; `validity`: of it, so parts are the same. Cost: see SurfaceCutter and linking_form,

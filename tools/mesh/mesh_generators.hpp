@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "engine/engine.hpp"
@@ -18,6 +19,7 @@ struct FoundGenerators {
   std::vector<MeshGenerator> generators;
   std::uint64_t loops_tried = 0;     ///< compared when short ones were chosen
   std::vector<PartSorting> sorting;  ///< of H_1, per connected part: whether its loops have sides
+  std::vector<std::string> remarks;  ///< on that
 };
 
 /// H_0: the lowest vertex of each component. Cost: the edges.

@@ -55,6 +55,7 @@ Result<MeshHomology> mesh_homology(const Mesh& mesh, const MeshHomologyOptions& 
     add(components_of(cells), result);
     FoundGenerators loops = loops_of(cells, *result.engine, options.ring, result.validity);
     result.sorting = std::move(loops.sorting);
+    std::move(loops.remarks.begin(), loops.remarks.end(), std::back_inserter(result.remarks));
     add(std::move(loops), result);
     add(surfaces_of(cells, *result.engine, options.ring), result);
   }

@@ -22,7 +22,7 @@ struct MeshHomologyOptions {
 
 struct MeshHomology {
   Validity validity;
-  std::vector<std::string> remarks;  ///< of cutting polygons
+  std::vector<std::string> remarks;  ///< of cutting polygons and sorting loops
   sparse::AnyRing ring = sparse::Integers{};
   /// The complex, built by the script of `write_complex_script`; over Z when the ring is Q, which forgets the torsion.
   std::unique_ptr<engine::Engine> engine;

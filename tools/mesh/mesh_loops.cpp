@@ -62,6 +62,7 @@ class LoopFinder {
   FoundGenerators find() {
     const LoopSorting sorting = sort_loops(cells_.mesh().polygons, validity_);
     found_.sorting = sorting.parts;
+    found_.remarks = sorting.remarks;
     std::vector<MeshGenerator> free;
     if (has_more_parts()) {
       free = find_unsorted();
