@@ -1,7 +1,9 @@
 #include "tools/mesh/cover_loops.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <memory>
 #include <queue>
 #include <tuple>
 #include <unordered_map>
@@ -56,6 +58,38 @@ class Sums {
   std::unordered_map<Fingerprint, std::uint32_t, FingerprintHash> numbers_;
 };
 
+/// The numbers of states, by sheet and point: in pages, since the points that a sheet has are near each other.
+class StateNumbers {
+ public:
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  explicit StateNumbers(std::size_t points) : pages_of_sheet_{points / page_size + 1} {}
+
+  /// `none` where nothing was put; to be written to.
+  std::uint32_t& at(std::uint32_t sheet, std::uint32_t point) {
+    if (sheet >= sheets_.size()) {
+      sheets_.resize(sheet + 1);
+    }
+    auto& pages = sheets_[sheet];
+    if (pages.empty()) {
+      pages.resize(pages_of_sheet_);
+    }
+    auto& page = pages[point / page_size];
+    if (!page) {
+      page = std::make_unique<Page>();
+      page->fill(none);
+    }
+    return (*page)[point % page_size];
+  }
+
+ private:
+  static constexpr std::size_t page_size = 256;
+  using Page = std::array<std::uint32_t, page_size>;
+
+  std::size_t pages_of_sheet_;
+  std::vector<std::vector<std::unique_ptr<Page>>> sheets_;
+};
+
 class Cover {
  public:
   Cover(const EdgeGraph& graph, const CoverSearch& search)
@@ -64,7 +98,8 @@ class Cover {
         fingerprinter_{Integers{}},
         sheets_{fingerprinter_, *search.zero},
         potentials_{fingerprinter_, *search.wanted},
-        longest_{search.longest} {}
+        longest_{search.longest},
+        numbers_{graph.points()} {}
 
   CoverLoops from(std::uint32_t root) {
     reach({root, 0, 0, none, none, 0, false, 0}, none);
@@ -91,7 +126,7 @@ class Cover {
   }
 
  private:
-  static constexpr std::uint32_t none = 0xffffffff;
+  static constexpr std::uint32_t none = StateNumbers::none;
 
   /// A copy of a point.
   struct State {
@@ -110,12 +145,10 @@ class Cover {
     std::uint32_t from, to;
   };
 
-  static std::uint64_t place(const State& state) { return (std::uint64_t{state.sheet} << 32U) | state.point; }
-
   void reach(const State& state, std::uint32_t known) {
     if (known == none) {
       known = static_cast<std::uint32_t>(states_.size());
-      state_at_.emplace(place(state), known);
+      numbers_.at(state.sheet, state.point) = known;
       states_.push_back(state);
     } else {
       states_[known] = state;
@@ -138,8 +171,7 @@ class Cover {
                        state.depth + 1,
                        false,
                        state.distance + way.length};
-      const auto at = state_at_.find(place(next));
-      const std::uint32_t there = at == state_at_.end() ? none : at->second;
+      const std::uint32_t there = numbers_.at(next.sheet, next.point);
       if (there != none && states_[there].is_settled) {
         close(here, there, next);
       } else if (there == none || next.distance < states_[there].distance) {
@@ -224,8 +256,8 @@ class Cover {
   Sums sheets_;
   Sums potentials_;
   double longest_;
+  StateNumbers numbers_;
   std::vector<State> states_;
-  std::unordered_map<std::uint64_t, std::uint32_t> state_at_;  // never iterated
   std::unordered_map<Fingerprint, Closing, FingerprintHash> closings_;
   std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>>
       queue_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "sparse/smith.hpp"
@@ -16,6 +17,13 @@ namespace {
 using sparse::Index;
 using sparse::Integers;
 using sparse::Terms;
+
+bool is_simple(const Loop& loop) {
+  return std::set<std::uint32_t>(loop.points.begin(), loop.points.end()).size() == loop.points.size();
+}
+
+/// What lengths are compared by: a walk that meets itself is taken only when simple loops are longer by a twentieth.
+double cost_of(const Loop& loop) { return is_simple(loop) ? loop.length : 1.05 * loop.length; }
 
 /// Both halves as one group.
 Annotation both(const Annotation& one, const Annotation& other) {
@@ -45,16 +53,24 @@ class HalfSearch {
     const LoopBasis of_all = short_loops(graph_, {Integers{}, &all});
     look_along(of_all.loops, true);
     select();
-    look_along(std::vector<Loop>(basis_.loops.rbegin(), basis_.loops.rend()), false);
-    select();
+    for (int round = 0; round < most_rounds; ++round) {
+      const double before = total_length();
+      look_along(std::vector<Loop>(basis_.loops.rbegin(), basis_.loops.rend()), false);
+      select();
+      if (total_length() > (1 - 1e-9) * before || states_ > few_states) {
+        break;
+      }
+    }
     return {std::move(basis_.loops), sums_of(of_all, all), basis_.tried};
   }
 
  private:
   static constexpr std::size_t most_states = 9'000'000;
   static constexpr std::size_t most_states_of_root = 3'000'000;
-  static constexpr std::size_t roots_per_loop = 2;
+  static constexpr std::size_t few_states = 1'000'000;  ///< beyond, roots are few
+  static constexpr std::size_t most_roots = 8;
   static constexpr Index enough_bases = 4;
+  static constexpr int most_rounds = 6;
 
   struct PartOfMesh {
     Index rank = 0;   ///< of this half
@@ -87,18 +103,20 @@ class HalfSearch {
     }
   }
 
-  /// Takes some points of each loop as roots, in parts that lacked loops at first: until there are bases enough, or
-  /// (not `for_bases`) for loops that are shorter than this one.
+  /// Takes some points of each loop as roots, in parts that lacked loops at first: until there are bases enough,
+  /// or (not `for_bases`) for loops that are shorter than this one.
   void look_along(const std::vector<Loop>& loops, bool for_bases) {
     for (const Loop& loop : loops) {
       PartOfMesh& part = of_part_[parts_.of[loop.points.front()]];
-      for (std::size_t i = 0; i < roots_per_loop && states_ < most_states; ++i) {
-        if (part.found == part.rank || (for_bases && part.bases >= std::min(part.rank, enough_bases))) {
+      const std::size_t roots = states_ < few_states ? most_roots : for_bases ? 2 : is_simple(loop) ? 1 : 4;
+      for (std::size_t i = 0; i < roots && states_ < most_states; ++i) {
+        const bool is_enough = states_ > few_states && i > 0 && is_simple(loop);
+        if (part.found == part.rank || is_enough || (for_bases && part.bases >= std::min(part.rank, enough_bases))) {
           break;
         }
         CoverSearch search{&half_, &rest_, part.rank, std::min(most_states - states_, most_states_of_root)};
-        search.longest = for_bases ? search.longest : loop.length;
-        CoverLoops found = loops_in_cover(graph_, search, loop.points[i * loop.points.size() / roots_per_loop]);
+        search.longest = for_bases ? search.longest : cost_of(loop);
+        CoverLoops found = loops_in_cover(graph_, search, loop.points[(2 * i + 1) * loop.points.size() / (2 * roots)]);
         states_ += found.states;
         basis_.tried += found.loops.size();
         part.bases += found.loops.size() == part.rank ? 1 : 0;
@@ -107,16 +125,29 @@ class HalfSearch {
     }
   }
 
+  [[nodiscard]] double total_length() const {
+    double sum = 0;
+    for (const Loop& loop : basis_.loops) {
+      sum += loop.length;
+    }
+    return sum;
+  }
+
   void select() {
     std::move(basis_.loops.begin(), basis_.loops.end(), std::back_inserter(pool_));
-    std::sort(pool_.begin(), pool_.end(), [](const Loop& a, const Loop& b) {
-      return a.length != b.length ? a.length < b.length : a.points < b.points;
+    std::vector<std::pair<double, Loop>> by_cost;
+    for (Loop& loop : pool_) {
+      by_cost.emplace_back(cost_of(loop), std::move(loop));
+    }
+    pool_.clear();
+    std::sort(by_cost.begin(), by_cost.end(), [](const auto& a, const auto& b) {
+      return a.first != b.first ? a.first < b.first : a.second.points < b.second.points;
     });
     BasisSelection<Integers> selection{Integers{}, half_.rank};
     basis_.loops.clear();
-    for (const Loop& loop : pool_) {
+    for (auto& [cost, loop] : by_cost) {
       if (selection.missing() > 0 && selection.take(class_of(graph_, half_, loop))) {
-        basis_.loops.push_back(loop);
+        basis_.loops.push_back(std::move(loop));
       }
     }
     basis_.completion = selection.completion();

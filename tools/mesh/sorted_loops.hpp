@@ -11,7 +11,7 @@
 namespace sesame::tools {
 
 struct HalfBasis {
-  std::vector<Loop> loops;                ///< shortest first; closed walks, which may meet themselves
+  std::vector<Loop> loops;                ///< closed walks, which may meet themselves
   std::vector<WeightedEdges> completion;  ///< cycles that complete them to a basis; as a rule none
   std::uint64_t tried = 0;                ///< loops that were compared
 };
