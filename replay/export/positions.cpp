@@ -21,7 +21,6 @@ void add_in_order(const std::vector<ops::Point>& points, CellId first, std::vect
 }
 
 void add_listed(const ops::MakeComplex& made, const ops::Structure& structure, std::vector<Given>& given) {
-  const std::size_t known = given.size();
   for (std::size_t k = 0; k < made.cells.size(); ++k) {
     if (const ops::Point* point = made.cells.at(k)) {
       if (const auto node = structure.lookup(made.name + "." + std::string{made.cells.id(k)})) {
@@ -29,7 +28,7 @@ void add_listed(const ops::MakeComplex& made, const ops::Structure& structure, s
       }
     }
   }
-  std::sort(given.begin() + static_cast<std::ptrdiff_t>(known), given.end());
+  std::sort(given.begin(), given.end());
 }
 
 void add_apexes(const ops::MakeSuspension& made, const ops::Structure& structure, std::vector<Given>& given) {
@@ -72,24 +71,35 @@ void place_copies(const ObjectCells& cells, std::vector<std::optional<ops::Point
 
 }  // namespace
 
+std::vector<std::pair<ops::CellId, ops::Point>> given_positions(const ops::Operation& operation,
+                                                                const engine::StepReport& report,
+                                                                const ops::Structure& structure) {
+  const CellId first = report.before.created;
+  std::vector<Given> given;
+  if (const auto* simplex = std::get_if<ops::MakeSimplex>(&operation)) {
+    add_in_order(simplex->at, first, given);
+  } else if (const auto* simploid = std::get_if<ops::MakeSimploid>(&operation)) {
+    add_in_order(simploid->at, first, given);
+  } else if (const auto* complex = std::get_if<ops::MakeComplex>(&operation)) {
+    add_listed(*complex, structure, given);
+  } else if (const auto* suspension = std::get_if<ops::MakeSuspension>(&operation)) {
+    add_apexes(*suspension, structure, given);
+  } else if (const auto* cone = std::get_if<ops::MakeCone>(&operation); cone != nullptr && cone->at) {
+    given.emplace_back(first, *cone->at);
+  }
+  return given;
+}
+
 void Positions::take(const ops::Operation& operation, const engine::StepReport& report,
                      const ops::Structure& structure) {
-  const CellId first = report.before.created;
   if (std::holds_alternative<ops::Undo>(operation)) {
     while (!given_.empty() && given_.back().first >= structure.cells().size()) {
       given_.pop_back();
     }
-  } else if (const auto* simplex = std::get_if<ops::MakeSimplex>(&operation)) {
-    add_in_order(simplex->at, first, given_);
-  } else if (const auto* simploid = std::get_if<ops::MakeSimploid>(&operation)) {
-    add_in_order(simploid->at, first, given_);
-  } else if (const auto* complex = std::get_if<ops::MakeComplex>(&operation)) {
-    add_listed(*complex, structure, given_);
-  } else if (const auto* suspension = std::get_if<ops::MakeSuspension>(&operation)) {
-    add_apexes(*suspension, structure, given_);
-  } else if (const auto* cone = std::get_if<ops::MakeCone>(&operation); cone != nullptr && cone->at) {
-    given_.emplace_back(first, *cone->at);
+    return;
   }
+  const std::vector<Given> given = given_positions(operation, report, structure);
+  given_.insert(given_.end(), given.begin(), given.end());
 }
 
 Result<Positions::Points> Positions::of_vertices(const ObjectCells& cells) const {

@@ -10,6 +10,11 @@
 
 namespace sesame::replay {
 
+/// The positions that a step gives to nodes, by node, ascending. To be called after it, with the structure after it.
+[[nodiscard]] std::vector<std::pair<ops::CellId, ops::Point>> given_positions(const ops::Operation& operation,
+                                                                              const engine::StepReport& report,
+                                                                              const ops::Structure& structure);
+
 /// The positions of nodes. Vertices that are glued are where the oldest of them is that has a position; one that was
 /// split off, where the one is that it was split from.
 class Positions {

@@ -39,6 +39,9 @@ class Run {
       return fail(script_.place() + ring.error().what, Outcome::wrong_script);
     }
     header_ring_ = header->ring;
+    if (options_.header != nullptr) {
+      *options_.header = *header;
+    }
     expects_torsion_ = own_ring && *own_ring == *ring;
     expects_betti_ = own_ring && characteristic(*own_ring) == characteristic(*ring);
     replay_log().info("{}a script over {}, taken over {}", script_.place(), header->ring, sparse::ring_name(*ring));

@@ -63,6 +63,7 @@ struct ReplayOptions {
   engine::LogReader* older_steps = nullptr;
   bool has_snapshots = false;     ///< beside the log, which is a file with that name
   engine::Observer observer;      ///< of the engine, if any
+  ops::Header* header = nullptr;  ///< where that of the script goes, as soon as it has been read
   std::ostream* notes = nullptr;  ///< what is worth to know and no error, one line each
 };
 
