@@ -45,7 +45,8 @@ install(FILES ${PROJECT_BINARY_DIR}/cmake/sesameConfig.cmake ${PROJECT_BINARY_DI
 install(FILES ${PROJECT_BINARY_DIR}/cmake/sesame.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 install(FILES ${SESAME_BUILD_INCLUDE}/sesame/version.hpp DESTINATION include/sesame)
 install(DIRECTORY ${SESAME_FOLDERS} DESTINATION include/sesame
-        FILES_MATCHING PATTERN "*.hpp" PATTERN examples EXCLUDE PATTERN page EXCLUDE)
+        FILES_MATCHING PATTERN "*.hpp" PATTERN examples EXCLUDE
+        REGEX "/page/(src|test|bundle|node_modules)$" EXCLUDE)
 install(DIRECTORY replay/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/sesame/examples)
 install(FILES LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(SESAME_TOOLS)

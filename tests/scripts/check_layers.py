@@ -14,7 +14,7 @@ ORDER = ["sparse", "reductions", "ops", "engine", "replay", "tools", "tests"]
 ROOMS = {
     "ops": ["", "simplicial", "cells", "vocabulary", "plan"],
     "engine": ["right", "left", "towers", "durable", ""],
-    "replay": ["text", "script", "barcode", "tower", "distance", "picture", "export", ""],
+    "replay": ["text", "script", "barcode", "tower", "distance", "picture", "export", "page", ""],
     "tools": ["mesh", "bench", "commands", ""],
 }
 GENERATED = {"sesame/version.hpp": "sparse"}

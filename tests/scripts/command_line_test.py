@@ -57,6 +57,43 @@ class Replay(unittest.TestCase):
 
         self.assertEqual(untimed(), untimed())
 
+    def test_a_page_is_one_file_the_same_each_time_and_may_go_to_standard_output(self):
+        with tempfile.TemporaryDirectory() as directory:
+            pages = [os.path.join(directory, name) for name in ("a.html", "b.html")]
+            for page in pages:
+                done = run("replay", "--html", page, EXAMPLES / "projective_plane.jsonl")
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertIn("identify", done.stdout)
+            texts = [pathlib.Path(page).read_text(encoding="utf-8") for page in pages]
+            self.assertTrue(texts[0] == texts[1])
+            printed = run("replay", "--html", "-", EXAMPLES / "projective_plane.jsonl")
+            self.assertTrue(printed.stdout == texts[0])
+            data = json.loads(re.search(r'id="data">([^<]*)</script>', texts[0])[1])
+            self.assertEqual((data["ring"], len(data["steps"])), ("Z", 12))
+            both = run("replay", "--json", "--html", pages[0], EXAMPLES / "projective_plane.jsonl")
+            self.assertEqual(json.loads(both.stdout.splitlines()[-1])["torsion"], [[], [2], []])
+        for more, what in ((["--json", "--html", "-"], "both go to standard output"),
+                           (["--follow", "--html", "x"], "excludes"),
+                           (["--log", "x", "--append", "--html", "y"], "excludes")):
+            done = run("replay", *more, EXAMPLES / "torus.jsonl")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(what, done.stderr)
+
+    def test_a_page_stays_as_it_was_after_an_error_unless_it_goes_on(self):
+        with tempfile.TemporaryDirectory() as directory:
+            page = pathlib.Path(directory) / "page.html"
+            page.write_text("old", encoding="utf-8")
+            bad = HEADER + TRIANGLE + '{"op":"identify","pairs":[["t","u"]]}\n' + '{"op":"note","text":"last"}\n'
+            for status, arguments in ((2, []), (2, ["--ring", "Z/2"])):
+                self.assertEqual(replay(bad, "--html", page, *arguments).returncode, status)
+                self.assertEqual(page.read_text(encoding="utf-8"), "old")
+            self.assertEqual(replay(HEADER + "[", "--html", page).returncode, 2)
+            self.assertEqual(replay("[", "--keep-going", "--html", page).returncode, 2)
+            self.assertEqual(page.read_text(encoding="utf-8"), "old")
+            self.assertEqual(replay(bad, "--html", page, "--keep-going").returncode, 2)
+            self.assertIn("last", page.read_text(encoding="utf-8"))
+            self.assertEqual(os.listdir(directory), ["page.html"])
+
     def test_verify_holds_on_every_example_over_every_ring(self):
         for script in sorted(EXAMPLES.glob("*.jsonl")):
             done = run("replay", "--quiet", "--verify", script)

@@ -87,6 +87,7 @@ SAYING = [["help"], ["--help"], ["--version"], *(["help", name] for name in (
 
 # Every option that names a file to write, and what is read meanwhile.
 WRITING = [(["replay", "s.jsonl", "--quiet", "--overwrite", "--log"], "s.jsonl"),
+           (["replay", "s.jsonl", "--quiet", "--html"], "s.jsonl"),
            *((["tower", "t.tower", "--quiet", f"--{kind}"], "t.tower") for kind in ("pers", "csv", "svg", "html")),
            (["import", "m.off", "--quiet", "-o"], "m.off"),
            *((["export", "s.jsonl", "--format", form, "-o"], "s.jsonl") for form in ("script", "phat")),

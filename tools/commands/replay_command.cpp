@@ -8,6 +8,7 @@
 #include <span>
 #include <thread>
 
+#include "replay/page/page_writer.hpp"
 #include "replay/script/facet_list.hpp"
 #include "replay/script/replay.hpp"
 #include "replay/tower/tower_format.hpp"
@@ -15,6 +16,7 @@
 #include "tools/commands/interrupt.hpp"
 #include "tools/commands/log_file.hpp"
 #include "tools/commands/options.hpp"
+#include "tools/commands/output_file.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -56,6 +58,7 @@ struct Arguments {
   engine::Resources resources;
   double most_seconds = 0;
   bool no_snapshots = false;
+  std::string html;
   bool json = false;
   std::optional<replay::GeneratorOptions> generators;
   bool verify = false;
@@ -132,6 +135,49 @@ Result<Script> as_script(replay::ByteSource source, const Arguments& arguments) 
   const std::string script = script_of(*facets, "Z", name, replay::FacetSteps::one);
   return Script{replay::ByteSource::of_text(script, name + " as a script"), true};
 }
+
+/// The page that is written beside the replay, if one is wanted.
+class PageOutput {
+ public:
+  explicit PageOutput(const Arguments& arguments)
+      : arguments_{arguments},
+        files_{arguments.log.empty() ? std::vector{arguments.file} : std::vector{arguments.file, arguments.log}} {}
+
+  /// Before the replay.
+  Status open(replay::ReplayOptions& options) {
+    const Result<std::ostream*> out = files_.open(arguments_.html);
+    if (!out) {
+      return out.error();
+    }
+    out_ = *out;
+    if (out_ != nullptr) {
+      options.header = &header_;
+      options.observer = [this](const ops::Operation& operation, const engine::StepReport& report) {
+        history_.take(*arguments_.engine, operation, report);
+      };
+    }
+    return Done{};
+  }
+  /// After it, when it has come to an end.
+  Status write(bool is_interrupted) {
+    if (out_ == nullptr) {
+      return Done{};
+    }
+    const std::string notes = is_interrupted ? "The replay was interrupted: later steps are not here." : "";
+    const std::string source = arguments_.file == "-" ? "standard input" : arguments_.file;
+    write_page(*out_, history_, *arguments_.engine,
+               {header_.title, std::filesystem::path(source).filename().string(), notes,
+                is_interrupted ? nullptr : &stop_requested()});
+    return files_.commit();
+  }
+
+ private:
+  const Arguments& arguments_;
+  OutputFiles files_;
+  std::ostream* out_ = nullptr;
+  ops::Header header_;
+  replay::PageHistory history_{replay::PageLimits{}};
+};
 
 /// The exit status, that of the outcome unless the log could not be kept. `goes_on`: behind steps that are refused.
 int close_log(LogFile* log, const std::string& path, Outcome outcome, bool goes_on) {
@@ -229,10 +275,17 @@ int run_replay(Arguments& arguments, bool& is_superseded) {
   options.keep_going = arguments.keep_going || is_prompted(arguments);
   options.notes = arguments.quiet ? nullptr : &std::cerr;
 
+  if (arguments.json && is_standard_output(arguments.html)) {
+    return wrong_usage("--json and --html - would both go to standard output");
+  }
+  PageOutput page(arguments);
+  if (const Status opened = page.open(options); !opened) {
+    return wrong_usage(opened.error().what);
+  }
   std::unique_ptr<replay::Reporter> reporter;
   if (arguments.json) {
     reporter = replay::json_reporter(std::cout);
-  } else if (!arguments.quiet) {
+  } else if (!arguments.quiet && !is_standard_output(arguments.html)) {
     reporter = replay::table_reporter(std::cout, isatty(STDOUT_FILENO) == 1);
   }
   std::unique_ptr<replay::Progress> progress;
@@ -242,7 +295,14 @@ int run_replay(Arguments& arguments, bool& is_superseded) {
   replay::ScriptReader script(std::move(found->source), arguments.longest_line);
   const Outcome outcome = replay::replay(script, options, reporter.get(), std::cerr, progress.get());
   is_superseded = may_be_superseded && log == nullptr && outcome == Outcome::done && script.is_at_end();
-  return close_log(log.get(), arguments.log, outcome, options.keep_going && !script.is_broken());
+  const bool passed_over = options.keep_going && !script.is_broken() && arguments.engine != nullptr;
+  const int status = close_log(log.get(), arguments.log, outcome, options.keep_going && !script.is_broken());
+  if (outcome == Outcome::done || outcome == Outcome::interrupted || passed_over) {
+    if (const Status written = page.write(outcome == Outcome::interrupted); !written) {
+      return wrong_usage(written.error().what);
+    }
+  }
+  return status;
 }
 
 /// With --follow, one log after another that has the name.
@@ -319,7 +379,12 @@ void add_replay_command(CLI::App& app, int& status) {
   command->add_option("--max-line", arguments->longest_line, "Refuse lines of more bytes")
       ->capture_default_str()
       ->check(from_one_on());
-  command->add_flag("--follow", arguments->follow, "Go on as the file grows, until Ctrl-C");
+  CLI::Option* follow = command->add_flag("--follow", arguments->follow, "Go on as the file grows, until Ctrl-C");
+  command
+      ->add_option("--html", arguments->html,
+                   "A page to look at: the object in space after each step, its groups, its generators")
+      ->excludes(append)
+      ->excludes(follow);
   command->add_flag("--quiet", arguments->quiet, "No table and no progress: errors only (and what --json prints)");
   command->footer(
       "Exit status: 0 done, 1 wrong usage or unreadable file, 2 the script is wrong, 3 an expect failed,\n"

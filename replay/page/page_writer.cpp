@@ -1,0 +1,245 @@
+#include "replay/page/page_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ops/vocabulary/json_text.hpp"
+#include "replay/page/page_template.hpp"
+#include "replay/script/generators.hpp"
+#include "sesame/version.hpp"
+
+namespace sesame::replay {
+namespace {
+
+using ops::JsonText;
+
+/// To four digits: enough for drawing, and the same whatever the last bits are.
+void write_coordinate(double x, JsonText& out) {
+  const double scale = std::pow(10.0, 4 - std::ceil(std::log10(std::max(std::abs(x), 1e-3))));
+  const double rounded = std::round(x * scale) / scale;
+  out.value(rounded == 0 ? 0.0 : rounded);
+}
+
+void write_cells(const PageCells& cells, JsonText& out) {
+  out.begin_object();
+  out.field("types", cells.types);
+  out.field("names", cells.names);
+  out.field("type", cells.type_of);
+  out.field("first", cells.first_face);
+  out.field("faces", cells.faces);
+  out.end_object();
+}
+
+void write_places(const std::vector<VertexPlace>& places, JsonText& out) {
+  out.begin_object();
+  out.key("cells");
+  out.begin_list();
+  for (const VertexPlace& place : places) {
+    out.value(place.cell);
+  }
+  out.end_list();
+  out.key("points");
+  out.begin_list();
+  for (const VertexPlace& place : places) {
+    for (const double x : place.point) {
+      write_coordinate(x, out);
+    }
+  }
+  out.end_list();
+  out.key("counts");
+  out.begin_object();
+  constexpr std::pair<PlaceKind, const char*> kinds[] = {{PlaceKind::given, "given"},
+                                                         {PlaceKind::sum, "sum"},
+                                                         {PlaceKind::beside, "beside"},
+                                                         {PlaceKind::computed, "computed"}};
+  for (const auto& [kind, name] : kinds) {
+    out.field(name,
+              std::count_if(places.begin(), places.end(), [kind = kind](const auto& p) { return p.kind == kind; }));
+  }
+  out.end_object();
+  out.end_object();
+}
+
+void write_chain(const PageChain& chain, JsonText& out) {
+  out.begin_object();
+  if (chain.length > 0) {
+    out.field(chain.is_length_exact ? "length" : "length_at_most", chain.length);
+  }
+  out.key("terms");
+  out.begin_list();
+  for (const PageChain::Term& term : chain.terms) {
+    out.begin_list();
+    out.value(term.coefficient);
+    out.value(term.cell);
+    if (term.cell < 0) {
+      out.value(term.name);
+    }
+    out.end_list();
+  }
+  out.end_list();
+  out.end_object();
+}
+
+void write_answer(const PageAnswer& answer, JsonText& out) {
+  out.begin_object();
+  out.field("cycle", answer.is_cycle);
+  out.field("zero", answer.is_zero);
+  out.field("coefficients", answer.coefficients);
+  out.key("asked");
+  write_chain(answer.asked, out);
+  if (answer.bounds) {
+    out.key("bounds");
+    write_chain(*answer.bounds, out);
+  }
+  out.end_object();
+}
+
+template <class List>
+void write_if_any(const char* name, const List& list, JsonText& out) {
+  if (!list.empty()) {
+    out.field(name, list);
+  }
+}
+
+/// What is the same as after the step before is left out.
+void write_step(const PageStep& step, const PageStep* before, JsonText& out) {
+  out.begin_object();
+  out.field("op", step.op);
+  out.field("text", step.text);
+  if (step.made > 0) {
+    out.key("made");
+    out.list_of(step.first, step.made);
+  }
+  write_if_any("removed", step.removed, out);
+  write_if_any("moved", step.moved, out);
+  write_if_any("consumed", step.consumed, out);
+  write_if_any("undone", step.undone, out);
+  if (before == nullptr || step.cells != before->cells) {
+    out.field("cells", step.cells);
+    out.field("euler", step.euler);
+  }
+  if (before == nullptr || step.betti != before->betti || step.torsion != before->torsion) {
+    out.field("betti", step.betti);
+    out.field("torsion", step.torsion);
+  }
+  if (step.answer) {
+    out.key("answer");
+    write_answer(*step.answer, out);
+  }
+  out.end_object();
+}
+
+void shorten(PageChain& chain, const std::optional<ChainLength>& length) {
+  if (length) {
+    chain.terms.clear();
+    chain.length = length->terms;
+    chain.is_length_exact = length->is_exact;
+  }
+}
+
+void write_generator(const PageHistory& history, const engine::Generator& generator, const GeneratorOptions& options,
+                     const ops::Structure& structure, JsonText& out) {
+  out.begin_object();
+  out.field("dim", generator.degree);
+  out.field("order", generator.order.to_string());
+  PageChain cycle = history.chain(structure, generator.cycle);
+  shorten(cycle, length_of_cycle(generator, options));
+  out.key("chain");
+  write_chain(cycle, out);
+  if (!generator.order.is_zero()) {
+    PageChain bounding = history.chain(structure, generator.bounding);
+    shorten(bounding, length_of_bounding(generator, options));
+    out.key("bounds");
+    write_chain(bounding, out);
+  }
+  out.end_object();
+}
+
+/// The first ones of each dimension, as many as there is room for; how many there are is said by the groups.
+void write_generators(const PageHistory& history, engine::Engine& engine, const PageHead& head, JsonText& out) {
+  GeneratorOptions options;
+  options.most_terms = history.limits().terms;
+  const std::size_t dimensions = engine.cells().size();
+  out.begin_list();
+  for (std::size_t p = 0; p < dimensions; ++p) {
+    std::uint64_t written = 0;
+    const std::uint64_t room = history.limits().generators / dimensions + 1;
+    visit_generators(engine, static_cast<int>(p), options, [&](const engine::Generator& generator) {
+      if (written >= room || (head.stop != nullptr && head.stop->load())) {
+        return false;
+      }
+      write_generator(history, generator, options, engine.structure(), out);
+      return ++written < room;
+    });
+  }
+  out.end_list();
+}
+
+/// Steps at which a page stops, when there are too many to stop at each.
+std::uint64_t stride_of(const PageHistory& history) {
+  return std::max<std::uint64_t>(1, (history.steps().size() + history.limits().steps - 1) / history.limits().steps);
+}
+
+}  // namespace
+
+std::string page_data(const PageHistory& history, engine::Engine& engine, const PageHead& head) {
+  std::string text;
+  JsonText out(text);
+  out.begin_object();
+  out.field("format", 1);
+  out.field("version", SESAME_VERSION);
+  out.field("title", head.title);
+  out.field("source", head.source);
+  out.field("notes", head.notes);
+  out.field("ring", sparse::ring_name(engine.ring()));
+  out.field("stride", stride_of(history));
+  out.field("left_out", history.left_out());
+  out.field("families_left_out", history.families_left_out());
+  out.key("limits");
+  out.begin_object();
+  out.field("cells", history.limits().cells);
+  out.field("cells_of_family", history.limits().cells_of_family);
+  out.field("steps", history.limits().steps);
+  out.field("generators", history.limits().generators);
+  out.field("terms", history.limits().terms);
+  out.end_object();
+  out.key("cells");
+  write_cells(history.cells(), out);
+  out.key("places");
+  write_places(history.places().places(history.cells()), out);
+  out.key("steps");
+  out.begin_list();
+  const PageStep* before = nullptr;
+  for (const PageStep& step : history.steps()) {
+    write_step(step, before, out);
+    before = &step;
+  }
+  out.end_list();
+  out.key("generators");
+  write_generators(history, engine, head, out);
+  out.end_object();
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char c : text) {
+    if (c == '<') {
+      safe += "\\u003c";  // in JSON it stands in texts only
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+void write_page(std::ostream& out, const PageHistory& history, engine::Engine& engine, const PageHead& head) {
+  std::string page;
+  for (const std::string_view part : page_template()) {
+    page += part;
+  }
+  const std::size_t mark = page.find(page_data_mark);
+  out << std::string_view{page}.substr(0, mark) << page_data(history, engine, head)
+      << std::string_view{page}.substr(mark + page_data_mark.size());
+}
+
+}  // namespace sesame::replay

@@ -1,0 +1,29 @@
+/// \file
+/// A replay as one page: the object in space after each step, its groups, its generators.
+#pragma once
+
+#include <atomic>
+#include <ostream>
+#include <string>
+
+#include "engine/engine.hpp"
+#include "replay/page/page_history.hpp"
+
+namespace sesame::replay {
+
+/// What a page says of where it comes from.
+struct PageHead {
+  std::string title;
+  std::string source;                       ///< the name of the script
+  std::string notes;                        ///< what else is to be said of the replay, if anything
+  const std::atomic<bool>* stop = nullptr;  ///< set from outside: no more generators after the one at hand
+};
+
+/// The data of a page, as JSON without the character `<`, so that it may stand in any element of HTML. Generators are
+/// those of the engine as it is now, after the last step of the history.
+[[nodiscard]] std::string page_data(const PageHistory& history, engine::Engine& engine, const PageHead& head);
+
+/// The page: one file of HTML that needs no other and asks for none.
+void write_page(std::ostream& out, const PageHistory& history, engine::Engine& engine, const PageHead& head);
+
+}  // namespace sesame::replay

@@ -1,0 +1,196 @@
+/** The object as it was after any number of steps: events are carried out and taken back one step at a time. */
+import { type Data, dimensionOf } from "./data.ts";
+
+/** Stands for a cell that is still one of its own. */
+const itself = -0x7fffffff;
+const unshown = -1;
+
+/** The cell that another one has become. */
+export interface Found {
+  cell: number;
+  /** It has its ends exchanged. */
+  turned: boolean;
+  /** It lies on `cell`, of smaller dimension. */
+  squashed: boolean;
+}
+
+const isThere = 1;
+const isConsumed = 2;
+
+export class ObjectState {
+  readonly dimension: Int8Array;
+  /** By cell, as C++ numbers references; `itself` for a cell of its own. */
+  private readonly became: Int32Array;
+  private readonly state: Uint8Array;
+  private readonly eldest: Int32Array;
+  private readonly faces: Int32Array;
+  /** What a step that is carried out has written over: faces, then eldest cells. */
+  private readonly saved: number[][] = [];
+  private after = 0;
+
+  constructor(readonly data: Data) {
+    const size = data.cells.type.length;
+    this.dimension = Int8Array.from({ length: size }, (_, cell) => dimensionOf(data, cell));
+    this.became = new Int32Array(size).fill(itself);
+    this.state = new Uint8Array(size);
+    this.eldest = Int32Array.from({ length: size }, (_, cell) => cell);
+    this.faces = Int32Array.from(data.cells.faces);
+  }
+
+  /** How many steps it has behind it. */
+  get steps(): number {
+    return this.after;
+  }
+
+  goTo(steps: number): void {
+    while (this.after < steps) {
+      const step = this.data.steps[this.after];
+      if (step.undone) {
+        step.undone.forEach((k) => this.takeBack(k));
+      } else {
+        this.carryOut(this.after);
+      }
+      ++this.after;
+    }
+    while (this.after > steps) {
+      --this.after;
+      const step = this.data.steps[this.after];
+      if (step.undone) {
+        [...step.undone].reverse().forEach((k) => this.carryOut(k));
+      } else {
+        this.takeBack(this.after);
+      }
+    }
+  }
+
+  /** A cell of the object as it is now, not one that has become another. */
+  isCurrent(cell: number): boolean {
+    return this.state[cell] === isThere && this.became[cell] === itself;
+  }
+
+  currentCells(): number[] {
+    const cells = [];
+    for (let cell = 0; cell < this.state.length; ++cell) {
+      if (this.isCurrent(cell)) {
+        cells.push(cell);
+      }
+    }
+    return cells;
+  }
+
+  /** What a cell has become; nothing when that is not shown. */
+  find(cell: number): Found | null {
+    let turned = false;
+    let squashed = false;
+    for (;;) {
+      const ref = this.became[cell];
+      if (ref === itself) {
+        return { cell, turned, squashed };
+      }
+      if (ref === unshown) {
+        return null;
+      }
+      squashed ||= ref < 0;
+      turned = ref >= 0 && (ref & 1) === 1 ? !turned : turned;
+      cell = ref < 0 ? -2 - ref : ref >> 1;
+    }
+  }
+
+  /** Face k of a cell, as it is now. */
+  face(cell: number, k: number): Found | null {
+    const ref = this.faces[this.data.cells.first[cell] + k];
+    if (ref === unshown) {
+      return null;
+    }
+    const found = this.find(ref < 0 ? -2 - ref : ref >> 1);
+    return found && { cell: found.cell, turned: found.turned !== (ref >= 0 && (ref & 1) === 1), squashed: found.squashed || ref < 0 };
+  }
+
+  faceCount(cell: number): number {
+    return this.data.cells.first[cell + 1] - this.data.cells.first[cell];
+  }
+
+  /** The oldest of the cells that a current one stands for: it has its name and its place. */
+  oldest(cell: number): number {
+    return this.eldest[cell];
+  }
+
+  name(cell: number): string {
+    return this.data.cells.names[this.eldest[cell]];
+  }
+
+  /** The cells of the object now that the steps from one number to another had to do with. */
+  touchedBy(first: number, last: number): Set<number> {
+    const touched = new Set<number>();
+    const add = (cell: number) => {
+      const found = this.find(cell);
+      if (found && this.isCurrent(found.cell)) {
+        touched.add(found.cell);
+      }
+    };
+    const addStep = (k: number) => {
+      const { made, removed = [], moved = [] } = this.data.steps[k];
+      for (let i = 0; made && i < made[1]; ++i) {
+        add(made[0] + i);
+      }
+      for (let i = 0; i < removed.length; i += 2) {
+        add(removed[i]);
+      }
+      for (let i = 0; i < moved.length; i += 3) {
+        add(moved[i]);
+      }
+    };
+    for (let k = first; k < last; ++k) {
+      addStep(k);
+      this.data.steps[k].undone?.forEach(addStep);
+    }
+    return touched;
+  }
+
+  private carryOut(k: number): void {
+    const { made, removed = [], moved = [], consumed = [] } = this.data.steps[k];
+    const saved: number[] = [];
+    if (made) {
+      this.state.fill(isThere, made[0], made[0] + made[1]);
+    }
+    for (const cell of consumed) {
+      this.state[cell] = isConsumed;
+    }
+    for (let i = 0; i < moved.length; i += 3) {
+      const at = this.data.cells.first[moved[i]] + moved[i + 1];
+      saved.push(this.faces[at]);
+      this.faces[at] = moved[i + 2];
+    }
+    for (let i = 0; i < removed.length; i += 2) {
+      const [cell, ref] = [removed[i], removed[i + 1]];
+      this.became[cell] = ref;
+      if (ref >= 0) {
+        const to = ref >> 1;
+        saved.push(this.eldest[to]);
+        this.eldest[to] = Math.min(this.eldest[to], this.eldest[cell]);
+      }
+    }
+    this.saved[k] = saved;
+  }
+
+  private takeBack(k: number): void {
+    const { made, removed = [], moved = [], consumed = [] } = this.data.steps[k];
+    const saved = this.saved[k];
+    for (let i = removed.length - 2; i >= 0; i -= 2) {
+      const [cell, ref] = [removed[i], removed[i + 1]];
+      this.became[cell] = itself;
+      if (ref >= 0) {
+        this.eldest[ref >> 1] = saved.pop()!;
+      }
+    }
+    for (let i = moved.length - 3; i >= 0; i -= 3) {
+      this.faces[this.data.cells.first[moved[i]] + moved[i + 1]] = saved.pop()!;
+    }
+    for (const cell of consumed) {
+      this.state[cell] = isThere;
+    }
+    if (made) {
+      this.state.fill(0, made[0], made[0] + made[1]);
+    }
+  }
+}
