@@ -353,12 +353,13 @@ void add_replay_command(CLI::App& app, int& status) {
   command->add_option("--max-time", arguments->most_seconds, "Take no further step after so many seconds")
       ->check(above_zero());
   CLI::Option* log = command->add_option("--log", arguments->log, "Keep the steps that were applied in this file");
-  command
-      ->add_flag("--forget", arguments->forgets_cells,
-                 "With --undo-limit: forget cells that are gone, and their names, when no undo can bring them back")
-      ->needs(undo_limit)
-      ->excludes(log)
-      ->excludes(verify);
+  CLI::Option* forget =
+      command
+          ->add_flag("--forget", arguments->forgets_cells,
+                     "With --undo-limit: forget cells that are gone, and their names, when no undo can bring them back")
+          ->needs(undo_limit)
+          ->excludes(log)
+          ->excludes(verify);
   const auto old_log = [&](const char* name, LogFile::Old old, const char* description) {
     const auto choose = [arguments, old](std::int64_t) { arguments->old_log = old; };
     return command->add_flag_function(name, choose, description)->needs(log);
@@ -384,7 +385,8 @@ void add_replay_command(CLI::App& app, int& status) {
       ->add_option("--html", arguments->html,
                    "A page to look at: the object in space after each step, its groups, its generators")
       ->excludes(append)
-      ->excludes(follow);
+      ->excludes(follow)
+      ->excludes(forget);
   command->add_flag("--quiet", arguments->quiet, "No table and no progress: errors only (and what --json prints)");
   command->footer(
       "Exit status: 0 done, 1 wrong usage or unreadable file, 2 the script is wrong, 3 an expect failed,\n"
