@@ -206,7 +206,7 @@ TEST_CASE("over Z/2 long sums, and few terms far apart, are what rewriting every
   std::size_t longest = 0;
   for (int step = 0; step < 1500; ++step) {
     CAPTURE(step);
-    const auto most = step % 3 == 0 ? 12 : 3;
+    const auto most = step % 3 == 0 ? 12U : 3U;
     Bits expected;
     space.clear_sum();
     for (auto terms = 1 + random() % most; terms > 0; --terms) {
