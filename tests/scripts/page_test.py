@@ -20,7 +20,8 @@ def main(root, kind, *arguments):
         print("skipped: replay/page has no node_modules; npm ci makes them")
         return 77
     command = {"units": ["test/run.mjs"],
-               "browser": ["test/browser.mjs", *arguments, str(page.parent / "examples")]}[kind]
+               "browser": ["test/browser.mjs", *(str(Path(each).resolve()) for each in arguments),
+                           str(page.parent / "examples")]}[kind]
     return subprocess.run(["node", *command], cwd=page, check=False).returncode
 
 
