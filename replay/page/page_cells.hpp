@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,12 +16,13 @@ namespace sesame::replay {
 
 /// How much a page has of an object; what is left out is said on the page.
 struct PageLimits {
-  std::uint64_t cells = 50'000;            ///< that were ever there, undone ones too
-  std::uint64_t cells_of_family = 20'000;  ///< of one product or large cone; a larger one is not shown
-  std::uint64_t steps = 10'000;            ///< of more, several are shown as one
-  std::uint64_t generators = 100;          ///< of the object at the end
-  std::uint64_t terms = 5'000;             ///< of a chain
-  std::uint64_t bytes_of_operation = 300;  ///< of its text
+  std::uint64_t cells = 50'000;                ///< that were ever there, undone ones too
+  std::uint64_t cells_of_family = 20'000;      ///< of one product or large cone; a larger one is not shown
+  std::uint64_t steps = 10'000;                ///< of more, several are shown as one
+  std::uint64_t generators = 100;              ///< of the object at the end
+  std::uint64_t terms = 5'000;                 ///< of a chain
+  std::uint64_t terms_of_generators = 50'000;  ///< of all generators together
+  std::uint64_t bytes_of_operation = 300;      ///< of its text
 };
 
 /// A cell as another one sees it: a face, or what it became. From 0 on: twice its number, and 1 more when it is turned
@@ -85,7 +87,16 @@ struct PageStep {
   std::int64_t euler = 0;
   std::vector<std::int64_t> betti;
   std::vector<std::vector<sparse::Integer>> torsion;
-  std::optional<PageAnswer> answer;
+  std::unique_ptr<PageAnswer> answer;  ///< or null
+
+  /// The page does not stop there: nobody reads the rest.
+  void keep_events_only() {
+    op = text = {};
+    cells = {};
+    betti = {};
+    torsion = {};
+    answer = nullptr;
+  }
 };
 
 }  // namespace sesame::replay

@@ -67,7 +67,22 @@ void PageHistory::take(engine::Engine& engine, const ops::Operation& operation, 
   step.betti = homology.betti;
   step.torsion = homology.torsion;
   add_answer(engine, operation, report, step);
+  if (steps_.size() == limits_.steps * stride_) {
+    thin_out();
+  }
+  if (!steps_.empty() && steps_.size() % stride_ != 0) {
+    steps_.back().keep_events_only();
+  }
   steps_.push_back(std::move(step));
+}
+
+void PageHistory::thin_out() {
+  stride_ *= 2;
+  for (std::size_t k = 0; k < steps_.size(); ++k) {
+    if ((k + 1) % stride_ != 0) {
+      steps_[k].keep_events_only();
+    }
+  }
 }
 
 void PageHistory::take_in(const Structure& structure, PageStep& step) {
@@ -245,7 +260,7 @@ void PageHistory::add_answer(engine::Engine& engine, const ops::Operation& opera
   if (report.answer->bounds) {
     answer.bounds = chain(engine.structure(), *report.answer->bounds);
   }
-  step.answer = std::move(answer);
+  step.answer = std::make_unique<PageAnswer>(std::move(answer));
 }
 
 PageChain PageHistory::chain(const Structure& structure, const engine::CellChain& chain) const {

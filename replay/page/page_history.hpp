@@ -27,6 +27,8 @@ class PageHistory {
   [[nodiscard]] const PageLimits& limits() const { return limits_; }
   [[nodiscard]] const PageCells& cells() const { return cells_; }
   [[nodiscard]] const std::vector<PageStep>& steps() const { return steps_; }
+  /// After every so many steps the page stops, and at the end: a power of 2. The steps between have their events only.
+  [[nodiscard]] std::uint64_t stride() const { return stride_; }
   [[nodiscard]] const VertexPlaces& places() const { return places_; }
   /// Cells that there were and that are not shown, for want of room or as those of a family that is too large.
   [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
@@ -35,6 +37,7 @@ class PageHistory {
   [[nodiscard]] PageChain chain(const ops::Structure& structure, const engine::CellChain& chain) const;
 
  private:
+  void thin_out();
   void take_in(const ops::Structure& structure, PageStep& step);
   void take_back(std::uint64_t steps, const ops::Structure& structure, PageStep& step);
   void add_families(const ops::Structure& structure, PageStep& step);
@@ -66,6 +69,7 @@ class PageHistory {
   ops::LinkId links_ = 0;                ///< until the last step
   std::uint32_t moves_ = 0;              ///< likewise
   std::uint64_t left_out_ = 0, families_left_out_ = 0;
+  std::uint64_t stride_ = 1;
 };
 
 }  // namespace sesame::replay

@@ -103,11 +103,7 @@ void write_if_any(const char* name, const List& list, JsonText& out) {
   }
 }
 
-/// What is the same as after the step before is left out.
-void write_step(const PageStep& step, const PageStep* before, JsonText& out) {
-  out.begin_object();
-  out.field("op", step.op);
-  out.field("text", step.text);
+void write_events(const PageStep& step, JsonText& out) {
   if (step.made > 0) {
     out.key("made");
     out.list_of(step.first, step.made);
@@ -116,6 +112,12 @@ void write_step(const PageStep& step, const PageStep* before, JsonText& out) {
   write_if_any("moved", step.moved, out);
   write_if_any("consumed", step.consumed, out);
   write_if_any("undone", step.undone, out);
+}
+
+/// What is the same as where the page stopped before is left out.
+void write_state(const PageStep& step, const PageStep* before, JsonText& out) {
+  out.field("op", step.op);
+  out.field("text", step.text);
   if (before == nullptr || step.cells != before->cells) {
     out.field("cells", step.cells);
     out.field("euler", step.euler);
@@ -128,7 +130,6 @@ void write_step(const PageStep& step, const PageStep* before, JsonText& out) {
     out.key("answer");
     write_answer(*step.answer, out);
   }
-  out.end_object();
 }
 
 void shorten(PageChain& chain, const std::optional<ChainLength>& length) {
@@ -139,8 +140,18 @@ void shorten(PageChain& chain, const std::optional<ChainLength>& length) {
   }
 }
 
-void write_generator(const PageHistory& history, const engine::Generator& generator, const GeneratorOptions& options,
-                     const ops::Structure& structure, JsonText& out) {
+/// The terms of a chain, those more with long names that the page has not got elsewhere.
+std::uint64_t weight_of(const PageChain& chain) {
+  std::uint64_t weight = chain.terms.size();
+  for (const PageChain::Term& term : chain.terms) {
+    weight += term.name.size() / 16;
+  }
+  return weight;
+}
+
+/// Returns what it weighs.
+std::uint64_t write_generator(const PageHistory& history, const engine::Generator& generator,
+                              const GeneratorOptions& options, const ops::Structure& structure, JsonText& out) {
   out.begin_object();
   out.field("dim", generator.degree);
   out.field("order", generator.order.to_string());
@@ -148,19 +159,23 @@ void write_generator(const PageHistory& history, const engine::Generator& genera
   shorten(cycle, length_of_cycle(generator, options));
   out.key("chain");
   write_chain(cycle, out);
+  std::uint64_t weight = weight_of(cycle);
   if (!generator.order.is_zero()) {
     PageChain bounding = history.chain(structure, generator.bounding);
     shorten(bounding, length_of_bounding(generator, options));
     out.key("bounds");
     write_chain(bounding, out);
+    weight += weight_of(bounding);
   }
   out.end_object();
+  return weight;
 }
 
 /// The first ones of each dimension, as many as there is room for; how many there are is said by the groups.
 void write_generators(const PageHistory& history, engine::Engine& engine, const PageHead& head, JsonText& out) {
   GeneratorOptions options;
   options.most_terms = history.limits().terms;
+  std::uint64_t terms_left = history.limits().terms_of_generators;
   const std::size_t dimensions = engine.cells().size();
   out.begin_list();
   for (std::size_t p = 0; p < dimensions; ++p) {
@@ -170,16 +185,12 @@ void write_generators(const PageHistory& history, engine::Engine& engine, const 
       if (written >= room || (head.stop != nullptr && head.stop->load())) {
         return false;
       }
-      write_generator(history, generator, options, engine.structure(), out);
+      options.most_terms = std::min(history.limits().terms, terms_left);
+      terms_left -= std::min(terms_left, write_generator(history, generator, options, engine.structure(), out));
       return ++written < room;
     });
   }
   out.end_list();
-}
-
-/// Steps at which a page stops, when there are too many to stop at each.
-std::uint64_t stride_of(const PageHistory& history) {
-  return std::max<std::uint64_t>(1, (history.steps().size() + history.limits().steps - 1) / history.limits().steps);
 }
 
 }  // namespace
@@ -194,7 +205,7 @@ std::string page_data(const PageHistory& history, engine::Engine& engine, const 
   out.field("source", head.source);
   out.field("notes", head.notes);
   out.field("ring", sparse::ring_name(engine.ring()));
-  out.field("stride", stride_of(history));
+  out.field("stride", history.stride());
   out.field("left_out", history.left_out());
   out.field("families_left_out", history.families_left_out());
   out.key("limits");
@@ -213,8 +224,13 @@ std::string page_data(const PageHistory& history, engine::Engine& engine, const 
   out.begin_list();
   const PageStep* before = nullptr;
   for (const PageStep& step : history.steps()) {
-    write_step(step, before, out);
-    before = &step;
+    out.begin_object();
+    write_events(step, out);
+    if (!step.op.empty()) {  // the page stops there
+      write_state(step, before, out);
+      before = &step;
+    }
+    out.end_object();
   }
   out.end_list();
   out.key("generators");

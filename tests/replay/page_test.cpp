@@ -218,6 +218,10 @@ TEST_CASE("what is too much for a page is counted", "[page]") {
   CHECK(paged.data["left_out"] == 5);
   CHECK(paged.data["cells"]["names"].size() == 10);
   CHECK(paged.data["stride"] == 2);
+  CHECK(!paged.step(0).contains("op"));
+  CHECK(paged.step(0).contains("made"));
+  CHECK(paged.step(1)["op"] == "simplex");
+  CHECK(paged.step(2)["op"] == "simploid");
   limits = {};
   limits.cells_of_family = 8;
   const Paged product(script({edge, other_edge, R"({"op":"product","name":"P","left":"e","right":"f"})",
@@ -244,8 +248,11 @@ TEST_CASE("generators and answers are chains of cells of the page", "[page]") {
   CHECK(answer["bounds"]["terms"].size() == 2);
   replay::PageLimits limits;
   limits.terms = 1;
+  limits.terms_of_generators = 1;
   const Paged shorter(example("projective_plane"), limits);
   CHECK(shorter.step(11)["answer"]["bounds"]["length"] == 2);
+  CHECK(shorter.data["generators"][0]["chain"]["terms"].size() == 1);
+  CHECK(shorter.data["generators"][1]["chain"]["length"] == 1);
 }
 
 TEST_CASE("no text of a script can end the element that it stands in", "[page]") {

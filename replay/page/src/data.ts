@@ -26,7 +26,10 @@ export interface Generator {
   bounds?: Chain;
 }
 
-/** Lists that are not there are empty; numbers that are not there are those of the step before. */
+/**
+ * Lists that are not there are empty; numbers that are not there are those of the step before. Steps at which the page
+ * does not stop have events only.
+ */
 export interface Step {
   op: string;
   text: string;

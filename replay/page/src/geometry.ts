@@ -12,7 +12,7 @@ export interface Drawn {
   faces: { cell: number; triangles: Triangles }[];
   /** The diagonal of the box around all places of vertices. */
   size: number;
-  /** Current cells of two dimensions or fewer that cannot be drawn, as something that they need is not shown. */
+  /** Current cells that cannot be drawn: something that they need is not shown, or all faces of a solid are squashed. */
   missing: number;
 }
 
@@ -62,6 +62,7 @@ export function drawnOf(object: ObjectState, places: Places): Drawn {
     const triangles = patchOf(object, curves, placeOf, cell, parts, twins, size);
     triangles ? faces.push({ cell, triangles }) : ++missing;
   }
+  missing += cells.filter((cell) => object.dimension[cell] > 2 && skeletonOf(object, cell).size === 0).length;
   return { vertices, edges, faces, size, missing };
 }
 

@@ -197,8 +197,9 @@ class Page {
         return item;
       }),
     );
+    const unshown = this.drawn.missing > 0 ? ` ${this.drawn.missing} of the cells cannot be drawn.` : "";
     get("cells").textContent = `${cellsText(numbers.cells)}; Euler characteristic ${numbers.euler}`;
-    const unshown = this.drawn.missing > 0 ? ` ${this.drawn.missing} cells of it are not drawn.` : "";
+    get("unshown").textContent = unshown;
     get("canvas").setAttribute("aria-label", `The object after step ${steps}: ${cellsText(numbers.cells)}.${unshown}`);
     get("play").textContent = this.player.isPlaying ? "pause" : "play";
     get<HTMLButtonElement>("back").disabled = steps === 0;

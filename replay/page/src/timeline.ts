@@ -3,8 +3,8 @@ import type { Numbers } from "./data.ts";
 
 const svgName = "http://www.w3.org/2000/svg";
 /** The margins, for marks. */
-const left = 34;
-const right = 8;
+const left = 46;
+const right = 20;
 const dashes = ["", "7 3", "2 3", "9 3 2 3", "1 2"];
 
 function element<K extends keyof SVGElementTagNameMap>(name: K, attributes: Record<string, string | number>, text = ""): SVGElementTagNameMap[K] {

@@ -100,7 +100,7 @@ const tests = {
   async "a click into the timeline, the list and the buttons goes to a step"() {
     const { page, wrong, steps, close } = await opened(join(examples, "torus.jsonl"));
     const box = await page.locator("#timeline").boundingBox();
-    await page.mouse.click(box.x + 35, box.y + 60);
+    await page.mouse.click(box.x + 48, box.y + 60);
     assert.equal(await now(page), `0 of ${steps.length}`);
     await page.click("#forward");
     await page.click("#forward");

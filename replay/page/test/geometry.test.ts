@@ -41,6 +41,13 @@ test("pieces that hang together have one number, the largest piece 0", () => {
   assert.deepEqual([...componentsOf(object)], [[0, 1], [1, 0], [2, 0], [3, 0]]);
 });
 
+test("a solid without faces cannot be drawn, and is counted", () => {
+  const data = dataOf([[[], "v", []], [[3], "t", [-2, -2, -2, -2]]], [[0, 0, 0, 0]], [{ op: "s", text: "", made: [0, 2] }]);
+  const object = new ObjectState(data);
+  object.goTo(1);
+  assert.equal(drawnOf(object, placesOf(data.places.cells, data.places.points)).missing, 1);
+});
+
 test("a solid is shown by its faces, a chain by its cells as they are now", () => {
   const data = square();
   data.cells.types.push([1, 1, 1]);
@@ -54,5 +61,6 @@ test("a solid is shown by its faces, a chain by its cells as they are now", () =
   object.goTo(3);
   const drawing = drawnOf(object, placesOf(data.places.cells, data.places.points));
   const overlay = overlayOf(object, drawing, { terms: [["1", 6], ["-2", -1, "x"]] }, 0xff0000);
+  assert.equal(drawing.missing, 0);
   assert.deepEqual([overlay.paths.length, overlay.points.length, overlay.faces.length], [1, 0, 0]);
 });
