@@ -10,7 +10,7 @@ while(begin LESS length)
   string(APPEND pieces "    R\"sesame_page(${piece})sesame_page\"sv,\n")
   math(EXPR begin "${begin} + 60000")
 endwhile()
-file(WRITE "${OUT}" "#include \"replay/page/page_template.hpp\"
+file(WRITE "${OUT}.new" "#include \"replay/page/page_template.hpp\"
 
 namespace sesame::replay {
 namespace {
@@ -26,3 +26,4 @@ std::span<const std::string_view> page_template() { return pieces; }
 
 }  // namespace sesame::replay
 ")
+file(COPY_FILE "${OUT}.new" "${OUT}" ONLY_IF_DIFFERENT)  # so that nothing is compiled again for nothing
