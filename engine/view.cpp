@@ -1,10 +1,9 @@
 #include "engine/view.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "engine/engine.hpp"
-#include "sparse/archive.hpp"
+#include "sparse/archive_memory.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::engine {
@@ -20,10 +19,7 @@ Result<std::shared_ptr<const View>> View::of(const Engine& engine) {
   const std::shared_ptr<View> view{new View(object.applied(), {engine.ring_, engine.limits_, engine.history_.undoable},
                                             engine.rebases_, {counts.begin(), counts.end()})};
   if (const Status worth = check_worth(object); worth) {
-    sparse::ArchiveWriter to([&](std::span<const char> bytes) -> Status {
-      view->archive_.append(bytes.data(), bytes.size());
-      return Done{};
-    });
+    sparse::ArchiveWriter to(sparse::sink_into(view->archive_));
     object.save(to, LiveObject::Reduction::left_out);
     if (Status written = to.finish(); !written) {
       return written.error();
@@ -47,15 +43,7 @@ std::unique_ptr<LiveObject> View::made() const {
     }
     return object;
   }
-  std::size_t at = 0;
-  sparse::ArchiveReader from(
-      [&](std::span<char> to) -> Result<std::size_t> {
-        const std::size_t bytes = std::min(to.size(), archive_.size() - at);
-        std::copy_n(archive_.data() + at, bytes, to.data());
-        at += bytes;
-        return bytes;
-      },
-      archive_.size());
+  sparse::ArchiveReader from(sparse::source_of(archive_), archive_.size());
   object->load(from);
   if (const Status whole = from.finish(); !whole) {
     throw std::logic_error("a view cannot read its own object: " + whole.error().what);

@@ -72,7 +72,7 @@ class View {
   ObjectTerms terms_;
   RebasePolicy rebases_;
   std::vector<std::uint64_t> cells_;
-  std::string archive_;                    ///< of the object, or empty
+  std::vector<char> archive_;              ///< of the object, or empty
   std::vector<ops::Operation> its_steps_;  ///< else
   mutable std::recursive_mutex asking_;    ///< one that a question from within another can be told by
   mutable bool is_asked_ = false;

@@ -7,6 +7,7 @@
 
 #include "ops/cells/cell_order.hpp"
 #include "ops/cells/structure.hpp"
+#include "sparse/archive_memory.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::ops {
@@ -64,22 +65,11 @@ class Structure::Renewal {
 /// Types and orders keep their numbers.
 void Structure::Renewal::take_knowledge() {
   std::vector<char> bytes;
-  sparse::ArchiveWriter writer([&](std::span<const char> block) -> Status {
-    bytes.insert(bytes.end(), block.begin(), block.end());
-    return Done{};
-  });
+  sparse::ArchiveWriter writer(sparse::sink_into(bytes));
   from_.types().save(writer);
   from_.maps().save(writer);
   const Status written = writer.finish();
-  std::size_t at = 0;
-  sparse::ArchiveReader reader(
-      [&](std::span<char> to) -> Result<std::size_t> {
-        const std::size_t taken = std::min(to.size(), bytes.size() - at);
-        std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(at), taken, to.begin());
-        at += taken;
-        return taken;
-      },
-      bytes.size());
+  sparse::ArchiveReader reader(sparse::source_of(bytes), bytes.size());
   to_.types().load(reader);
   to_.maps().load(reader);
   sparse::expects(written && reader.is_good(), "types and orders are read as they are written");

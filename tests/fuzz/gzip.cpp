@@ -50,29 +50,44 @@ Unpacked read(std::string_view packed, std::size_t piece) {
   return all;
 }
 
+struct Inflated {
+  std::string bytes;
+  std::size_t used = 0;    ///< of the input
+  bool has_ended = false;  ///< and not been cut off or damaged, or longer than `most`
+};
+
+/// What the first stream in some data unpacks to, by zlib alone.
+Inflated inflated(std::string_view data, int window_bits, std::size_t most) {
+  Inflated found;
+  std::string copy{data};
+  z_stream stream{};
+  demand(inflateInit2(&stream, window_bits) == Z_OK, "zlib works");
+  stream.next_in = reinterpret_cast<Bytef*>(copy.data());
+  stream.avail_in = static_cast<uInt>(copy.size());
+  int outcome = Z_OK;
+  while (outcome == Z_OK && found.bytes.size() < most) {
+    std::array<char, 4096> room{};
+    stream.next_out = reinterpret_cast<Bytef*>(room.data());
+    stream.avail_out = room.size();
+    outcome = inflate(&stream, Z_NO_FLUSH);
+    found.bytes.append(room.data(), room.size() - stream.avail_out);
+  }
+  found.used = copy.size() - stream.avail_in;
+  found.has_ended = outcome == Z_STREAM_END;
+  inflateEnd(&stream);
+  return found;
+}
+
 /// The members of gzip data, by zlib alone; nothing when they are damaged, cut off, or no such data.
 std::optional<std::string> unpacked_by_zlib(std::string_view packed) {
   std::string bytes;
   while (!packed.empty()) {
-    z_stream stream{};
-    demand(inflateInit2(&stream, 16 + MAX_WBITS) == Z_OK, "zlib works");
-    std::string copy{packed};
-    stream.next_in = reinterpret_cast<Bytef*>(copy.data());
-    stream.avail_in = static_cast<uInt>(copy.size());
-    int outcome = Z_OK;
-    while (outcome == Z_OK && bytes.size() < most_unpacked) {
-      std::array<char, 4096> room{};
-      stream.next_out = reinterpret_cast<Bytef*>(room.data());
-      stream.avail_out = room.size();
-      outcome = inflate(&stream, Z_NO_FLUSH);
-      bytes.append(room.data(), room.size() - stream.avail_out);
-    }
-    const std::size_t left = stream.avail_in;
-    inflateEnd(&stream);
-    if (outcome != Z_STREAM_END) {
+    const Inflated member = inflated(packed, 16 + MAX_WBITS, most_unpacked - std::min(most_unpacked, bytes.size()));
+    if (!member.has_ended) {
       return std::nullopt;
     }
-    packed.remove_prefix(packed.size() - left);
+    bytes += member.bytes;
+    packed.remove_prefix(member.used);
   }
   return bytes;
 }
@@ -112,21 +127,7 @@ void demand_same_as_zlib(std::string_view data) {
 
 /// A raw stream of blocks as a gzip member with the right sums, which a fuzzer does not find.
 std::string sealed(std::string_view blocks) {
-  std::string copy{blocks}, bytes;
-  z_stream stream{};
-  demand(inflateInit2(&stream, -MAX_WBITS) == Z_OK, "zlib works");
-  stream.next_in = reinterpret_cast<Bytef*>(copy.data());
-  stream.avail_in = static_cast<uInt>(copy.size());
-  int outcome = Z_OK;
-  while (outcome == Z_OK && bytes.size() < most_unpacked) {
-    std::array<char, 4096> room{};
-    stream.next_out = reinterpret_cast<Bytef*>(room.data());
-    stream.avail_out = room.size();
-    outcome = inflate(&stream, Z_NO_FLUSH);
-    bytes.append(room.data(), room.size() - stream.avail_out);
-  }
-  const std::size_t used = copy.size() - stream.avail_in;
-  inflateEnd(&stream);
+  const auto [bytes, used, has_ended] = inflated(blocks, -MAX_WBITS, most_unpacked);
   std::string member{"\x1F\x8B\x08\x00\x00\x00\x00\x00\x00\x03", 10};
   member += blocks.substr(0, used);
   const auto sum = static_cast<std::uint32_t>(

@@ -1,13 +1,12 @@
 // Snapshots, measured: bench_snapshots SCENARIO [SIZE [TIMES]]. Applies the operations of a construction, writes a
 // snapshot into memory, and reads it; says what each of that takes, and what reading consists of.
-#include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include "engine/snapshot.hpp"
+#include "sparse/archive_memory.hpp"
 #include "tools/bench/scenarios.hpp"
 
 namespace {
@@ -16,15 +15,6 @@ using namespace sesame;
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-sparse::ArchiveReader::Source source_of(const std::vector<char>& bytes) {
-  return [&bytes, at = std::size_t{0}](std::span<char> to) mutable -> Result<std::size_t> {
-    const std::size_t taken = std::min(to.size(), bytes.size() - at);
-    std::memcpy(to.data(), bytes.data() + at, taken);
-    at += taken;
-    return taken;
-  };
-}
 
 int complain(const Error& error) {
   std::cerr << "bench_snapshots: " << error.what << '\n';
@@ -52,11 +42,7 @@ int measure(const tools::Scenario& scenario, std::uint64_t size, int times) {
   const double replay = seconds_since(start);
   std::vector<char> bytes;
   start = Clock::now();
-  if (const Status written = write_snapshot(object, terms, {object.applied(), 0, 0},
-                                            [&](std::span<const char> block) -> Status {
-                                              bytes.insert(bytes.end(), block.begin(), block.end());
-                                              return Done{};
-                                            });
+  if (const Status written = write_snapshot(object, terms, {object.applied(), 0, 0}, sparse::sink_into(bytes));
       !written) {
     return complain(written.error());
   }
@@ -64,7 +50,7 @@ int measure(const tools::Scenario& scenario, std::uint64_t size, int times) {
   double read = 0, state = 0, equivalence = 0;
   for (int k = 0; k < times; ++k) {
     start = Clock::now();
-    auto snapshot = read_snapshot(source_of(bytes), bytes.size(), terms, {});
+    auto snapshot = read_snapshot(sparse::source_of(bytes), bytes.size(), terms, {});
     const double whole = seconds_since(start);
     if (!snapshot) {
       return complain(snapshot.error());
