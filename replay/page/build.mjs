@@ -3,7 +3,7 @@
 //   node build.mjs --stdout prints it instead
 import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync, readdirSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
@@ -11,7 +11,9 @@ const here = dirname(fileURLToPath(import.meta.url));
 const read = (name) => readFileSync(join(here, name), "utf8");
 
 /** What the bundle is made from, in one order. tests/scripts/page_bundle_test.py reckons the same. */
-const sources = ["build.mjs", "package.json", "package-lock.json", "tsconfig.json", ...readdirSync(join(here, "src")).sort().map((name) => `src/${name}`)];
+const inSources = readdirSync(join(here, "src"), { recursive: true, withFileTypes: true });
+const files = inSources.filter((entry) => entry.isFile()).map((entry) => relative(here, join(entry.parentPath ?? entry.path, entry.name)));
+const sources = ["build.mjs", "package.json", "package-lock.json", "tsconfig.json", ...files.sort()];
 const hash = createHash("sha256");
 for (const name of sources) {
   hash.update(`${name}\n${read(name)}`);
@@ -19,10 +21,15 @@ for (const name of sources) {
 
 const options = { bundle: true, minify: true, write: false, charset: "ascii", legalComments: "none", logLevel: "warning" };
 const script = (await build({ ...options, entryPoints: [join(here, "src/main.ts")], format: "iife", target: "es2020" })).outputFiles[0].text.trim();
-const style = (await build({ ...options, entryPoints: [join(here, "src/page.css")], target: "es2020" })).outputFiles[0].text.trim();
+const style = (await build({ ...options, entryPoints: [join(here, "src/pages.css")], target: "es2020" })).outputFiles[0].text.trim();
 const policy = (text) => `sha256-${createHash("sha256").update(text).digest("base64")}`;
 
+/** What each page is made of, which is in a folder of its name. */
+const bodies = files.filter((name) => name.endsWith("/body.html")).sort();
+const templates = bodies.map((name) => `<template id="${name.split("/").at(-2)}-page">\n${read(name).trim()}\n</template>`);
+
 const parts = {
+  "@TEMPLATES@": templates.join("\n"),
   "@SCRIPT_HASH@": policy(script),
   "@STYLE_HASH@": policy(style),
   "@STYLE@": style,

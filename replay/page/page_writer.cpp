@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ops/vocabulary/json_text.hpp"
-#include "replay/page/page_template.hpp"
+#include "replay/page/page_file.hpp"
 #include "replay/script/generators.hpp"
 #include "sesame/version.hpp"
 
@@ -199,6 +199,7 @@ std::string page_data(const PageHistory& history, engine::Engine& engine, const 
   std::string text;
   JsonText out(text);
   out.begin_object();
+  out.field("kind", "replay");
   out.field("format", 1);
   out.field("version", SESAME_VERSION);
   out.field("title", head.title);
@@ -236,26 +237,11 @@ std::string page_data(const PageHistory& history, engine::Engine& engine, const 
   out.key("generators");
   write_generators(history, engine, head, out);
   out.end_object();
-  std::string safe;
-  safe.reserve(text.size());
-  for (const char c : text) {
-    if (c == '<') {
-      safe += "\\u003c";  // in JSON it stands in texts only
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
+  return text;
 }
 
 void write_page(std::ostream& out, const PageHistory& history, engine::Engine& engine, const PageHead& head) {
-  std::string page;
-  for (const std::string_view part : page_template()) {
-    page += part;
-  }
-  const std::size_t mark = page.find(page_data_mark);
-  out << std::string_view{page}.substr(0, mark) << page_data(history, engine, head)
-      << std::string_view{page}.substr(mark + page_data_mark.size());
+  write_page_file(out, page_data(history, engine, head));
 }
 
 }  // namespace sesame::replay

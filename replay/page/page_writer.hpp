@@ -19,8 +19,7 @@ struct PageHead {
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: no more generators after the one at hand
 };
 
-/// The data of a page, as JSON without the character `<`, so that it may stand in any element of HTML. Generators are
-/// those of the engine as it is now, after the last step of the history.
+/// The data of a page, as JSON. Generators are those of the engine as it is now, after the last step of the history.
 [[nodiscard]] std::string page_data(const PageHistory& history, engine::Engine& engine, const PageHead& head);
 
 /// The page: one file of HTML that needs no other and asks for none.

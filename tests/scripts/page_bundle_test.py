@@ -23,7 +23,7 @@ LIMIT = 2_000_000
 def hash_of_sources():
     """As build.mjs reckons it."""
     names = ["build.mjs", "package.json", "package-lock.json", "tsconfig.json",
-             *sorted(f"src/{path.name}" for path in (PAGE / "src").iterdir())]
+             *sorted(str(path.relative_to(PAGE)) for path in (PAGE / "src").rglob("*") if path.is_file())]
     found = hashlib.sha256()
     for name in names:
         found.update(f"{name}\n".encode() + (PAGE / name).read_bytes())

@@ -1,5 +1,5 @@
 /** Lists of numbers as the graphics card takes them. */
-import type { Drawn } from "./geometry.ts";
+import type { Drawn } from "./drawn.ts";
 import { add, cross, sub, unit, type Vec } from "./vectors.ts";
 
 export interface FaceBuffers {

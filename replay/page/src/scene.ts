@@ -29,7 +29,7 @@ import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import { ballAround, type ColourOf, type FaceBuffers, faceBuffers, lineBuffers, rgb } from "./buffers.ts";
 import type { Theme } from "./colours.ts";
-import type { Drawn } from "./geometry.ts";
+import type { Drawn } from "./drawn.ts";
 import type { Vec } from "./vectors.ts";
 
 /** A chain as it is laid over the object. */

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { bentCurve, curvesOf, reversed, straightCurve } from "../src/curves.ts";
-import { ObjectState } from "../src/object.ts";
+import { bentCurve, curvesOf, reversed, straightCurve } from "../src/replay/curves.ts";
+import { ObjectState } from "../src/replay/object.ts";
 import { length, sub, type Vec } from "../src/vectors.ts";
 import { dataOf, ref, square } from "./samples.ts";
 

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { dimensionOf, numbersOf, stopsOf } from "../src/data.ts";
+import { dimensionOf, numbersOf, stopsOf } from "../src/replay/data.ts";
 import { square } from "./samples.ts";
 
 test("numbers that are not there are those of the step before", () => {

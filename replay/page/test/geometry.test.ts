@@ -1,9 +1,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { componentsOf, drawnOf, placesOf, skeletonOf } from "../src/geometry.ts";
+import { componentsOf, drawnOf, placesOf, skeletonOf } from "../src/replay/geometry.ts";
 import { ballAround, faceBuffers, lineBuffers, rgb } from "../src/buffers.ts";
-import { overlayOf } from "../src/chains.ts";
-import { ObjectState } from "../src/object.ts";
+import { overlayOf } from "../src/replay/chains.ts";
+import { ObjectState } from "../src/replay/object.ts";
 import { dataOf, ref, square } from "./samples.ts";
 
 function drawn(steps: number) {

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { ObjectState } from "../src/object.ts";
+import { ObjectState } from "../src/replay/object.ts";
 import { dataOf, ref, square } from "./samples.ts";
 
 test("cells are those of each step, forwards and backwards, and past an undo", () => {

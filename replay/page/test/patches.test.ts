@@ -1,8 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { bentCurve, circleAt, circleCurve, curvesOf, straightCurve } from "../src/curves.ts";
-import { ObjectState } from "../src/object.ts";
-import { patchOf, squarePoint, trianglePoint } from "../src/patches.ts";
+import { bentCurve, circleAt, circleCurve, curvesOf, straightCurve } from "../src/replay/curves.ts";
+import { ObjectState } from "../src/replay/object.ts";
+import { patchOf, squarePoint, trianglePoint } from "../src/replay/patches.ts";
 import { length, sub, type Vec } from "../src/vectors.ts";
 import { dataOf, ref, square } from "./samples.ts";
 

@@ -1,5 +1,5 @@
 /** Small pages as C++ would write them. */
-import type { Data, Step } from "../src/data.ts";
+import type { Data, Step } from "../src/replay/data.ts";
 
 const turned = 1;
 export const ref = (cell: number, isTurned = false) => 2 * cell + (isTurned ? turned : 0);

@@ -1,9 +1,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { generatorTitle } from "../src/chain_panel.ts";
+import { generatorTitle } from "../src/replay/chain_panel.ts";
 import { colourOfGenerator, cssColour } from "../src/colours.ts";
-import { ObjectState } from "../src/object.ts";
-import { cellsText, chainJson, chainSum, groupsText, groupText, remarksOf, typeText } from "../src/text.ts";
+import { ObjectState } from "../src/replay/object.ts";
+import { chainJson, chainSum, groupsText, remarksOf, typeText } from "../src/replay/replay_text.ts";
+import { cellsText, groupText } from "../src/text.ts";
 import { square } from "./samples.ts";
 
 test("groups are written as in the table of the program", () => {

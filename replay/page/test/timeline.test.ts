@@ -1,8 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Player } from "../src/player.ts";
-import { matches, wordsOf } from "../src/steps_panel.ts";
-import { marksOf, stepPath, torsionRuns } from "../src/timeline.ts";
+import { Player } from "../src/replay/player.ts";
+import { matches, wordsOf } from "../src/replay/steps_panel.ts";
+import { marksOf, stepPath, torsionRuns } from "../src/replay/timeline.ts";
 import { across, cross, dot, turned, unit } from "../src/vectors.ts";
 
 test("a curve has a corner only where its value changes", () => {

@@ -1,6 +1,6 @@
 /** Edges as curves: straight ones, several between the same ends bent apart, and loops as circles. */
 import type { ObjectState } from "./object.ts";
-import { across, add, cross, length, mix, scale, sub, turned, unit, type Vec } from "./vectors.ts";
+import { across, add, cross, length, mix, scale, sub, turned, unit, type Vec } from "../vectors.ts";
 
 export interface Curve {
   from: Vec;

@@ -1,8 +1,9 @@
 /** Chains as they are laid over what is drawn. */
 import type { Chain } from "./data.ts";
-import { type Drawn, skeletonOf } from "./geometry.ts";
+import type { Drawn } from "../drawn.ts";
+import { skeletonOf } from "./geometry.ts";
 import type { ObjectState } from "./object.ts";
-import type { Overlay } from "./scene.ts";
+import type { Overlay } from "../scene.ts";
 
 /** The cells of a chain that are current, drawn in a colour. Of cells of more than two dimensions, their faces. */
 export function overlayOf(object: ObjectState, drawn: Drawn, chain: Chain, colour: number, generator = -1): Overlay {

@@ -2,11 +2,9 @@
 import type { Curve, Circle } from "./curves.ts";
 import { pointCurve, reversed } from "./curves.ts";
 import type { Curves } from "./curves.ts";
+import type { Triangles } from "../drawn.ts";
 import type { ObjectState } from "./object.ts";
-import { across, add, cross, dot, length, mix, scale, sub, turned, unit, type Vec } from "./vectors.ts";
-
-/** Triangles, three points each. */
-export type Triangles = Vec[];
+import { across, add, cross, dot, length, mix, scale, sub, turned, unit, type Vec } from "../vectors.ts";
 
 interface Side {
   edge: number; // -1: a point

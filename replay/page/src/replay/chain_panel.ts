@@ -1,41 +1,10 @@
 /** Generators, and what is said of a chain that was chosen: its order, its text, what it bounds. */
-import { colourOfGenerator, cssColour } from "./colours.ts";
+import { colourOfGenerator, cssColour } from "../colours.ts";
+import { button, copy, paragraph } from "../elements.ts";
 import type { Answer, Chain, Data, Generator } from "./data.ts";
-import { chainJson, chainSum } from "./text.ts";
+import { chainJson, chainSum } from "./replay_text.ts";
 
 type NameOf = (cell: number) => string;
-
-function paragraph(text: string, name = ""): HTMLParagraphElement {
-  const made = document.createElement("p");
-  made.textContent = text;
-  made.className = name;
-  return made;
-}
-
-function button(text: string, onClick: (made: HTMLButtonElement) => void): HTMLButtonElement {
-  const made = document.createElement("button");
-  made.type = "button";
-  made.textContent = text;
-  made.addEventListener("click", () => onClick(made));
-  return made;
-}
-
-/** Into the clipboard; pages that are opened from a disk may not use the one of today, so the old way follows. */
-async function copy(text: string, from: HTMLButtonElement): Promise<void> {
-  try {
-    await navigator.clipboard.writeText(text);
-  } catch {
-    const area = document.createElement("textarea");
-    area.value = text;
-    document.body.append(area);
-    area.select();
-    document.execCommand("copy");
-    area.remove();
-    from.focus();
-  }
-  from.textContent = "copied";
-  setTimeout(() => (from.textContent = "copy"), 1200);
-}
 
 /** A chain with a button that copies it; its text can be selected, too. */
 function chainBox(label: string, chain: Chain, nameOf: NameOf): HTMLElement {

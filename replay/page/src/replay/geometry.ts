@@ -1,20 +1,9 @@
-/** What is drawn of an object at one moment: points, curves and triangles, each with the cell that it belongs to. */
+/** What is to be drawn of the object at one moment. */
+import type { Drawn } from "../drawn.ts";
 import { curvesOf, type Curves } from "./curves.ts";
 import type { ObjectState } from "./object.ts";
-import { patchOf, type Triangles, type Twins } from "./patches.ts";
-import type { Vec } from "./vectors.ts";
-
-export interface Drawn {
-  /** Current vertices, and where they are. */
-  vertices: { cell: number; at: Vec }[];
-  /** Edges as broken lines. */
-  edges: { cell: number; points: Vec[] }[];
-  faces: { cell: number; triangles: Triangles }[];
-  /** The diagonal of the box around all places of vertices. */
-  size: number;
-  /** Current cells that cannot be drawn: something that they need is not shown, or all faces of a solid are squashed. */
-  missing: number;
-}
+import { patchOf, type Twins } from "./patches.ts";
+import type { Vec } from "../vectors.ts";
 
 export type Places = Map<number, Vec>;
 

@@ -1,0 +1,14 @@
+/// \file
+/// Pages as files: one program in the browser for all of them (replay/page/src), which does what its data are for.
+#pragma once
+
+#include <ostream>
+#include <string_view>
+
+namespace sesame::replay {
+
+/// Writes a page: one file of HTML that needs no other and asks for none. `data`: a JSON object whose `kind` says which
+/// page it is, "replay", "tower" or "mesh". What its texts contain cannot end the element that it stands in.
+void write_page_file(std::ostream& out, std::string_view data);
+
+}  // namespace sesame::replay

@@ -1,0 +1,258 @@
+/** Puts the page of a replay together. */
+import { rgb } from "../buffers.ts";
+import { ChainPanel } from "./chain_panel.ts";
+import { overlayOf } from "./chains.ts";
+import { colourOfGenerator, dark, light, palette, type Theme } from "../colours.ts";
+import { type Chain, type Data, numbersOf, stopsOf } from "./data.ts";
+import { componentsOf, drawnOf, placesOf } from "./geometry.ts";
+import { ObjectState } from "./object.ts";
+import { Player } from "./player.ts";
+import type { Drawn } from "../drawn.ts";
+import { get } from "../elements.ts";
+import { type Overlay, Picture } from "../scene.ts";
+import { cellsText, groupText } from "../text.ts";
+import { StepsPanel } from "./steps_panel.ts";
+import { groupsText, remarksOf, typeText } from "./replay_text.ts";
+import { Timeline } from "./timeline.ts";
+
+export class ReplayPage {
+  private readonly numbers;
+  private readonly object: ObjectState;
+  private readonly places;
+  private readonly player: Player;
+  private readonly picture: Picture | null;
+  private readonly timeline: Timeline;
+  private readonly steps: StepsPanel;
+  private readonly chains: ChainPanel;
+  private readonly finalNames: string[];
+  private theme: Theme;
+  private chosen: number[] = [];
+  private drawn: Drawn;
+
+  constructor(private readonly data: Data) {
+    this.numbers = numbersOf(data.steps);
+    this.object = new ObjectState(data);
+    this.object.goTo(data.steps.length);
+    this.finalNames = Array.from({ length: data.cells.names.length }, (_, cell) => this.object.name(cell));
+    this.places = placesOf(data.places.cells, data.places.points);
+    this.drawn = drawnOf(this.object, this.places);
+    const stops = stopsOf(data.steps.length, data.stride);
+    this.player = new Player(stops, () => this.update());
+    const scheme = matchMedia("(prefers-color-scheme: dark)");
+    this.theme = scheme.matches ? dark : light;
+    this.picture = this.makePicture();
+    scheme.addEventListener("change", () => {
+      this.theme = scheme.matches ? dark : light;
+      this.picture?.setTheme(this.theme);
+      this.update();
+    });
+    this.timeline = new Timeline(get("timeline"), this.numbers, (step) => this.player.toStep(step));
+    this.steps = new StepsPanel(get("steps"), get("search"), get("found"), data, stops, (step) => this.player.toStep(step));
+    // Generators are those of the end; what a class step says has the names of that moment.
+    const nameOf = (cell: number) => (this.chosen.length > 0 ? this.finalNames[cell] : this.object.name(cell));
+    this.chains = new ChainPanel(get("generators"), get("details"), data, nameOf, (indices) => this.choose(indices));
+    this.fillHead();
+    this.listen(stops.length);
+    new ResizeObserver(() => this.resize()).observe(get("picture"));
+    this.resize();
+    this.update();
+  }
+
+  private makePicture(): Picture | null {
+    try {
+      return new Picture(get("canvas"), this.theme);
+    } catch (error) {
+      get<HTMLElement>("nopicture").hidden = false;
+      return null; // all else works without
+    }
+  }
+
+  private fillHead(): void {
+    const { title, source, ring, version } = this.data;
+    document.title = title ? `${title} - sesame` : "sesame replay";
+    get("title").textContent = title || source;
+    get("facts").textContent = `${source}, ${this.data.steps.length} steps, homology over ${ring}, sesame ${version}`;
+    const last = this.numbers[this.numbers.length - 1];
+    const remarks = remarksOf(this.data, this.object);
+    remarks.push(this.chains.remark(last.betti.map((betti, p) => betti + (last.torsion[p]?.length ?? 0))));
+    for (const remark of remarks.filter(Boolean)) {
+      const item = document.createElement("li");
+      item.textContent = remark;
+      get("remarks").append(item);
+    }
+    get<HTMLElement>("notes").hidden = get("remarks").childElementCount === 0;
+  }
+
+  private listen(stops: number): void {
+    const slider = get<HTMLInputElement>("slider");
+    slider.max = String(stops - 1);
+    slider.addEventListener("input", () => this.player.toPosition(slider.valueAsNumber));
+    const press = (id: string, act: () => void) => get(id).addEventListener("click", act);
+    const toggle = () => (this.player.isPlaying ? this.pause() : this.play());
+    press("play", toggle);
+    press("back", () => this.player.move(-1));
+    press("forward", () => this.player.move(1));
+    press("first", () => this.player.toPosition(0));
+    press("last", () => this.player.toPosition(Infinity));
+    press("fit", () => this.fit());
+    get("solid").addEventListener("input", () => this.show());
+    const keys: Record<string, () => void> = {
+      ArrowLeft: () => this.player.move(-1),
+      ArrowRight: () => this.player.move(1),
+      Home: () => this.player.toPosition(0),
+      End: () => this.player.toPosition(Infinity),
+      " ": toggle,
+      f: () => this.fit(),
+      "/": () => get<HTMLInputElement>("search").focus(),
+    };
+    document.addEventListener("keydown", (event) => {
+      const isTyping = (event.target as Element).matches("input, textarea");
+      const isPressing = event.key === " " && (event.target as Element).matches("button, summary");
+      if (!isTyping && !isPressing && !event.ctrlKey && !event.metaKey && !event.altKey && keys[event.key]) {
+        event.preventDefault();
+        keys[event.key]();
+      }
+    });
+    this.listenToPointer(get("canvas"));
+  }
+
+  private listenToPointer(canvas: HTMLCanvasElement): void {
+    let down: [number, number] = [0, 0];
+    canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));
+    canvas.addEventListener("click", (event) => {
+      if (Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 5) {
+        this.point(event.offsetX, event.offsetY);
+      }
+    });
+  }
+
+  /** Says what a cell is, and chooses a generator that goes through it. */
+  private point(x: number, y: number): void {
+    const generator = this.picture?.generatorAt(x, y) ?? -1;
+    const cell = this.picture?.cellAt(x, y) ?? null;
+    if (generator >= 0) {
+      this.choose([generator]);
+    }
+    if (cell === null) {
+      get("cell").textContent = "";
+      return;
+    }
+    const { types, type } = this.data.cells;
+    get("cell").textContent = `${typeText(types[type[cell]])} ${this.object.name(cell)}`;
+  }
+
+  private fit(): void {
+    if (this.picture) {
+      this.picture.moved = false;
+      this.picture.fit();
+    }
+  }
+
+  private play(): void {
+    this.player.play(Math.min(900, Math.max(60, 12000 / this.numbers.length)));
+    this.update();
+  }
+
+  private pause(): void {
+    this.player.pause();
+    this.update();
+  }
+
+  private choose(indices: number[]): void {
+    this.player.pause();
+    this.chosen = indices;
+    if (indices.length > 0 && this.player.steps !== this.data.steps.length) {
+      this.player.toPosition(Infinity); // which updates
+    } else {
+      this.update();
+    }
+  }
+
+  private update(): void {
+    const steps = this.player.steps;
+    if (steps !== this.data.steps.length) {
+      this.chosen = [];
+    }
+    this.object.goTo(steps);
+    this.drawn = drawnOf(this.object, this.places);
+    this.updateTexts(steps);
+    this.updateChains(steps);
+    this.show();
+  }
+
+  private updateTexts(steps: number): void {
+    const numbers = this.numbers[steps];
+    const step = steps > 0 ? this.data.steps[steps - 1] : null;
+    const slider = get<HTMLInputElement>("slider");
+    slider.value = String(this.player.position);
+    slider.setAttribute("aria-valuetext", `after step ${steps}: ${groupsText(this.data.ring, numbers)}`);
+    get("now").textContent = `${steps} of ${this.data.steps.length}`;
+    get("operation").textContent = step ? step.text : "before the first step";
+    get("groups").replaceChildren(
+      ...numbers.betti.map((betti, p) => {
+        const item = document.createElement("span");
+        item.className = `group h${p % 8}`;
+        item.textContent = `H${p} = ${groupText(this.data.ring, betti, numbers.torsion[p] ?? [])}`;
+        return item;
+      }),
+    );
+    const unshown = this.drawn.missing > 0 ? ` ${this.drawn.missing} of the cells cannot be drawn.` : "";
+    get("cells").textContent = `${cellsText(numbers.cells)}; Euler characteristic ${numbers.euler}`;
+    get("unshown").textContent = unshown;
+    get("canvas").setAttribute("aria-label", `The object after step ${steps}: ${cellsText(numbers.cells)}.${unshown}`);
+    get("play").textContent = this.player.isPlaying ? "pause" : "play";
+    get<HTMLButtonElement>("back").disabled = steps === 0;
+    get<HTMLButtonElement>("forward").disabled = steps === this.data.steps.length;
+    get("cell").textContent = "";
+    this.timeline.setStep(steps);
+    this.steps.setStep(steps);
+  }
+
+  private updateChains(steps: number): void {
+    const answer = steps > 0 ? this.data.steps[steps - 1].answer : undefined;
+    if (this.chosen.length === 0 && answer) {
+      this.chains.showAnswer(answer);
+    } else {
+      this.chains.choose(this.chosen);
+    }
+  }
+
+  /** The chains that are laid over the object. */
+  private overlays(): Overlay[] {
+    const lay = (chain: Chain | undefined, colour: number, generator = -1) =>
+      chain ? [overlayOf(this.object, this.drawn, chain, colour, generator)] : [];
+    if (this.chosen.length > 0) {
+      const all = this.chosen.map((index) => [index, this.data.generators[index]] as const);
+      const bounds = this.chosen.length === 1 ? all[0][1].bounds : undefined;
+      return [...all.flatMap(([index, { chain }]) => lay(chain, colourOfGenerator(index), index)), ...lay(bounds, 0x56b4e9)];
+    }
+    const steps = this.player.steps;
+    const answer = steps > 0 ? this.data.steps[steps - 1].answer : undefined;
+    return answer ? [...lay(answer.asked, 0xd55e00), ...lay(answer.bounds, 0x56b4e9)] : [];
+  }
+
+  private show(): void {
+    const components = componentsOf(this.object);
+    const count = new Set(components.values()).size;
+    const colours = palette.map(rgb);
+    const plain = rgb(this.theme.face);
+    const overlays = this.overlays();
+    const solid = get<HTMLInputElement>("solid").valueAsNumber / 100;
+    this.picture?.show({
+      drawn: this.drawn,
+      colourOf: (cell) => (count > 1 ? colours[components.get(cell)! % colours.length] : plain),
+      highlighted: overlays.length > 0 ? new Set() : this.object.touchedBy(this.player.before, this.player.steps),
+      opacity: overlays.length > 0 ? Math.min(solid, 0.35) : solid,
+      overlays,
+    });
+  }
+
+  private resize(): void {
+    const box = get<HTMLElement>("picture");
+    this.picture?.resize(box.clientWidth, box.clientHeight);
+    this.fit();
+    const svg = get<SVGSVGElement>("timeline");
+    this.timeline.draw(svg.clientWidth || 600, svg.clientHeight || 130);
+    this.timeline.setStep(this.player.steps);
+  }
+}
