@@ -7,10 +7,14 @@
 
 namespace sesame::replay {
 
-void write_page_file(std::ostream& out, std::string_view data) {
+void write_page_file(std::ostream& out, std::string_view data, PageFrom from) {
   std::string page;
   for (const std::string_view part : page_template()) {
     page += part;
+  }
+  if (from == PageFrom::server) {
+    constexpr std::string_view nothing = "default-src 'none';";
+    page.insert(page.find(nothing) + nothing.size(), " connect-src 'self';");
   }
   const std::size_t mark = page.find(page_data_mark);
   out << std::string_view{page}.substr(0, mark);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "ops/vocabulary/json_text.hpp"
 #include "replay/page/page_file.hpp"
@@ -22,29 +24,44 @@ void write_coordinate(double x, JsonText& out) {
   out.value(rounded == 0 ? 0.0 : rounded);
 }
 
-void write_cells(const PageCells& cells, JsonText& out) {
+/// The elements of a list from one on.
+template <class T>
+std::span<const T> from(const std::vector<T>& list, std::size_t first) {
+  return std::span(list).subspan(first);
+}
+
+/// Those from one on; all the types.
+void write_cells(const PageCells& cells, std::uint32_t first, JsonText& out) {
   out.begin_object();
   out.field("types", cells.types);
-  out.field("names", cells.names);
-  out.field("type", cells.type_of);
-  out.field("first", cells.first_face);
-  out.field("faces", cells.faces);
+  out.field("names", from(cells.names, first));
+  out.field("type", from(cells.type_of, first));
+  out.field("first", from(cells.first_face, first == 0 ? 0 : first + 1));
+  out.field("faces", from(cells.faces, cells.first_face[first]));
   out.end_object();
 }
 
-void write_places(const std::vector<VertexPlace>& places, JsonText& out) {
+/// Those that are not as they were seen.
+void write_places(const std::vector<VertexPlace>& places, const std::vector<VertexPlace>& seen, JsonText& out) {
+  const auto is_seen = [&](std::size_t k) {
+    return k < seen.size() && seen[k].cell == places[k].cell && seen[k].point == places[k].point;
+  };
   out.begin_object();
   out.key("cells");
   out.begin_list();
-  for (const VertexPlace& place : places) {
-    out.value(place.cell);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (!is_seen(k)) {
+      out.value(places[k].cell);
+    }
   }
   out.end_list();
   out.key("points");
   out.begin_list();
-  for (const VertexPlace& place : places) {
-    for (const double x : place.point) {
-      write_coordinate(x, out);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (!is_seen(k)) {
+      for (const double x : places[k].point) {
+        write_coordinate(x, out);
+      }
     }
   }
   out.end_list();
@@ -193,38 +210,29 @@ void write_generators(const PageHistory& history, engine::Engine& engine, const 
   out.end_list();
 }
 
-}  // namespace
-
-std::string page_data(const PageHistory& history, engine::Engine& engine, const PageHead& head) {
-  std::string text;
-  JsonText out(text);
-  out.begin_object();
-  out.field("kind", "replay");
-  out.field("format", 1);
-  out.field("version", SESAME_VERSION);
+/// What is said of a page as a whole, and may change as it grows.
+void write_head(const PageHistory& history, const PageHead& head, JsonText& out) {
   out.field("title", head.title);
-  out.field("source", head.source);
   out.field("notes", head.notes);
-  out.field("ring", sparse::ring_name(engine.ring()));
   out.field("stride", history.stride());
   out.field("left_out", history.left_out());
   out.field("families_left_out", history.families_left_out());
-  out.key("limits");
-  out.begin_object();
-  out.field("cells", history.limits().cells);
-  out.field("cells_of_family", history.limits().cells_of_family);
-  out.field("steps", history.limits().steps);
-  out.field("generators", history.limits().generators);
-  out.field("terms", history.limits().terms);
-  out.end_object();
+}
+
+/// What is not in `seen`, which becomes all.
+void write_content(const PageHistory& history, engine::Engine& engine, const PageHead& head, PagePart& seen,
+                   JsonText& out) {
   out.key("cells");
-  write_cells(history.cells(), out);
+  write_cells(history.cells(), seen.cells, out);
+  seen.cells = history.cells().size();
+  std::vector<VertexPlace> places = history.places().places(history.cells());
   out.key("places");
-  write_places(history.places().places(history.cells()), out);
+  write_places(places, seen.places, out);
+  seen.places = std::move(places);
   out.key("steps");
   out.begin_list();
   const PageStep* before = nullptr;
-  for (const PageStep& step : history.steps()) {
+  for (const PageStep& step : from(history.steps(), seen.steps)) {
     out.begin_object();
     write_events(step, out);
     if (!step.op.empty()) {  // the page stops there
@@ -234,8 +242,43 @@ std::string page_data(const PageHistory& history, engine::Engine& engine, const 
     out.end_object();
   }
   out.end_list();
+  seen.steps = history.steps().size();
   out.key("generators");
   write_generators(history, engine, head, out);
+}
+
+}  // namespace
+
+std::string page_data(const PageHistory& history, engine::Engine& engine, const PageHead& head) {
+  std::string text;
+  JsonText out(text);
+  out.begin_object();
+  out.field("kind", "replay");
+  out.field("format", 1);
+  out.field("version", SESAME_VERSION);
+  out.field("source", head.source);
+  out.field("ring", sparse::ring_name(engine.ring()));
+  out.key("limits");
+  out.begin_object();
+  out.field("cells", history.limits().cells);
+  out.field("cells_of_family", history.limits().cells_of_family);
+  out.field("steps", history.limits().steps);
+  out.field("generators", history.limits().generators);
+  out.field("terms", history.limits().terms);
+  out.end_object();
+  write_head(history, head, out);
+  PagePart nothing;
+  write_content(history, engine, head, nothing, out);
+  out.end_object();
+  return text;
+}
+
+std::string page_news(const PageHistory& history, engine::Engine& engine, const PageHead& head, PagePart& seen) {
+  std::string text;
+  JsonText out(text);
+  out.begin_object();
+  write_head(history, head, out);
+  write_content(history, engine, head, seen, out);
   out.end_object();
   return text;
 }

@@ -3,7 +3,9 @@
 #include <spdlog/logger.h>
 
 #include <chrono>
+#include <mutex>
 #include <new>
+#include <string_view>
 #include <utility>
 
 #include "engine/open.hpp"
@@ -57,7 +59,11 @@ class Run {
     start_ = start;
     Outcome outcome = begin_log(engine, *header);
     if (outcome == Outcome::done) {
+      const OpenToOthers open(*this, engine);
       outcome = all_steps(engine);
+      if (outcome == Outcome::done || outcome == refused_) {
+        wait_for_others();
+      }
     }
     if (outcome == refused_ && is_stopped()) {
       outcome = Outcome::interrupted;
@@ -201,10 +207,9 @@ class Run {
       if (operation ? !*operation : is_stopped()) {
         break;  // at the end; what a stop cut off is no line of the script
       }
+      const std::unique_lock<std::mutex> turn = options_.shared != nullptr ? options_.shared->turn() : no_turn();
       if (is_time_up()) {
-        return fail(script_.place() + "time is up before this step, the " + std::to_string(steps_ + 1) +
-                        ". one, as the limit was set; those before it have happened",
-                    Outcome::limit_reached);
+        return fail(script_.place() + time_is_up().what, Outcome::limit_reached);
       }
       const Outcome outcome = operation ? step(engine, std::move(**operation)) : refuse(operation.error());
       if (outcome != Outcome::done) {
@@ -214,24 +219,78 @@ class Run {
     return refused_;
   }
 
+  static std::unique_lock<std::mutex> no_turn() { return {}; }
+
+  [[nodiscard]] Error time_is_up() const {
+    return {Errc::limit, "time is up before this step, the " + std::to_string(steps_ + 1) +
+                             ". one, as the limit was set; those before it have happened"};
+  }
+
+  /// While it lives, others take part.
+  class OpenToOthers {
+   public:
+    OpenToOthers(Run& run, engine::Engine& engine) : shared_{run.options_.shared} {
+      if (shared_ != nullptr) {
+        shared_->open(engine, [&run, &engine](ops::Operation operation) -> Status {
+          replay_log().trace("from outside: {}", ops::keyword(operation));
+          return run.is_time_up() ? run.time_is_up() : run.take(engine, std::move(operation));
+        });
+      }
+    }
+    OpenToOthers(const OpenToOthers&) = delete;
+    OpenToOthers& operator=(const OpenToOthers&) = delete;
+    ~OpenToOthers() {
+      if (shared_ != nullptr) {
+        shared_->close();
+      }
+    }
+
+   private:
+    SharedReplay* shared_;
+  };
+
+  void wait_for_others() {
+    constexpr std::chrono::milliseconds a_while{50};  // a signal does not end a wait
+    while (options_.shared != nullptr && !is_stopped()) {
+      (void)options_.shared->wait_for_other(options_.shared->revision(), a_while);
+    }
+  }
+
   Outcome step(engine::Engine& engine, ops::Operation operation) {
-    const auto start = Clock::now();
     replay_log().trace("line {}: {}", script_.line(), ops::keyword(operation));
+    if (const Status taken = take(engine, std::move(operation)); !taken) {
+      const bool is_of_log = taken.error().code == Errc::io;
+      return refuse({taken.error().code, (is_of_log ? "" : script_.place()) + taken.error().what});
+    }
+    if (options_.verify) {
+      if (const auto defect = engine.first_defect()) {
+        return fail(script_.place() + "after step " + std::to_string(steps_) + " (" + std::string{last_} +
+                        ") a law does not hold: " + *defect,
+                    Outcome::law_failed);
+      }
+    }
+    return Outcome::done;
+  }
+
+  /// Carries a step out and reports on it. Errors: those of the engine; bad_input when it would end the barcode that is
+  /// needed, and then it has not happened.
+  Status take(engine::Engine& engine, ops::Operation operation) {
+    const auto start = Clock::now();
     if (auto* expected = std::get_if<ops::Expect>(&operation)) {
       leave_out_other_groups(*expected);
     }
     const Result<engine::StepReport> report = engine.apply(std::move(operation));
     if (!report) {
-      const bool is_of_log = report.error().code == Errc::io;
-      return refuse({report.error().code, (is_of_log ? "" : script_.place()) + report.error().what});
+      return report.error();
     }
     if (options_.needs_barcode && may_end_barcode(*report)) {
       if (const Result<engine::Barcode> barcode = engine.barcode(); !barcode) {
         (void)engine.apply(ops::Undo{1});
-        return fail(script_.place() + barcode.error().what, Outcome::wrong_script);
+        return Error{Errc::bad_input, barcode.error().what};
       }
     }
     ++steps_;
+    last_ = report->op;
     already_ += report->already;
     const bool is_due = options_.every > 0 && steps_ % options_.every == 0 &&
                         (!options_.report_at_most || reported_ < *options_.report_at_most);
@@ -242,17 +301,13 @@ class Run {
       clear_progress();
       reporter_->step(engine, {*report, homology, microseconds});
     }
-    if (options_.verify) {
-      if (const auto defect = engine.first_defect()) {
-        return fail(script_.place() + "after step " + std::to_string(steps_) + " (" + std::string{report->op} +
-                        ") a law does not hold: " + *defect,
-                    Outcome::law_failed);
-      }
-    }
     if (progress_ != nullptr) {
       progress_->update(steps_);
     }
-    return Outcome::done;
+    if (options_.shared != nullptr) {
+      options_.shared->note_step();
+    }
+    return Done{};
   }
 
   /// Only then it is worth to ask.
@@ -318,6 +373,7 @@ class Run {
   bool is_noted_ = false;
   Outcome refused_ = Outcome::done;  ///< the worst of the steps that were refused and passed over
   std::uint64_t steps_ = 0;
+  std::string_view last_;      ///< what the last of them was
   std::uint64_t older_ = 0;    ///< of these, from the log that is gone on from
   std::uint64_t already_ = 0;  ///< simplices of insertions that were there
   std::uint64_t reported_ = 0;

@@ -17,6 +17,7 @@
 #include "replay/script/progress.hpp"
 #include "replay/script/reporter.hpp"
 #include "replay/script/script.hpp"
+#include "replay/script/shared_replay.hpp"
 
 namespace sesame::replay {
 
@@ -64,6 +65,10 @@ struct ReplayOptions {
   bool has_snapshots = false;     ///< beside the log, which is a file with that name
   engine::Observer observer;      ///< of the engine, if any
   ops::Header* header = nullptr;  ///< where that of the script goes, as soon as it has been read
+  /// Where others take part, until somebody sets `stop`: the end of the script is not the end of the replay then. Their
+  /// steps are counted, reported and written to the log as those of the script; what is refused is told them, and
+  /// nobody else. Not with `verify`.
+  SharedReplay* shared = nullptr;
   std::ostream* notes = nullptr;  ///< what is worth to know and no error, one line each
 };
 

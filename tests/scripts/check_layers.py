@@ -15,7 +15,7 @@ ROOMS = {
     "ops": ["", "simplicial", "cells", "vocabulary", "plan"],
     "engine": ["right", "left", "towers", "durable", ""],
     "replay": ["text", "script", "barcode", "tower", "distance", "picture", "export", "page", ""],
-    "tools": ["mesh", "bench", "commands", ""],
+    "tools": ["mesh", "bench", "live", "commands", ""],
 }
 GENERATED = {"sesame/version.hpp": "sparse"}
 SUFFIXES = {".hpp", ".cpp", ".h", ".in"}

@@ -8,7 +8,6 @@
 #include <span>
 #include <thread>
 
-#include "replay/page/page_writer.hpp"
 #include "replay/script/facet_list.hpp"
 #include "replay/script/replay.hpp"
 #include "replay/tower/tower_format.hpp"
@@ -17,6 +16,8 @@
 #include "tools/commands/log_file.hpp"
 #include "tools/commands/options.hpp"
 #include "tools/commands/output_file.hpp"
+#include "tools/commands/replay_arguments.hpp"
+#include "tools/commands/replay_pages.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -42,30 +43,7 @@ class PromptedInput final : public replay::ByteInput {
   std::unique_ptr<replay::ByteInput> input_;
 };
 
-struct Arguments {
-  std::unique_ptr<engine::Engine> engine;  ///< of the replay, once there is one: as long as the command
-  std::string file;
-  std::string ring;
-  std::uint64_t until = 0;
-  std::uint64_t every = 0;
-  std::size_t longest_line = replay::longest_line;
-  std::uint64_t undoable = UINT64_MAX;
-  bool forgets_cells = false;
-  std::int64_t explicit_cones = ops::Limits{}.cells_of_explicit_cone;
-  std::string log;
-  LogFile::Old old_log = LogFile::Old::is_refused;
-  engine::SyncPolicy sync = engine::SyncPolicy::batch();
-  engine::Resources resources;
-  double most_seconds = 0;
-  bool no_snapshots = false;
-  std::string html;
-  bool json = false;
-  std::optional<replay::GeneratorOptions> generators;
-  bool verify = false;
-  bool follow = false;
-  bool keep_going = false;
-  bool quiet = false;
-};
+using Arguments = ReplayArguments;
 
 constexpr std::uint64_t most_steps_reported_by_default = 200;
 
@@ -136,49 +114,6 @@ Result<Script> as_script(replay::ByteSource source, const Arguments& arguments) 
   return Script{replay::ByteSource::of_text(script, name + " as a script"), true};
 }
 
-/// The page that is written beside the replay, if one is wanted.
-class PageOutput {
- public:
-  explicit PageOutput(const Arguments& arguments)
-      : arguments_{arguments},
-        files_{arguments.log.empty() ? std::vector{arguments.file} : std::vector{arguments.file, arguments.log}} {}
-
-  /// Before the replay.
-  Status open(replay::ReplayOptions& options) {
-    const Result<std::ostream*> out = files_.open(arguments_.html);
-    if (!out) {
-      return out.error();
-    }
-    out_ = *out;
-    if (out_ != nullptr) {
-      options.header = &header_;
-      options.observer = [this](const ops::Operation& operation, const engine::StepReport& report) {
-        history_.take(*arguments_.engine, operation, report);
-      };
-    }
-    return Done{};
-  }
-  /// After it, when it has come to an end.
-  Status write(bool is_interrupted) {
-    if (out_ == nullptr) {
-      return Done{};
-    }
-    const std::string notes = is_interrupted ? "The replay was interrupted: later steps are not here." : "";
-    const std::string source = arguments_.file == "-" ? "standard input" : arguments_.file;
-    write_page(*out_, history_, *arguments_.engine,
-               {header_.title, std::filesystem::path(source).filename().string(), notes,
-                is_interrupted ? nullptr : &stop_requested()});
-    return files_.commit();
-  }
-
- private:
-  const Arguments& arguments_;
-  OutputFiles files_;
-  std::ostream* out_ = nullptr;
-  ops::Header header_;
-  replay::PageHistory history_{replay::PageLimits{}};
-};
-
 /// The exit status, that of the outcome unless the log could not be kept. `goes_on`: behind steps that are refused.
 int close_log(LogFile* log, const std::string& path, Outcome outcome, bool goes_on) {
   if (log != nullptr) {
@@ -209,7 +144,7 @@ bool waits_for(const std::string& path) {
 }
 
 /// One script; whether it is a log that is followed, and that another one has taken the name of.
-int run_replay(Arguments& arguments, bool& is_superseded) {
+int run_replay(Arguments& arguments, LivePages& pages, bool& is_superseded) {
   is_superseded = false;
   replay::ReplayOptions options;
   if (!arguments.ring.empty()) {
@@ -282,6 +217,7 @@ int run_replay(Arguments& arguments, bool& is_superseded) {
   if (const Status opened = page.open(options); !opened) {
     return wrong_usage(opened.error().what);
   }
+  pages.open(arguments, options);
   std::unique_ptr<replay::Reporter> reporter;
   if (arguments.json) {
     reporter = replay::json_reporter(std::cout);
@@ -307,12 +243,16 @@ int run_replay(Arguments& arguments, bool& is_superseded) {
 
 /// With --follow, one log after another that has the name.
 int run_replays(Arguments& arguments) {
+  LivePages pages;
+  if (const Status started = pages.start(arguments); !started) {
+    return wrong_usage(started.error().what);
+  }
   bool is_superseded = false;
-  int status = run_replay(arguments, is_superseded);
+  int status = run_replay(arguments, pages, is_superseded);
   while (is_superseded && waits_for(arguments.file)) {
     std::cout << std::flush;
     std::cerr << arguments.file << ": another log has this name now; going on with that, from its beginning\n";
-    status = run_replay(arguments, is_superseded);
+    status = run_replay(arguments, pages, is_superseded);
   }
   return is_superseded ? static_cast<int>(Outcome::interrupted) : status;
 }
@@ -387,6 +327,25 @@ void add_replay_command(CLI::App& app, int& status) {
       ->excludes(append)
       ->excludes(follow)
       ->excludes(forget);
+  CLI::Option* serve =
+      command
+          ->add_option(
+              "--serve", arguments->serve,
+              "Show the page while the replay goes on, and after its end, until Ctrl-C: PORT of this machine, or "
+              "ADDRESS:PORT; port 0: any that is free")
+          ->option_text("PORT")
+          ->excludes("--html")
+          ->excludes(append)
+          ->excludes(forget)
+          ->excludes(verify)
+          ->check([](const std::string& text) {
+            const Result<ServerAddress> address = parse_server_address(text);
+            return address ? std::string{} : address.error().what;
+          });
+  command
+      ->add_flag("--writable", arguments->is_writable,
+                 "With --serve: the page can send steps, with the token of the address that is printed")
+      ->needs(serve);
   command->add_flag("--quiet", arguments->quiet, "No table and no progress: errors only (and what --json prints)");
   command->footer(
       "Exit status: 0 done, 1 wrong usage or unreadable file, 2 the script is wrong, 3 an expect failed,\n"

@@ -8,7 +8,7 @@ test("cells are those of each step, forwards and backwards, and past an undo", (
   const counts = (steps: number) => {
     object.goTo(steps);
     const cells = object.currentCells();
-    return [0, 1, 2].map((p) => cells.filter((cell) => object.dimension[cell] === p).length);
+    return [0, 1, 2].map((p) => cells.filter((cell) => object.dimension(cell) === p).length);
   };
   const expected = [[0, 0, 0], [4, 4, 1], [2, 3, 1], [1, 2, 1], [4, 4, 1]];
   for (const steps of [0, 1, 2, 3, 4, 3, 2, 4, 1, 4, 0, 3]) {

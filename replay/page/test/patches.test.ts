@@ -33,8 +33,8 @@ function patch(steps: number, data = square()) {
   const cells = object.currentCells();
   const at = new Map(data.places.cells.map((cell, k) => [cell, data.places.points.slice(3 * k, 3 * k + 3) as unknown as Vec]));
   const placeOf = (cell: number) => at.get(object.oldest(cell)) ?? ([0, 0, 0] as Vec);
-  const curves = curvesOf(object, cells.filter((cell) => object.dimension[cell] === 1), placeOf, 1);
-  const face = cells.find((cell) => object.dimension[cell] === 2)!;
+  const curves = curvesOf(object, cells.filter((cell) => object.dimension(cell) === 1), placeOf, 1);
+  const face = cells.find((cell) => object.dimension(cell) === 2)!;
   return { triangles: patchOf(object, curves, placeOf, face, 6, new Map(), 1), curves };
 }
 

@@ -34,12 +34,20 @@ export class ChainPanel {
   private readonly buttons: HTMLButtonElement[] = [];
 
   constructor(
-    list: HTMLElement,
+    private readonly list: HTMLElement,
     private readonly details: HTMLElement,
     private readonly data: Data,
     private readonly nameOf: NameOf,
-    onChoose: (indices: number[]) => void,
+    private readonly onChoose: (indices: number[]) => void,
   ) {
+    this.fill();
+  }
+
+  /** Lists the generators that the data have. */
+  fill(): void {
+    const { list, data, onChoose } = this;
+    list.replaceChildren();
+    this.buttons.length = 0;
     const ofDimension = new Map<number, number[]>();
     data.generators.forEach((generator, index) => {
       const same = ofDimension.get(generator.dim) ?? [];

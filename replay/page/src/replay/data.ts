@@ -45,25 +45,62 @@ export interface Step {
   answer?: Answer;
 }
 
-export interface Data {
-  format: number;
-  version: string;
+/** What may be other when a page has grown. */
+export interface Head {
   title: string;
-  source: string;
   notes: string;
-  ring: string;
   stride: number;
   left_out: number;
   families_left_out: number;
-  limits: { cells: number; cells_of_family: number; steps: number; generators: number; terms: number };
-  cells: { types: number[][]; names: string[]; type: number[]; first: number[]; faces: number[] };
-  places: {
-    cells: number[];
-    points: number[];
-    counts: { given: number; sum: number; beside: number; computed: number };
-  };
+}
+
+export interface Cells {
+  types: number[][];
+  names: string[];
+  type: number[];
+  first: number[];
+  faces: number[];
+}
+
+export interface Places {
+  cells: number[];
+  points: number[];
+  counts: { given: number; sum: number; beside: number; computed: number };
+}
+
+/** What is new in a replay that goes on: cells and steps behind those there are, places that are other ones. */
+export interface News extends Head {
+  cells: Cells;
+  places: Places;
   steps: Step[];
   generators: Generator[];
+}
+
+export interface Data extends Head {
+  format: number;
+  version: string;
+  source: string;
+  ring: string;
+  /** Of a page that grows with its replay: how far it is, as the server wants to be told, and whether it may send steps. */
+  live?: { place: string; writable: boolean };
+  limits: { cells: number; cells_of_family: number; steps: number; generators: number; terms: number };
+  cells: Cells;
+  places: Places;
+  steps: Step[];
+  generators: Generator[];
+}
+
+/** Adds what is new, but for places: those are kept by who draws. */
+export function addNews(data: Data, { cells, places, steps, ...rest }: News): void {
+  const add = <T>(to: T[], from: readonly T[]) => from.forEach((item) => to.push(item)); // of any length
+  data.cells.types = cells.types;
+  add(data.cells.names, cells.names);
+  add(data.cells.type, cells.type);
+  add(data.cells.first, cells.first);
+  add(data.cells.faces, cells.faces);
+  data.places.counts = places.counts;
+  add(data.steps, steps);
+  Object.assign(data, rest);
 }
 
 /** The numbers of an object after a step. */
@@ -74,11 +111,13 @@ export interface Numbers {
   torsion: (number | string)[][];
 }
 
-/** By step, the empty object before the first one included: entry n is what there is after n steps. */
-export function numbersOf(steps: readonly Step[]): Numbers[] {
-  let now: Numbers = { cells: [], euler: 0, betti: [], torsion: [] };
-  const all = [now];
-  for (const step of steps) {
+/** By step, the empty object before the first one included: entry n is what there is after n steps. `all`: those of the first steps, which is added to. */
+export function numbersOf(steps: readonly Step[], all: Numbers[] = []): Numbers[] {
+  let now: Numbers = all.at(-1) ?? { cells: [], euler: 0, betti: [], torsion: [] };
+  if (all.length === 0) {
+    all.push(now);
+  }
+  for (const step of steps.slice(all.length - 1)) {
     now = {
       cells: step.cells ?? now.cells,
       euler: step.euler ?? now.euler,

@@ -31,7 +31,7 @@ function partsFor(faces: number): number {
 
 export function drawnOf(object: ObjectState, places: Places): Drawn {
   const cells = object.currentCells();
-  const ofDimension = (p: number) => cells.filter((cell) => object.dimension[cell] === p);
+  const ofDimension = (p: number) => cells.filter((cell) => object.dimension(cell) === p);
   const vertices = ofDimension(0).map((cell) => ({ cell, at: places.get(object.oldest(cell)) ?? ([0, 0, 0] as Vec) }));
   const where = new Map(vertices.map(({ cell, at }) => [cell, at]));
   const placeOf = (cell: number): Vec => where.get(cell) ?? places.get(object.oldest(cell)) ?? [0, 0, 0];
@@ -51,13 +51,13 @@ export function drawnOf(object: ObjectState, places: Places): Drawn {
     const triangles = patchOf(object, curves, placeOf, cell, parts, twins, size);
     triangles ? faces.push({ cell, triangles }) : ++missing;
   }
-  missing += cells.filter((cell) => object.dimension[cell] > 2 && skeletonOf(object, cell).size === 0).length;
+  missing += cells.filter((cell) => object.dimension(cell) > 2 && skeletonOf(object, cell).size === 0).length;
   return { vertices, edges, faces, size, missing };
 }
 
 /** The faces of a cell of more than two dimensions that are of two, each once; of others, itself. */
 export function skeletonOf(object: ObjectState, cell: number, into: Set<number> = new Set()): Set<number> {
-  if (object.dimension[cell] <= 2) {
+  if (object.dimension(cell) <= 2) {
     into.add(cell);
     return into;
   }

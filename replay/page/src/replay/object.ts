@@ -18,23 +18,55 @@ const isThere = 1;
 const isConsumed = 2;
 
 export class ObjectState {
-  readonly dimension: Int8Array;
+  /** Of so many cells and faces there are numbers; lists are longer, as they grow. */
+  private size = 0;
+  private faceSize = 0;
+  private dimensions = new Int8Array();
   /** By cell, as C++ numbers references; `itself` for a cell of its own. */
-  private readonly became: Int32Array;
-  private readonly state: Uint8Array;
-  private readonly eldest: Int32Array;
-  private readonly faces: Int32Array;
+  private became = new Int32Array();
+  private state = new Uint8Array();
+  private eldest = new Int32Array();
+  private faces = new Int32Array();
   /** What a step that is carried out has written over: faces, then eldest cells. */
   private readonly saved: number[][] = [];
   private after = 0;
 
   constructor(readonly data: Data) {
-    const size = data.cells.type.length;
-    this.dimension = Int8Array.from({ length: size }, (_, cell) => dimensionOf(data, cell));
-    this.became = new Int32Array(size).fill(itself);
-    this.state = new Uint8Array(size);
-    this.eldest = Int32Array.from({ length: size }, (_, cell) => cell);
-    this.faces = Int32Array.from(data.cells.faces);
+    this.grow();
+  }
+
+  /** To be called when the data have more cells than before. */
+  grow(): void {
+    const { type, faces } = this.data.cells;
+    if (type.length > this.became.length) {
+      const room = Math.max(type.length, 2 * this.became.length);
+      const larger = <T extends Int8Array | Uint8Array | Int32Array>(to: T, from: T): T => (to.set(from), to);
+      this.dimensions = larger(new Int8Array(room), this.dimensions);
+      this.became = larger(new Int32Array(room).fill(itself), this.became);
+      this.state = larger(new Uint8Array(room), this.state);
+      this.eldest = larger(new Int32Array(room), this.eldest);
+    }
+    for (; this.size < type.length; ++this.size) {
+      this.dimensions[this.size] = dimensionOf(this.data, this.size);
+      this.eldest[this.size] = this.size;
+    }
+    if (faces.length > this.faces.length) {
+      const larger = new Int32Array(Math.max(faces.length, 2 * this.faces.length));
+      larger.set(this.faces);
+      this.faces = larger;
+    }
+    for (; this.faceSize < faces.length; ++this.faceSize) {
+      this.faces[this.faceSize] = faces[this.faceSize];
+    }
+  }
+
+  dimension(cell: number): number {
+    return this.dimensions[cell];
+  }
+
+  /** Of all cells that there ever were. */
+  get topDimension(): number {
+    return this.dimensions.subarray(0, this.size).reduce((top, p) => Math.max(top, p), -1);
   }
 
   /** How many steps it has behind it. */
@@ -70,7 +102,7 @@ export class ObjectState {
 
   currentCells(): number[] {
     const cells = [];
-    for (let cell = 0; cell < this.state.length; ++cell) {
+    for (let cell = 0; cell < this.size; ++cell) {
       if (this.isCurrent(cell)) {
         cells.push(cell);
       }

@@ -19,7 +19,7 @@ function sideOf(object: ObjectState, curves: Curves, placeOf: (v: number) => Vec
     return null;
   }
   if (found.squashed) {
-    return object.dimension[found.cell] === 0
+    return object.dimension(found.cell) === 0
       ? { edge: -1, turned: false, curve: pointCurve(placeOf(found.cell)) }
       : null;
   }

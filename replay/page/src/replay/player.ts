@@ -5,12 +5,24 @@ export class Player {
   private index: number;
 
   /** `stops`: numbers of steps at which the page stops, ascending. */
-  constructor(private readonly stops: readonly number[], private readonly onChange: (steps: number) => void) {
+  constructor(private stops: readonly number[], private readonly onChange: (steps: number) => void) {
     this.index = stops.length - 1;
   }
 
   get steps(): number {
     return this.stops[this.index];
+  }
+
+  get isAtEnd(): boolean {
+    return this.index === this.stops.length - 1;
+  }
+
+  /** There are other stops now: stays where it is, or where it is next to, or at the end if it was there. */
+  setStops(stops: readonly number[]): void {
+    const [wasAtEnd, steps] = [this.isAtEnd, this.steps];
+    this.stops = stops;
+    const found = stops.findIndex((stop) => stop >= steps);
+    this.index = wasAtEnd || found < 0 ? stops.length - 1 : found;
   }
 
   get position(): number {
@@ -46,12 +58,12 @@ export class Player {
 
   play(milliseconds: number): void {
     this.pause();
-    if (this.index === this.stops.length - 1) {
+    if (this.isAtEnd) {
       this.toPosition(0);
     }
     this.timer = setInterval(() => {
       this.move(1);
-      if (this.index === this.stops.length - 1) {
+      if (this.isAtEnd) {
         this.pause();
         this.onChange(this.steps);
       }

@@ -3,8 +3,9 @@ import { rgb } from "../buffers.ts";
 import { ChainPanel } from "./chain_panel.ts";
 import { overlayOf } from "./chains.ts";
 import { colourOfGenerator, dark, light, palette, type Theme } from "../colours.ts";
-import { type Chain, type Data, numbersOf, stopsOf } from "./data.ts";
+import { addNews, type Chain, type Data, type News, numbersOf, stopsOf } from "./data.ts";
 import { componentsOf, drawnOf, placesOf } from "./geometry.ts";
+import { LivePanel } from "./live_panel.ts";
 import { ObjectState } from "./object.ts";
 import { Player } from "./player.ts";
 import type { Drawn } from "../drawn.ts";
@@ -24,16 +25,16 @@ export class ReplayPage {
   private readonly timeline: Timeline;
   private readonly steps: StepsPanel;
   private readonly chains: ChainPanel;
-  private readonly finalNames: string[];
+  private finalNames: string[] = [];
   private theme: Theme;
   private chosen: number[] = [];
+  private live: LivePanel | null = null;
   private drawn: Drawn;
 
   constructor(private readonly data: Data) {
     this.numbers = numbersOf(data.steps);
     this.object = new ObjectState(data);
-    this.object.goTo(data.steps.length);
-    this.finalNames = Array.from({ length: data.cells.names.length }, (_, cell) => this.object.name(cell));
+    this.noteFinalNames();
     this.places = placesOf(data.places.cells, data.places.points);
     this.drawn = drawnOf(this.object, this.places);
     const stops = stopsOf(data.steps.length, data.stride);
@@ -52,10 +53,48 @@ export class ReplayPage {
     const nameOf = (cell: number) => (this.chosen.length > 0 ? this.finalNames[cell] : this.object.name(cell));
     this.chains = new ChainPanel(get("generators"), get("details"), data, nameOf, (indices) => this.choose(indices));
     this.fillHead();
-    this.listen(stops.length);
+    this.setRange();
+    this.listen();
     new ResizeObserver(() => this.resize()).observe(get("picture"));
     this.resize();
     this.update();
+    if (data.live) {
+      this.live = new LivePanel(data.live, (news) => this.grow(news));
+    }
+  }
+
+  /** What is new in a replay that goes on. The page follows it when it is at the end. */
+  private grow(news: News): void {
+    const isFollowing = this.player.isAtEnd;
+    addNews(this.data, news);
+    placesOf(news.places.cells, news.places.points).forEach((at, cell) => this.places.set(cell, at));
+    numbersOf(this.data.steps, this.numbers);
+    this.object.grow();
+    const steps = this.player.steps;
+    this.noteFinalNames();
+    this.object.goTo(steps);
+    const stops = stopsOf(this.data.steps.length, this.data.stride);
+    this.player.setStops(stops);
+    this.steps.setStops(stops);
+    this.chains.fill();
+    this.chosen = [];
+    this.fillHead();
+    this.setRange();
+    this.drawTimeline();
+    if (isFollowing || this.player.steps !== steps) {
+      this.update();
+    } else {
+      this.updateTexts(steps);
+    }
+  }
+
+  private noteFinalNames(): void {
+    this.object.goTo(this.data.steps.length);
+    this.finalNames = Array.from({ length: this.data.cells.names.length }, (_, cell) => this.object.name(cell));
+  }
+
+  private setRange(): void {
+    get<HTMLInputElement>("slider").max = String(stopsOf(this.data.steps.length, this.data.stride).length - 1);
   }
 
   private makePicture(): Picture | null {
@@ -75,6 +114,7 @@ export class ReplayPage {
     const last = this.numbers[this.numbers.length - 1];
     const remarks = remarksOf(this.data, this.object);
     remarks.push(this.chains.remark(last.betti.map((betti, p) => betti + (last.torsion[p]?.length ?? 0))));
+    get("remarks").replaceChildren();
     for (const remark of remarks.filter(Boolean)) {
       const item = document.createElement("li");
       item.textContent = remark;
@@ -83,9 +123,8 @@ export class ReplayPage {
     get<HTMLElement>("notes").hidden = get("remarks").childElementCount === 0;
   }
 
-  private listen(stops: number): void {
+  private listen(): void {
     const slider = get<HTMLInputElement>("slider");
-    slider.max = String(stops - 1);
     slider.addEventListener("input", () => this.player.toPosition(slider.valueAsNumber));
     const press = (id: string, act: () => void) => get(id).addEventListener("click", act);
     const toggle = () => (this.player.isPlaying ? this.pause() : this.play());
@@ -121,16 +160,16 @@ export class ReplayPage {
     canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));
     canvas.addEventListener("click", (event) => {
       if (Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 5) {
-        this.point(event.offsetX, event.offsetY);
+        this.point(event.offsetX, event.offsetY, event.shiftKey);
       }
     });
   }
 
-  /** Says what a cell is, and chooses a generator that goes through it. */
-  private point(x: number, y: number): void {
+  /** Says what a cell is, and chooses a generator that goes through it; or writes the name of the cell into a step. */
+  private point(x: number, y: number, isForStep: boolean): void {
     const generator = this.picture?.generatorAt(x, y) ?? -1;
     const cell = this.picture?.cellAt(x, y) ?? null;
-    if (generator >= 0) {
+    if (generator >= 0 && !isForStep) {
       this.choose([generator]);
     }
     if (cell === null) {
@@ -139,6 +178,9 @@ export class ReplayPage {
     }
     const { types, type } = this.data.cells;
     get("cell").textContent = `${typeText(types[type[cell]])} ${this.object.name(cell)}`;
+    if (isForStep) {
+      this.live?.insertName(this.object.name(cell));
+    }
   }
 
   private fit(): void {
@@ -251,6 +293,10 @@ export class ReplayPage {
     const box = get<HTMLElement>("picture");
     this.picture?.resize(box.clientWidth, box.clientHeight);
     this.fit();
+    this.drawTimeline();
+  }
+
+  private drawTimeline(): void {
     const svg = get<SVGSVGElement>("timeline");
     this.timeline.draw(svg.clientWidth || 600, svg.clientHeight || 130);
     this.timeline.setStep(this.player.steps);

@@ -75,7 +75,7 @@ export function remarksOf(data: Data, object: ObjectState): string[] {
   if (data.stride > 1) {
     remarks.push(`There are ${data.steps.length} steps, more than ${data.limits.steps}: the page stops at every ${data.stride}th, and says nothing of the others but what has changed until the next stop.`);
   }
-  if (object.dimension.some((p) => p > 3)) {
+  if (object.topDimension > 3) {
     remarks.push("The object has more than three dimensions at times: its vertices, edges and faces are drawn.");
   }
   if (counts.computed > 0) {

@@ -12,20 +12,31 @@ export function wordsOf(search: string): string[] {
 }
 
 export class StepsPanel {
-  private readonly rows: { stop: number; row: HTMLLIElement; button: HTMLButtonElement }[] = [];
+  private rows: { stop: number; row: HTMLLIElement; button: HTMLButtonElement }[] = [];
   private current: HTMLButtonElement | null = null;
 
   constructor(
-    list: HTMLOListElement,
-    search: HTMLInputElement,
+    private readonly list: HTMLOListElement,
+    private readonly search: HTMLInputElement,
     private readonly found: HTMLElement,
     private readonly data: Data,
     stops: readonly number[],
-    onJump: (steps: number) => void,
+    private readonly onJump: (steps: number) => void,
   ) {
-    for (let k = 1; k < stops.length; ++k) {
+    search.addEventListener("input", () => this.filter());
+    this.setStops(stops);
+  }
+
+  /** The page stops there now: steps at which it does no longer go from the list, others come. */
+  setStops(stops: readonly number[]): void {
+    let same = 0;
+    while (same < this.rows.length && this.rows[same].stop === stops[same + 1]) {
+      ++same;
+    }
+    this.rows.splice(same).forEach(({ row }) => row.remove());
+    for (let k = same + 1; k < stops.length; ++k) {
       const stop = stops[k];
-      const step = data.steps[stop - 1];
+      const step = this.data.steps[stop - 1];
       const row = document.createElement("li");
       const button = document.createElement("button");
       const parts: [string, string][] = [
@@ -41,13 +52,12 @@ export class StepsPanel {
       }
       button.type = "button";
       button.title = step.text;
-      button.addEventListener("click", () => onJump(stop));
+      button.addEventListener("click", () => this.onJump(stop));
       row.append(button);
-      list.append(row);
+      this.list.append(row);
       this.rows.push({ stop, row, button });
     }
-    search.addEventListener("input", () => this.filter(wordsOf(search.value)));
-    this.filter([]);
+    this.filter();
   }
 
   setStep(steps: number): void {
@@ -71,7 +81,8 @@ export class StepsPanel {
     return (fields === text && text.startsWith(op) ? text.slice(op.length) : fields) + (more > 0 ? ` (and the ${more} steps before)` : "");
   }
 
-  private filter(words: readonly string[]): void {
+  private filter(): void {
+    const words = wordsOf(this.search.value);
     let count = 0;
     for (const { stop, row } of this.rows) {
       const { op, text } = this.data.steps[stop - 1];
