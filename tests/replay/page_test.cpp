@@ -1,8 +1,10 @@
 // What a page is given: cells under numbers of its own, events, places, chains; and how it is put into HTML.
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "replay/page/page_file.hpp"
 #include "replay/page/page_template.hpp"
 #include "replay/page/page_writer.hpp"
 #include "tests/replay/replay_support.hpp"
@@ -279,4 +281,88 @@ TEST_CASE("a long operation is cut for the list, not within a character", "[page
   const std::string text = paged.step(0)["text"];
   CHECK(text.size() < 320);
   CHECK_THAT(text, Contains("ä …"));
+}
+
+namespace {
+
+/// What a page is after news.
+void add_news(json& page, const json& news) {
+  for (const char* list : {"names", "type", "first", "faces"}) {
+    for (const json& item : news["cells"][list]) {
+      page["cells"][list].push_back(item);
+    }
+  }
+  page["cells"]["types"] = news["cells"]["types"];
+  json& places = page["places"];
+  for (std::size_t k = 0; k < news["places"]["cells"].size(); ++k) {
+    const json& cell = news["places"]["cells"][k];
+    const auto found = std::find(places["cells"].begin(), places["cells"].end(), cell);
+    const auto at = static_cast<std::size_t>(found - places["cells"].begin());
+    if (found == places["cells"].end()) {
+      places["cells"].push_back(cell);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      places["points"][3 * at + axis] = news["places"]["points"][3 * k + axis];
+    }
+  }
+  places["counts"] = news["places"]["counts"];
+  for (const json& step : news["steps"]) {
+    page["steps"].push_back(step);
+  }
+  for (const char* field : {"title", "notes", "stride", "left_out", "families_left_out", "generators"}) {
+    page[field] = news[field];
+  }
+}
+
+/// Fields that are the same as in the step before, which a page may be told again, are put into each step.
+json with_all_numbers(json page) {
+  json before;
+  for (json& step : page["steps"]) {
+    for (const char* field : {"cells", "euler", "betti", "torsion"}) {
+      if (!step.contains(field) && before.contains(field)) {
+        step[field] = before[field];
+      }
+    }
+    before = step;
+  }
+  return page;
+}
+
+}  // namespace
+
+TEST_CASE("news, piece by piece, make the page that is written at the end", "[page]") {
+  for (const std::string name : {"undo", "cutting_a_torus", "product_of_circles", "projective_plane"}) {
+    std::unique_ptr<engine::Engine> engine;
+    replay::PageHistory history{replay::PageLimits{}};
+    replay::PagePart seen;
+    json page;
+    std::size_t pieces = 0;
+    replay::ReplayOptions options;
+    options.engine = &engine;
+    const replay::PageHead head{"", "script", ""};
+    options.observer = [&](const ops::Operation& operation, const engine::StepReport& report) {
+      history.take(*engine, operation, report);
+      if (page.is_null()) {
+        page = json::parse(replay::page_data(history, *engine, head));
+        seen = {history.cells().size(), history.steps().size(), {}};
+      } else if (history.steps().size() % 3 == 0) {
+        const json news = json::parse(replay::page_news(history, *engine, head, seen));
+        CHECK(news["steps"].size() <= 3);
+        add_news(page, news);
+        ++pieces;
+      }
+    };
+    CHECK(replay_text(example(name), nullptr, options).errors.empty());
+    add_news(page, json::parse(replay::page_news(history, *engine, head, seen)));
+    CHECK(pieces > 1);
+    CHECK(with_all_numbers(page) == with_all_numbers(json::parse(replay::page_data(history, *engine, head))));
+  }
+}
+
+TEST_CASE("a page may ask the server that it comes from, and one from a disk nobody", "[page]") {
+  std::ostringstream disk, server;
+  replay::write_page_file(disk, "{}");
+  replay::write_page_file(server, "{}", replay::PageFrom::server);
+  CHECK_THAT(disk.str(), !Contains("connect-src"));
+  CHECK_THAT(server.str(), Contains("default-src 'none'; connect-src 'self'; script-src 'sha256-"));
 }

@@ -69,32 +69,6 @@ std::string error_json(std::string_view what) {
   return text;
 }
 
-/// How far a page is that asks for news: "session/cells/steps".
-struct Place {
-  std::uint64_t session = 0;
-  replay::PagePart seen;
-
-  static std::optional<Place> parse(std::string_view text) {
-    std::array<std::uint64_t, 3> numbers{};
-    for (std::uint64_t& number : numbers) {
-      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-      if (error != std::errc{}) {
-        return std::nullopt;
-      }
-      text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-      if (!text.empty()) {
-        text.remove_prefix(1);
-      }
-    }
-    Place place;
-    place.session = numbers[0];
-    place.seen.cells = static_cast<std::uint32_t>(numbers[1]);
-    place.seen.steps = numbers[2];
-    return place;
-  }
-  [[nodiscard]] std::string text() const { return fmt::format("{}/{}/{}", session, seen.cells, seen.steps); }
-};
-
 constexpr std::string_view waiting_page =
     "<!DOCTYPE html><meta charset=\"utf-8\"><meta http-equiv=\"refresh\" content=\"1\"><title>sesame</title>"
     "<p>There is no object yet: the script has not begun. This page looks again each second.</p>";
@@ -164,6 +138,32 @@ class LiveServer::Handlers {
   [[nodiscard]] bool is_local() const { return address_.host.starts_with("127.") || address_.host == "::1"; }
 
  private:
+  /// How far a page is that asks for news: "session/cells/steps".
+  struct Place {
+    std::uint64_t session = 0;
+    replay::PagePart seen;
+
+    static std::optional<Place> parse(std::string_view text) {
+      std::array<std::uint64_t, 3> numbers{};
+      for (std::uint64_t& number : numbers) {
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (error != std::errc{}) {
+          return std::nullopt;
+        }
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+        if (!text.empty()) {
+          text.remove_prefix(1);
+        }
+      }
+      Place place;
+      place.session = numbers[0];
+      place.seen.cells = static_cast<std::uint32_t>(numbers[1]);
+      place.seen.steps = numbers[2];
+      return place;
+    }
+    [[nodiscard]] std::string text() const { return fmt::format("{}/{}/{}", session, seen.cells, seen.steps); }
+  };
+
   struct Shown {
     std::shared_ptr<LiveReplay> replay;
     std::uint64_t session;
