@@ -2,6 +2,7 @@
 /// The generators of a replay after each of its steps, and which step made a class and which one ended it.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -52,22 +53,35 @@ class GeneratorHistory {
     std::uint32_t recorded;   ///< the step after which its cycle was written
     engine::CellChain cycle;  ///< in nodes of that time
     std::optional<std::uint32_t> ended;
-    engine::CellChain now;                        ///< the cycle in the object now
+    engine::CellChain now;                       ///< the cycle in the object now
     std::vector<sparse::Rational> coefficients;  ///< of its class now
   };
 
-  void revive(std::span<const std::uint32_t> undone, PageStep& into);
+  /// A class that was not there with this cycle, and which generator it is.
+  struct New {
+    std::uint32_t number;
+    std::size_t index;
+  };
+
+  void forget_undone(std::span<const std::uint32_t> undone, PageStep& into);
+  std::optional<ClassEnd> end_of(engine::Engine& engine, Followed& each);
   void carry_on(engine::Engine& engine, std::uint32_t step, PageStep& into);
   void record(engine::Engine& engine, std::uint32_t step, const Writer& writer, const std::atomic<bool>* stop,
               PageStep& into);
-  void find_ages(const sparse::AnyRing& ring, std::span<const sparse::Integer> orders,
-                 std::span<const std::pair<std::uint32_t, std::size_t>> made);
+  [[nodiscard]] static PageClass written(const engine::Generator& generator, const GeneratorOptions& options,
+                                         const Writer& writer);
+  [[nodiscard]] std::optional<std::uint32_t> known_class(const engine::Generator& generator,
+                                                         const PageClass& found) const;
+  void follow(const engine::CellChain& cycle, std::uint32_t step, const Writer& writer);
+  void find_ages(const sparse::AnyRing& ring, std::span<const sparse::Integer> orders, std::uint32_t step,
+                 std::span<const New> added);
 
   PageLimits limits_;
   std::vector<PageClass> classes_;
   std::vector<Followed> followed_;
-  std::uint64_t work_ = 0;   ///< so far, in terms
-  std::uint64_t terms_ = 0;  ///< of the chains that are kept, roughly
+  std::vector<std::uint32_t> last_;  ///< the generators that were recorded last
+  std::uint64_t work_ = 0;           ///< so far, in terms
+  std::uint64_t terms_ = 0;          ///< of the chains that are kept, roughly
   std::optional<std::uint32_t> given_up_;
 };
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ops/cells/cell_type.hpp"
@@ -16,13 +17,15 @@ namespace sesame::replay {
 
 /// How much a page has of an object; what is left out is said on the page.
 struct PageLimits {
-  std::uint64_t cells = 50'000;                ///< that were ever there, undone ones too
-  std::uint64_t cells_of_family = 20'000;      ///< of one product or large cone; a larger one is not shown
-  std::uint64_t steps = 10'000;                ///< of more, several are shown as one
-  std::uint64_t generators = 100;              ///< of the object at the end
-  std::uint64_t terms = 5'000;                 ///< of a chain
-  std::uint64_t terms_of_generators = 50'000;  ///< of all generators together
-  std::uint64_t bytes_of_operation = 300;      ///< of its text
+  std::uint64_t cells = 50'000;                   ///< that were ever there, undone ones too
+  std::uint64_t cells_of_family = 20'000;         ///< of one product or large cone; a larger one is not shown
+  std::uint64_t steps = 10'000;                   ///< of more, several are shown as one
+  std::uint64_t generators = 100;                 ///< of the object at the end
+  std::uint64_t terms = 5'000;                    ///< of a chain
+  std::uint64_t terms_of_generators = 50'000;     ///< of all generators after one step together
+  std::uint64_t terms_of_history = 300'000;       ///< of all generators after all steps; then those at the end only
+  std::uint64_t work_on_generators = 10'000'000;  ///< until likewise, in terms that are looked at
+  std::uint64_t bytes_of_operation = 300;         ///< of its text
 };
 
 /// A cell as another one sees it: a face, or what it became. From 0 on: twice its number, and 1 more when it is turned
@@ -61,10 +64,29 @@ struct PageChain {
     std::string coefficient;
     std::int64_t cell;  ///< its number, or -1
     std::string name;   ///< of one that is not shown
+    friend bool operator==(const Term&, const Term&) = default;
   };
   std::vector<Term> terms;
   std::uint64_t length = 0;     ///< of the chain, when it is too long to be written; else 0
   bool is_length_exact = true;  ///< or only a bound
+  friend bool operator==(const PageChain&, const PageChain&) = default;
+};
+
+/// A class that was a generator after some step.
+struct PageClass {
+  int degree = 0;
+  sparse::Integer order;               ///< 0: free
+  std::optional<std::uint32_t> since;  ///< the step, counted from 0, that made it, when that is known
+  PageChain cycle;
+  std::optional<PageChain> bounding;  ///< of a class of finite order: what so many times the cycle bounds
+};
+
+/// How a class came to its end.
+enum class ClassEnd : std::uint8_t {
+  bounds,    ///< its cycle became a boundary
+  cut,       ///< what its cycle goes through was split, so that it is a cycle no more
+  consumed,  ///< its cells became those of a factor of a product
+  undone,    ///< the step behind which its cycle was written was taken back
 };
 
 /// The answer to a `class` step.
@@ -83,11 +105,13 @@ struct PageStep {
   std::vector<PageRef> moved;           ///< in triples: a number, which of its faces, and what that is now
   std::vector<std::uint32_t> consumed;  ///< cells that became part of a factor of a product
   std::vector<std::uint32_t> undone;    ///< the steps that it took back, counted from 0, the last one first
+  std::vector<std::pair<std::uint32_t, ClassEnd>> ended;  ///< the classes that ended with it
   std::vector<std::uint64_t> cells;
   std::int64_t euler = 0;
   std::vector<std::int64_t> betti;
   std::vector<std::vector<sparse::Integer>> torsion;
-  std::unique_ptr<PageAnswer> answer;  ///< or null
+  std::optional<std::vector<std::uint32_t>> generators;  ///< the classes that are generators after it, if it is known
+  std::unique_ptr<PageAnswer> answer;                    ///< or null
 
   /// The page does not stop there: nobody reads the rest.
   void keep_events_only() {
@@ -95,6 +119,7 @@ struct PageStep {
     cells = {};
     betti = {};
     torsion = {};
+    generators.reset();
     answer = nullptr;
   }
 };

@@ -67,6 +67,7 @@ void PageHistory::take(engine::Engine& engine, const ops::Operation& operation, 
   step.betti = homology.betti;
   step.torsion = homology.torsion;
   add_answer(engine, operation, report, step);
+  generators_.take(engine, static_cast<std::uint32_t>(steps_.size()), step.undone, writer(structure), step);
   if (steps_.size() == limits_.steps * stride_) {
     thin_out();
   }
@@ -74,6 +75,18 @@ void PageHistory::take(engine::Engine& engine, const ops::Operation& operation, 
     steps_.back().keep_events_only();
   }
   steps_.push_back(std::move(step));
+}
+
+void PageHistory::take_last_generators(engine::Engine& engine, const std::atomic<bool>* stop) {
+  if (!steps_.empty()) {
+    generators_.take_last(engine, static_cast<std::uint32_t>(steps_.size() - 1), writer(engine.structure()), stop,
+                          steps_.back());
+  }
+}
+
+GeneratorHistory::Writer PageHistory::writer(const Structure& structure) const {
+  return {[this](CellId node) { return number(node) != ops::none; },
+          [this, &structure](const engine::CellChain& cells) { return chain(structure, cells); }};
 }
 
 void PageHistory::thin_out() {

@@ -2,6 +2,7 @@
 /// What a page shows of a replay: cells and steps, gathered step by step.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "engine/engine.hpp"
+#include "replay/page/generator_history.hpp"
 #include "replay/page/page_cells.hpp"
 #include "replay/page/vertex_places.hpp"
 
@@ -18,17 +20,22 @@ namespace sesame::replay {
 /// them back, so an undo is the list of the steps that it took back.
 class PageHistory {
  public:
-  explicit PageHistory(const PageLimits& limits) : limits_{limits} {}
+  explicit PageHistory(const PageLimits& limits) : limits_{limits}, generators_{limits} {}
 
   /// To be called after each step, none left out. Cost: what the step did, the groups after it, and at a product all
   /// cells that are shown.
   void take(engine::Engine& engine, const ops::Operation& operation, const engine::StepReport& report);
+
+  /// To be called before a page is written: the generators after the last step are kept whatever that takes, unless
+  /// `stop` says no.
+  void take_last_generators(engine::Engine& engine, const std::atomic<bool>* stop);
 
   [[nodiscard]] const PageLimits& limits() const { return limits_; }
   [[nodiscard]] const PageCells& cells() const { return cells_; }
   [[nodiscard]] const std::vector<PageStep>& steps() const { return steps_; }
   /// After every so many steps the page stops, and at the end: a power of 2. The steps between have their events only.
   [[nodiscard]] std::uint64_t stride() const { return stride_; }
+  [[nodiscard]] const GeneratorHistory& generators() const { return generators_; }
   [[nodiscard]] const VertexPlaces& places() const { return places_; }
   /// Cells that there were and that are not shown, for want of room or as those of a family that is too large.
   [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
@@ -55,11 +62,13 @@ class PageHistory {
     const auto& list = numbers_[ops::is_asked_for(node) ? 1 : 0];
     return ops::number_of(node) < list.size() ? list[ops::number_of(node)] : std::uint32_t{ops::none};
   }
+  [[nodiscard]] GeneratorHistory::Writer writer(const ops::Structure& structure) const;
   [[nodiscard]] std::uint32_t type_number(const ops::CellType& type);
 
   PageLimits limits_;
   PageCells cells_;
   std::vector<PageStep> steps_;
+  GeneratorHistory generators_;
   VertexPlaces places_;
   std::array<std::vector<std::uint32_t>, 2> numbers_;  ///< of nodes that steps made, that were asked for; or none
   std::vector<ops::CellId> nodes_;                     ///< of cells of the page

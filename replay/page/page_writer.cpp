@@ -9,7 +9,6 @@
 
 #include "ops/vocabulary/json_text.hpp"
 #include "replay/page/page_file.hpp"
-#include "replay/script/generators.hpp"
 #include "sesame/version.hpp"
 
 namespace sesame::replay {
@@ -120,6 +119,19 @@ void write_if_any(const char* name, const List& list, JsonText& out) {
   }
 }
 
+const char* name_of(ClassEnd how) {
+  switch (how) {
+    case ClassEnd::bounds:
+      return "bounds";
+    case ClassEnd::cut:
+      return "cut";
+    case ClassEnd::consumed:
+      return "consumed";
+    default:
+      return "undone";
+  }
+}
+
 void write_events(const PageStep& step, JsonText& out) {
   if (step.made > 0) {
     out.key("made");
@@ -129,6 +141,14 @@ void write_events(const PageStep& step, JsonText& out) {
   write_if_any("moved", step.moved, out);
   write_if_any("consumed", step.consumed, out);
   write_if_any("undone", step.undone, out);
+  if (!step.ended.empty()) {
+    out.key("ended");
+    out.begin_list();
+    for (const auto& [number, how] : step.ended) {
+      out.list_of(number, name_of(how));
+    }
+    out.end_list();
+  }
 }
 
 /// What is the same as where the page stopped before is left out.
@@ -143,71 +163,34 @@ void write_state(const PageStep& step, const PageStep* before, JsonText& out) {
     out.field("betti", step.betti);
     out.field("torsion", step.torsion);
   }
+  if (before == nullptr || step.generators != before->generators) {
+    out.key("generators");
+    if (step.generators) {
+      out.value(*step.generators);
+    } else {
+      out.null();  // it is not known
+    }
+  }
   if (step.answer) {
     out.key("answer");
     write_answer(*step.answer, out);
   }
 }
 
-void shorten(PageChain& chain, const std::optional<ChainLength>& length) {
-  if (length) {
-    chain.terms.clear();
-    chain.length = length->terms;
-    chain.is_length_exact = length->is_exact;
-  }
-}
-
-/// The terms of a chain, those more with long names that the page has not got elsewhere.
-std::uint64_t weight_of(const PageChain& chain) {
-  std::uint64_t weight = chain.terms.size();
-  for (const PageChain::Term& term : chain.terms) {
-    weight += term.name.size() / 16;
-  }
-  return weight;
-}
-
-/// Returns what it weighs.
-std::uint64_t write_generator(const PageHistory& history, const engine::Generator& generator,
-                              const GeneratorOptions& options, const ops::Structure& structure, JsonText& out) {
+void write_class(const PageClass& each, JsonText& out) {
   out.begin_object();
-  out.field("dim", generator.degree);
-  out.field("order", generator.order.to_string());
-  PageChain cycle = history.chain(structure, generator.cycle);
-  shorten(cycle, length_of_cycle(generator, options));
+  out.field("dim", each.degree);
+  out.field("order", each.order.to_string());
+  if (each.since) {
+    out.field("since", *each.since);
+  }
   out.key("chain");
-  write_chain(cycle, out);
-  std::uint64_t weight = weight_of(cycle);
-  if (!generator.order.is_zero()) {
-    PageChain bounding = history.chain(structure, generator.bounding);
-    shorten(bounding, length_of_bounding(generator, options));
+  write_chain(each.cycle, out);
+  if (each.bounding) {
     out.key("bounds");
-    write_chain(bounding, out);
-    weight += weight_of(bounding);
+    write_chain(*each.bounding, out);
   }
   out.end_object();
-  return weight;
-}
-
-/// The first ones of each dimension, as many as there is room for; how many there are is said by the groups.
-void write_generators(const PageHistory& history, engine::Engine& engine, const PageHead& head, JsonText& out) {
-  GeneratorOptions options;
-  options.most_terms = history.limits().terms;
-  std::uint64_t terms_left = history.limits().terms_of_generators;
-  const std::size_t dimensions = engine.cells().size();
-  out.begin_list();
-  for (std::size_t p = 0; p < dimensions; ++p) {
-    std::uint64_t written = 0;
-    const std::uint64_t room = history.limits().generators / dimensions + 1;
-    visit_generators(engine, static_cast<int>(p), options, [&](const engine::Generator& generator) {
-      if (written >= room || (head.stop != nullptr && head.stop->load())) {
-        return false;
-      }
-      options.most_terms = std::min(history.limits().terms, terms_left);
-      terms_left -= std::min(terms_left, write_generator(history, generator, options, engine.structure(), out));
-      return ++written < room;
-    });
-  }
-  out.end_list();
 }
 
 /// What is said of a page as a whole, and may change as it grows.
@@ -217,11 +200,14 @@ void write_head(const PageHistory& history, const PageHead& head, JsonText& out)
   out.field("stride", history.stride());
   out.field("left_out", history.left_out());
   out.field("families_left_out", history.families_left_out());
+  if (history.generators().given_up()) {
+    out.field("generators_until", *history.generators().given_up());
+  }
 }
 
 /// What is not in `seen`, which becomes all.
-void write_content(const PageHistory& history, engine::Engine& engine, const PageHead& head, PagePart& seen,
-                   JsonText& out) {
+void write_content(PageHistory& history, engine::Engine& engine, const PageHead& head, PagePart& seen, JsonText& out) {
+  history.take_last_generators(engine, head.stop);
   out.key("cells");
   write_cells(history.cells(), seen.cells, out);
   seen.cells = history.cells().size();
@@ -243,13 +229,18 @@ void write_content(const PageHistory& history, engine::Engine& engine, const Pag
   }
   out.end_list();
   seen.steps = history.steps().size();
-  out.key("generators");
-  write_generators(history, engine, head, out);
+  out.key("classes");
+  out.begin_list();
+  for (const PageClass& each : from(history.generators().classes(), seen.classes)) {
+    write_class(each, out);
+  }
+  out.end_list();
+  seen.classes = history.generators().classes().size();
 }
 
 }  // namespace
 
-std::string page_data(const PageHistory& history, engine::Engine& engine, const PageHead& head) {
+std::string page_data(PageHistory& history, engine::Engine& engine, const PageHead& head) {
   std::string text;
   JsonText out(text);
   out.begin_object();
@@ -273,7 +264,7 @@ std::string page_data(const PageHistory& history, engine::Engine& engine, const 
   return text;
 }
 
-std::string page_news(const PageHistory& history, engine::Engine& engine, const PageHead& head, PagePart& seen) {
+std::string page_news(PageHistory& history, engine::Engine& engine, const PageHead& head, PagePart& seen) {
   std::string text;
   JsonText out(text);
   out.begin_object();
@@ -283,7 +274,7 @@ std::string page_news(const PageHistory& history, engine::Engine& engine, const 
   return text;
 }
 
-void write_page(std::ostream& out, const PageHistory& history, engine::Engine& engine, const PageHead& head) {
+void write_page(std::ostream& out, PageHistory& history, engine::Engine& engine, const PageHead& head) {
   write_page_file(out, page_data(history, engine, head));
 }
 

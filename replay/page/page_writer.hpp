@@ -23,21 +23,21 @@ struct PageHead {
 
 /// The data of a page, as JSON. Generators are those of the engine as it is now, after the last step of the history.
 /// Cost: what the page shows, and that of the generators, both within the limits of the history.
-[[nodiscard]] std::string page_data(const PageHistory& history, engine::Engine& engine, const PageHead& head);
+[[nodiscard]] std::string page_data(PageHistory& history, engine::Engine& engine, const PageHead& head);
 
 /// How much of a history a page has already.
 struct PagePart {
   std::uint32_t cells = 0;
   std::size_t steps = 0;
+  std::size_t classes = 0;
   std::vector<VertexPlace> places;
 };
 
 /// What a page that has `seen` lacks, as JSON: the cells and steps behind those, places that are new or other ones, the
 /// generators of the object now, and what is said of it all. `seen` is all of the history then.
-[[nodiscard]] std::string page_news(const PageHistory& history, engine::Engine& engine, const PageHead& head,
-                                    PagePart& seen);
+[[nodiscard]] std::string page_news(PageHistory& history, engine::Engine& engine, const PageHead& head, PagePart& seen);
 
 /// The page: one file of HTML that needs no other and asks for none.
-void write_page(std::ostream& out, const PageHistory& history, engine::Engine& engine, const PageHead& head);
+void write_page(std::ostream& out, PageHistory& history, engine::Engine& engine, const PageHead& head);
 
 }  // namespace sesame::replay

@@ -33,6 +33,21 @@ struct Paged {
   ~Paged() = default;
 
   [[nodiscard]] json step(std::size_t k) const { return data["steps"][k]; }
+  /// The generators after so many steps.
+  [[nodiscard]] std::vector<json> generators_after(std::size_t steps) const {
+    json numbers;
+    for (std::size_t k = 0; k < steps; ++k) {
+      if (step(k).contains("generators")) {
+        numbers = step(k)["generators"];
+      }
+    }
+    std::vector<json> found;
+    for (const json& number : numbers) {
+      found.push_back(data["classes"][number.get<std::size_t>()]);
+    }
+    return found;
+  }
+  [[nodiscard]] std::vector<json> generators() const { return generators_after(data["steps"].size()); }
   [[nodiscard]] std::string name(std::size_t cell) const { return data["cells"]["names"][cell]; }
   [[nodiscard]] std::vector<double> place(const std::string& of) const {
     const auto& cells = data["places"]["cells"];
@@ -237,7 +252,7 @@ TEST_CASE("what is too much for a page is counted", "[page]") {
 TEST_CASE("generators and answers are chains of cells of the page", "[page]") {
   const Paged paged(example("projective_plane"));
   json found;
-  for (const json& generator : paged.data["generators"]) {
+  for (const json& generator : paged.generators()) {
     if (generator["order"] == "2") {
       found = generator;
     }
@@ -253,12 +268,12 @@ TEST_CASE("generators and answers are chains of cells of the page", "[page]") {
   limits.terms_of_generators = 1;
   const Paged shorter(example("projective_plane"), limits);
   CHECK(shorter.step(11)["answer"]["bounds"]["length"] == 2);
-  CHECK(shorter.data["generators"][0]["chain"]["terms"].size() == 1);
-  CHECK(shorter.data["generators"][1]["chain"]["length"] == 1);
+  CHECK(shorter.generators()[0]["chain"]["terms"].size() == 1);
+  CHECK(shorter.generators()[1]["chain"]["length"] == 1);
 }
 
 TEST_CASE("no text of a script can end the element that it stands in", "[page]") {
-  const Paged paged(script({R"({"op":"note","text":"</script><!--"})"}));
+  Paged paged(script({R"({"op":"note","text":"</script><!--"})"}));
   const std::string text = replay::page_data(paged.history, *paged.engine, {"<b>", "<i>", ""});
   CHECK(json::parse(text)["title"] == "<b>");
   std::ostringstream out;
@@ -309,8 +324,11 @@ void add_news(json& page, const json& news) {
   for (const json& step : news["steps"]) {
     page["steps"].push_back(step);
   }
-  for (const char* field : {"title", "notes", "stride", "left_out", "families_left_out", "generators"}) {
+  for (const char* field : {"title", "notes", "stride", "left_out", "families_left_out"}) {
     page[field] = news[field];
+  }
+  for (const json& each : news["classes"]) {
+    page["classes"].push_back(each);
   }
 }
 
@@ -318,7 +336,7 @@ void add_news(json& page, const json& news) {
 json with_all_numbers(json page) {
   json before;
   for (json& step : page["steps"]) {
-    for (const char* field : {"cells", "euler", "betti", "torsion"}) {
+    for (const char* field : {"cells", "euler", "betti", "torsion", "generators"}) {
       if (!step.contains(field) && before.contains(field)) {
         step[field] = before[field];
       }
@@ -344,7 +362,7 @@ TEST_CASE("news, piece by piece, make the page that is written at the end", "[pa
       history.take(*engine, operation, report);
       if (page.is_null()) {
         page = json::parse(replay::page_data(history, *engine, head));
-        seen = {history.cells().size(), history.steps().size(), {}};
+        seen = {history.cells().size(), history.steps().size(), history.generators().classes().size(), {}};
       } else if (history.steps().size() % 3 == 0) {
         const json news = json::parse(replay::page_news(history, *engine, head, seen));
         CHECK(news["steps"].size() <= 3);

@@ -43,7 +43,7 @@ class Session {
   }
   std::uint64_t steps() {
     std::uint64_t found = 0;
-    shared.look([&](engine::Engine& engine) { found = engine.log().size(); });
+    shared.look([&](engine::Engine& engine) { found = engine.undoable(); });
     return found;
   }
 
@@ -122,7 +122,7 @@ TEST_CASE("many take part at once, and nobody sees a step in its middle", "[shar
         const auto done = session.shared.take(R"({"op":"simplex","dim":1,"name":")" + name + "\"}");
         taken += done && done->steps == 1 ? 1 : 0;
         session.shared.look([&](engine::Engine& engine) {
-          if (engine.log().size() != seen_by_observer || engine.homology().betti[0] != engine.euler_characteristic()) {
+          if (engine.undoable() != seen_by_observer || engine.homology().betti[0] != engine.euler_characteristic()) {
             is_right = false;  // edges and chains of edges: as many components as the Euler characteristic says
           }
         });

@@ -121,7 +121,13 @@ class LiveServer::Handlers {
       const std::string why = errno != 0 ? std::string{": "} + std::strerror(errno) : "";
       return Error{Errc::io, fmt::format("cannot listen on {}:{}{}", in_address(address_.host), address_.port, why)};
     }
-    listener_ = std::thread([this] { server_.listen_after_bind(); });
+    listener_ = std::thread([this] {
+      server_.listen_after_bind();
+      has_ended_ = true;
+    });
+    while (!server_.is_running() && !has_ended_) {  // one that does not run yet cannot be stopped
+      std::this_thread::sleep_for(milliseconds(1));
+    }
     return Done{};
   }
 
@@ -138,13 +144,13 @@ class LiveServer::Handlers {
   [[nodiscard]] bool is_local() const { return address_.host.starts_with("127.") || address_.host == "::1"; }
 
  private:
-  /// How far a page is that asks for news: "session/cells/steps".
+  /// How far a page is that asks for news: "session/cells/steps/classes".
   struct Place {
     std::uint64_t session = 0;
     replay::PagePart seen;
 
     static std::optional<Place> parse(std::string_view text) {
-      std::array<std::uint64_t, 3> numbers{};
+      std::array<std::uint64_t, 4> numbers{};
       for (std::uint64_t& number : numbers) {
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
         if (error != std::errc{}) {
@@ -159,9 +165,12 @@ class LiveServer::Handlers {
       place.session = numbers[0];
       place.seen.cells = static_cast<std::uint32_t>(numbers[1]);
       place.seen.steps = numbers[2];
+      place.seen.classes = numbers[3];
       return place;
     }
-    [[nodiscard]] std::string text() const { return fmt::format("{}/{}/{}", session, seen.cells, seen.steps); }
+    [[nodiscard]] std::string text() const {
+      return fmt::format("{}/{}/{}/{}", session, seen.cells, seen.steps, seen.classes);
+    }
   };
 
   struct Shown {
@@ -217,7 +226,7 @@ class LiveServer::Handlers {
     const Shown now = shown();
     std::string data;
     const bool is_there = now.replay != nullptr && now.replay->shared.look([&](engine::Engine& engine) {
-      const replay::PageHistory& history = now.replay->history;
+      replay::PageHistory& history = now.replay->history;
       data = replay::page_data(history, engine, now.replay->head);
       std::string live;
       ops::JsonText out(live);
@@ -225,7 +234,9 @@ class LiveServer::Handlers {
       out.key("live");
       out.begin_object();
       out.field("writable", !token_.empty());
-      out.field("place", fmt::format("{}/{}/{}", now.session, history.cells().size(), history.steps().size()));
+      const Place place{now.session,
+                        {history.cells().size(), history.steps().size(), history.generators().classes().size(), {}}};
+      out.field("place", place.text());
       out.end_object();
       out.end_object();
       live.back() = ',';
@@ -246,7 +257,7 @@ class LiveServer::Handlers {
     const std::string last = request.get_header_value("Last-Event-ID");
     const std::optional<Place> place = Place::parse(last.empty() ? request.get_param_value("after") : last);
     if (!place) {
-      refuse(response, 400, "/events wants after=SESSION/CELLS/STEPS, as the page has it");
+      refuse(response, 400, "/events wants after=SESSION/CELLS/STEPS/CLASSES, as the page has it");
       return;
     }
     if (listeners_.fetch_add(1) >= most_listeners) {
@@ -313,8 +324,9 @@ class LiveServer::Handlers {
       const auto start = Clock::now();
       std::string data;
       const bool is_there = replay_->shared.look([&](engine::Engine& engine) {
-        const replay::PageHistory& history = replay_->history;
-        if (place_.seen.cells > history.cells().size() || place_.seen.steps > history.steps().size()) {
+        replay::PageHistory& history = replay_->history;
+        if (place_.seen.cells > history.cells().size() || place_.seen.steps > history.steps().size() ||
+            place_.seen.classes > history.generators().classes().size()) {
           data = "other";
         } else if (place_.seen.steps < history.steps().size()) {
           data = replay::page_news(history, engine, replay_->head, place_.seen);
@@ -379,7 +391,7 @@ class LiveServer::Handlers {
   int port_ = -1;
   httplib::Server server_;
   std::thread listener_;
-  std::atomic<bool> is_ending_ = false;
+  std::atomic<bool> is_ending_ = false, has_ended_ = false;
   std::atomic<int> listeners_ = 0;
   std::mutex shown_;
   std::shared_ptr<LiveReplay> replay_;  ///< guarded by shown_, as the next one is

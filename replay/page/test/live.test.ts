@@ -34,7 +34,7 @@ function news(): News {
     cells: { types: data.cells.types, names: ["v", "f"], type: [data.cells.type[0], data.cells.type[4]], first: [first, first + 2], faces: [0, 2 * data.cells.type.length] },
     places: { cells: [data.cells.type.length], points: [1, 2, 3], counts: { given: 1, sum: 0, beside: 0, computed: 0 } },
     steps: [{ op: "cone", text: "cone", made: [data.cells.type.length, 2], betti: [7] }],
-    generators: [],
+    classes: [],
   };
 }
 

@@ -31,7 +31,7 @@ export function dataOf(cells: [number[], string, number[]][], points: [number, n
       counts: { given: points.length, sum: 0, beside: 0, computed: 0 },
     },
     steps,
-    generators: [],
+    classes: [],
   };
 }
 

@@ -30,81 +30,113 @@ export function generatorTitle(generator: Generator, index: number): string {
   return `H${generator.dim}, generator ${index + 1}: ${orderText(generator)}`;
 }
 
+/** What a panel is to show of a class that is chosen. */
+export interface Chosen {
+  generator: Generator;
+  chain: Chain;
+  bounds?: Chain;
+  /** Steps, counted from 0. */
+  since?: number;
+  end: { step: number; sentence: string } | null;
+}
+
 export class ChainPanel {
-  private readonly buttons: HTMLButtonElement[] = [];
+  private readonly buttons = new Map<number, HTMLButtonElement>();
+  private shown = "";
 
   constructor(
     private readonly list: HTMLElement,
     private readonly details: HTMLElement,
     private readonly data: Data,
     private readonly nameOf: NameOf,
-    private readonly onChoose: (indices: number[]) => void,
-  ) {
-    this.fill();
-  }
+    private readonly onChoose: (numbers: number[]) => void,
+    private readonly onJump: (steps: number) => void,
+  ) {}
 
-  /** Lists the generators that the data have. */
-  fill(): void {
-    const { list, data, onChoose } = this;
-    list.replaceChildren();
-    this.buttons.length = 0;
+  /** Lists these classes; null: they are not known. */
+  fill(numbers: readonly number[] | null): void {
+    const shown = JSON.stringify(numbers);
+    if (shown === this.shown) {
+      return; // so that the focus stays
+    }
+    this.shown = shown;
+    this.list.replaceChildren();
+    this.buttons.clear();
     const ofDimension = new Map<number, number[]>();
-    data.generators.forEach((generator, index) => {
+    for (const number of numbers ?? []) {
+      const generator = this.data.classes[number];
       const same = ofDimension.get(generator.dim) ?? [];
-      const number = same.push(index) - 1;
+      const index = same.push(number) - 1;
       ofDimension.set(generator.dim, same);
-      const made = button("", () => onChoose(made.getAttribute("aria-pressed") === "true" ? [] : [index]));
+      const made = button("", () => this.onChoose(made.getAttribute("aria-pressed") === "true" ? [] : [number]));
       const swatch = document.createElement("span");
       swatch.className = "swatch";
-      swatch.style.backgroundColor = cssColour(colourOfGenerator(index));
-      made.append(swatch, generatorTitle(generator, number));
+      swatch.style.backgroundColor = cssColour(colourOfGenerator(number));
+      made.append(swatch, generatorTitle(generator, index));
       made.setAttribute("aria-pressed", "false");
-      list.append(made);
-      this.buttons.push(made);
-    });
-    for (const [dimension, indices] of ofDimension) {
-      if (indices.length > 1) {
-        list.append(button(`all of H${dimension}`, () => onChoose(indices)));
+      this.list.append(made);
+      this.buttons.set(number, made);
+    }
+    for (const [dimension, same] of ofDimension) {
+      if (same.length > 1) {
+        this.list.append(button(`all of H${dimension}`, () => this.onChoose(same)));
       }
     }
-    if (data.generators.length === 0) {
-      list.append(paragraph("The object has no homology: nothing is left of it."));
+    if (numbers === null) {
+      this.list.append(paragraph("Those of this step were not kept; those of the last step are."));
+    } else if (numbers.length === 0) {
+      this.list.append(paragraph("The object has no homology: there is nothing."));
     }
   }
 
-  /** Of the object at the end. `wanted`: how many there are in each dimension. */
-  remark(wanted: readonly number[]): string {
+  /** What is said of lists that are not whole. `wanted`: how many there are in each dimension. */
+  remark(numbers: readonly number[] | null, wanted: readonly number[]): string {
     const missing = wanted.flatMap((count, p) => {
-      const shown = this.data.generators.filter(({ dim }) => dim === p).length;
+      const shown = (numbers ?? []).filter((number) => this.data.classes[number].dim === p).length;
       return shown < count ? [`${shown} of the ${count} of H${p}`] : [];
     });
-    return missing.length > 0 ? `Generators are listed up to a limit: ${missing.join(", ")}.` : "";
+    return missing.length > 0 ? `Generators are listed up to a limit, at the end ${missing.join(", ")}.` : "";
   }
 
-  choose(indices: readonly number[]): void {
-    this.buttons.forEach((made, k) => made.setAttribute("aria-pressed", String(indices.includes(k))));
+  /** Marks these classes as chosen; explains the one if it is one. */
+  choose(numbers: readonly number[], chosen: Chosen | null): void {
+    this.buttons.forEach((made, number) => made.setAttribute("aria-pressed", String(numbers.includes(number))));
     this.details.replaceChildren();
-    if (indices.length > 1) {
-      this.details.append(paragraph(`${indices.length} generators are drawn; one that is clicked is explained.`));
+    if (numbers.length > 1) {
+      this.details.append(paragraph(`${numbers.length} generators are drawn; one that is clicked is explained.`));
     }
-    if (indices.length !== 1) {
+    if (!chosen) {
       return;
     }
-    const generator = this.data.generators[indices[0]];
+    const { generator, chain, bounds, since, end } = chosen;
     this.details.append(paragraph(`A generator of H${generator.dim}, ${orderText(generator)}.`));
-    this.details.append(chainBox("cycle", generator.chain, this.nameOf));
-    if (generator.bounds) {
-      this.details.append(chainBox(`${generator.order} times it bounds`, generator.bounds, this.nameOf));
+    if (since !== undefined) {
+      this.details.append(this.sentence("This class is made by", since, "since"));
+    }
+    if (end) {
+      this.details.append(this.sentence(end.sentence, end.step, "end"));
+    }
+    this.details.append(chainBox("cycle", chain, this.nameOf));
+    if (bounds) {
+      this.details.append(chainBox(`${generator.order} times it bounds`, bounds, this.nameOf));
     }
   }
 
   showAnswer(answer: Answer): void {
-    this.choose([]);
+    this.choose([], null);
     const is = !answer.cycle ? "no cycle" : answer.zero ? "a cycle that bounds" : `a cycle of the class (${answer.coefficients.join(", ")})`;
     this.details.append(paragraph(`The chain that this step asks for is ${is}.`));
     this.details.append(chainBox("the chain", answer.asked, this.nameOf));
     if (answer.bounds) {
       this.details.append(chainBox("it bounds", answer.bounds, this.nameOf));
     }
+  }
+
+  /** A sentence about a step, with a button that goes there. */
+  private sentence(text: string, step: number, name: string): HTMLElement {
+    const made = paragraph(`${text} `, name);
+    const { op } = this.data.steps[step];
+    made.append(button(`step ${step + 1}${op ? `, ${op}` : ""}`, () => this.onJump(step + 1)), ".");
+    return made;
   }
 }

@@ -18,10 +18,16 @@ export interface Answer {
   bounds?: Chain;
 }
 
+/** How a class came to its end: see generator_history.hpp. */
+export type End = "bounds" | "cut" | "consumed" | "undone";
+
+/** A class that was a generator after some step; its chains have the cells of that time. */
 export interface Generator {
   dim: number;
   /** "0" for a free one. */
   order: string;
+  /** The step, counted from 0, that made it; left out when that is not known. */
+  since?: number;
   chain: Chain;
   bounds?: Chain;
 }
@@ -42,6 +48,10 @@ export interface Step {
   euler?: number;
   betti?: number[];
   torsion?: (number | string)[][];
+  /** Classes that ended with it. */
+  ended?: [number, End][];
+  /** The classes that are generators after it; null: that is not known. */
+  generators?: number[] | null;
   answer?: Answer;
 }
 
@@ -52,6 +62,8 @@ export interface Head {
   stride: number;
   left_out: number;
   families_left_out: number;
+  /** After so many steps generators were no longer kept, but for those at the end. */
+  generators_until?: number;
 }
 
 export interface Cells {
@@ -73,7 +85,7 @@ export interface News extends Head {
   cells: Cells;
   places: Places;
   steps: Step[];
-  generators: Generator[];
+  classes: Generator[];
 }
 
 export interface Data extends Head {
@@ -87,11 +99,11 @@ export interface Data extends Head {
   cells: Cells;
   places: Places;
   steps: Step[];
-  generators: Generator[];
+  classes: Generator[];
 }
 
 /** Adds what is new, but for places: those are kept by who draws. */
-export function addNews(data: Data, { cells, places, steps, ...rest }: News): void {
+export function addNews(data: Data, { cells, places, steps, classes, ...rest }: News): void {
   const add = <T>(to: T[], from: readonly T[]) => from.forEach((item) => to.push(item)); // of any length
   data.cells.types = cells.types;
   add(data.cells.names, cells.names);
@@ -100,6 +112,7 @@ export function addNews(data: Data, { cells, places, steps, ...rest }: News): vo
   add(data.cells.faces, cells.faces);
   data.places.counts = places.counts;
   add(data.steps, steps);
+  add(data.classes, classes);
   Object.assign(data, rest);
 }
 
@@ -109,11 +122,12 @@ export interface Numbers {
   euler: number;
   betti: number[];
   torsion: (number | string)[][];
+  generators: number[] | null;
 }
 
 /** By step, the empty object before the first one included: entry n is what there is after n steps. `all`: those of the first steps, which is added to. */
 export function numbersOf(steps: readonly Step[], all: Numbers[] = []): Numbers[] {
-  let now: Numbers = all.at(-1) ?? { cells: [], euler: 0, betti: [], torsion: [] };
+  let now: Numbers = all.at(-1) ?? { cells: [], euler: 0, betti: [], torsion: [], generators: [] };
   if (all.length === 0) {
     all.push(now);
   }
@@ -123,6 +137,7 @@ export function numbersOf(steps: readonly Step[], all: Numbers[] = []): Numbers[
       euler: step.euler ?? now.euler,
       betti: step.betti ?? now.betti,
       torsion: step.torsion ?? now.torsion,
+      generators: step.generators === undefined ? now.generators : step.generators,
     };
     all.push(now);
   }

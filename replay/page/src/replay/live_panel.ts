@@ -16,7 +16,6 @@ export class LivePanel {
 
   constructor({ place, writable }: { place: string; writable: boolean }, onNews: (news: News) => void) {
     get<HTMLElement>("live").hidden = false;
-    get<HTMLElement>("generators-title").textContent = "Generators now";
     listen(place, onNews, (state) => {
       get("connection").textContent = states[state];
       get("connection").className = state;

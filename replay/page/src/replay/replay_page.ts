@@ -1,7 +1,9 @@
 /** Puts the page of a replay together. */
 import { rgb } from "../buffers.ts";
-import { ChainPanel } from "./chain_panel.ts";
+import { carried } from "./carry.ts";
+import { ChainPanel, type Chosen } from "./chain_panel.ts";
 import { overlayOf } from "./chains.ts";
+import { ClassEnds } from "./class_ends.ts";
 import { colourOfGenerator, dark, light, palette, type Theme } from "../colours.ts";
 import { addNews, type Chain, type Data, type News, numbersOf, stopsOf } from "./data.ts";
 import { componentsOf, drawnOf, placesOf } from "./geometry.ts";
@@ -25,7 +27,7 @@ export class ReplayPage {
   private readonly timeline: Timeline;
   private readonly steps: StepsPanel;
   private readonly chains: ChainPanel;
-  private finalNames: string[] = [];
+  private readonly ends: ClassEnds;
   private theme: Theme;
   private chosen: number[] = [];
   private live: LivePanel | null = null;
@@ -34,7 +36,7 @@ export class ReplayPage {
   constructor(private readonly data: Data) {
     this.numbers = numbersOf(data.steps);
     this.object = new ObjectState(data);
-    this.noteFinalNames();
+    this.object.goTo(data.steps.length);
     this.places = placesOf(data.places.cells, data.places.points);
     this.drawn = drawnOf(this.object, this.places);
     const stops = stopsOf(data.steps.length, data.stride);
@@ -49,9 +51,15 @@ export class ReplayPage {
     });
     this.timeline = new Timeline(get("timeline"), this.numbers, (step) => this.player.toStep(step));
     this.steps = new StepsPanel(get("steps"), get("search"), get("found"), data, stops, (step) => this.player.toStep(step));
-    // Generators are those of the end; what a class step says has the names of that moment.
-    const nameOf = (cell: number) => (this.chosen.length > 0 ? this.finalNames[cell] : this.object.name(cell));
-    this.chains = new ChainPanel(get("generators"), get("details"), data, nameOf, (indices) => this.choose(indices));
+    this.ends = new ClassEnds(data.steps);
+    this.chains = new ChainPanel(
+      get("generators"),
+      get("details"),
+      data,
+      (cell) => this.object.name(cell),
+      (numbers) => this.choose(numbers),
+      (step) => this.player.toStep(step),
+    );
     this.fillHead();
     this.setRange();
     this.listen();
@@ -70,14 +78,11 @@ export class ReplayPage {
     placesOf(news.places.cells, news.places.points).forEach((at, cell) => this.places.set(cell, at));
     numbersOf(this.data.steps, this.numbers);
     this.object.grow();
+    this.ends.grow();
     const steps = this.player.steps;
-    this.noteFinalNames();
-    this.object.goTo(steps);
     const stops = stopsOf(this.data.steps.length, this.data.stride);
     this.player.setStops(stops);
     this.steps.setStops(stops);
-    this.chains.fill();
-    this.chosen = [];
     this.fillHead();
     this.setRange();
     this.drawTimeline();
@@ -86,11 +91,6 @@ export class ReplayPage {
     } else {
       this.updateTexts(steps);
     }
-  }
-
-  private noteFinalNames(): void {
-    this.object.goTo(this.data.steps.length);
-    this.finalNames = Array.from({ length: this.data.cells.names.length }, (_, cell) => this.object.name(cell));
   }
 
   private setRange(): void {
@@ -113,7 +113,7 @@ export class ReplayPage {
     get("facts").textContent = `${source}, ${this.data.steps.length} steps, homology over ${ring}, sesame ${version}`;
     const last = this.numbers[this.numbers.length - 1];
     const remarks = remarksOf(this.data, this.object);
-    remarks.push(this.chains.remark(last.betti.map((betti, p) => betti + (last.torsion[p]?.length ?? 0))));
+    remarks.push(this.chains.remark(last.generators, last.betti.map((betti, p) => betti + (last.torsion[p]?.length ?? 0))));
     get("remarks").replaceChildren();
     for (const remark of remarks.filter(Boolean)) {
       const item = document.createElement("li");
@@ -200,21 +200,16 @@ export class ReplayPage {
     this.update();
   }
 
-  private choose(indices: number[]): void {
+  private choose(numbers: number[]): void {
     this.player.pause();
-    this.chosen = indices;
-    if (indices.length > 0 && this.player.steps !== this.data.steps.length) {
-      this.player.toPosition(Infinity); // which updates
-    } else {
-      this.update();
-    }
+    this.chosen = numbers;
+    this.update();
   }
 
   private update(): void {
     const steps = this.player.steps;
-    if (steps !== this.data.steps.length) {
-      this.chosen = [];
-    }
+    const there = this.numbers[steps].generators ?? [];
+    this.chosen = this.chosen.filter((number) => there.includes(number));
     this.object.goTo(steps);
     this.drawn = drawnOf(this.object, this.places);
     this.updateTexts(steps);
@@ -252,11 +247,24 @@ export class ReplayPage {
 
   private updateChains(steps: number): void {
     const answer = steps > 0 ? this.data.steps[steps - 1].answer : undefined;
+    this.chains.fill(this.numbers[steps].generators);
     if (this.chosen.length === 0 && answer) {
       this.chains.showAnswer(answer);
     } else {
-      this.chains.choose(this.chosen);
+      this.chains.choose(this.chosen, this.chosen.length === 1 ? this.explained(this.chosen[0]) : null);
     }
+  }
+
+  private explained(number: number): Chosen {
+    const generator = this.data.classes[number];
+    const { chain, bounds, since } = generator;
+    return {
+      generator,
+      chain: carried(this.object, chain),
+      bounds: bounds && carried(this.object, bounds),
+      since,
+      end: this.ends.after(this.player.steps, number),
+    };
   }
 
   /** The chains that are laid over the object. */
@@ -264,9 +272,9 @@ export class ReplayPage {
     const lay = (chain: Chain | undefined, colour: number, generator = -1) =>
       chain ? [overlayOf(this.object, this.drawn, chain, colour, generator)] : [];
     if (this.chosen.length > 0) {
-      const all = this.chosen.map((index) => [index, this.data.generators[index]] as const);
+      const all = this.chosen.map((number) => [number, this.data.classes[number]] as const);
       const bounds = this.chosen.length === 1 ? all[0][1].bounds : undefined;
-      return [...all.flatMap(([index, { chain }]) => lay(chain, colourOfGenerator(index), index)), ...lay(bounds, 0x56b4e9)];
+      return [...all.flatMap(([number, { chain }]) => lay(carried(this.object, chain), colourOfGenerator(number), number)), ...lay(bounds && carried(this.object, bounds), 0x56b4e9)];
     }
     const steps = this.player.steps;
     const answer = steps > 0 ? this.data.steps[steps - 1].answer : undefined;

@@ -75,6 +75,9 @@ export function remarksOf(data: Data, object: ObjectState): string[] {
   if (data.stride > 1) {
     remarks.push(`There are ${data.steps.length} steps, more than ${data.limits.steps}: the page stops at every ${data.stride}th, and says nothing of the others but what has changed until the next stop.`);
   }
+  if (data.generators_until !== undefined) {
+    remarks.push(`Generators are those of the first ${data.generators_until} steps and of the last one: to follow them through all ${data.steps.length} takes too long.`);
+  }
   if (object.topDimension > 3) {
     remarks.push("The object has more than three dimensions at times: its vertices, edges and faces are drawn.");
   }

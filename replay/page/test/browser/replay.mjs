@@ -84,7 +84,6 @@ export const short = {
   async "a generator is drawn and said, with what a multiple of it bounds"(browser) {
     const { page, wrong, summary, close } = await opened(browser, join(browser.examples, "projective_plane.jsonl"));
     assert.equal(await page.locator("#generators button").count(), summary.generators.length);
-    await page.keyboard.press("Home");
     const index = summary.generators.findIndex(({ order }) => order === 2);
     await page.locator("#generators button").nth(index).click();
     assert.match(await now(page), /^(\d+) of \1$/);
@@ -92,6 +91,28 @@ export const short = {
     assert.deepEqual(chains, [summary.generators[index].chain, summary.generators[index].bounds]);
     assert.match(await page.locator("#details").textContent(), /2 times it bounds/);
     await browser.shot(page, "projective_plane");
+    assert.deepEqual(wrong, []);
+    await close();
+  },
+  async "a class says which step made it and which one ends it, and one goes there"(browser) {
+    const script = browser.file("circle.jsonl");
+    const lines = [{ sesame: 1 }, { op: "simplex", name: "e", dim: 1 }, { op: "identify", pairs: [["e.0", "e.1"]] }, { op: "simplex", name: "f", dim: 1 }, { op: "cone", apex: "v" }];
+    writeFileSync(script, lines.map((line) => JSON.stringify(line)).join("\n"));
+    const { page, wrong, close } = await opened(browser, script);
+    assert.equal(await page.locator("#generators button").count(), 1);
+    await page.locator("#steps button").nth(2).click();
+    assert.deepEqual(await texts(page, "#generators button"), ["H0, generator 1: free", "H0, generator 2: free", "H1, generator 1: free", "all of H0"]);
+    const circle = page.locator("#generators button", { hasText: "H1" });
+    await circle.click();
+    assert.equal(await circle.getAttribute("aria-pressed"), "true");
+    assert.equal(await page.locator("#details .since").textContent(), "This class is made by step 2, identify.");
+    assert.equal(await page.locator("#details .end").textContent(), "Its cycle comes to bound with step 4, cone.");
+    await page.locator("#details .since button").click();
+    assert.equal(await now(page), "2 of 4");
+    assert.equal(await circle.getAttribute("aria-pressed"), "true");
+    await page.locator("#details .end button").click();
+    assert.equal(await now(page), "4 of 4");
+    assert.equal(await circle.count(), 0);
     assert.deepEqual(wrong, []);
     await close();
   },
