@@ -98,25 +98,25 @@ std::uint64_t weight_of(const PageChain& chain) {
 
 }  // namespace
 
-void GeneratorHistory::take(engine::Engine& engine, std::uint32_t step, std::span<const std::uint32_t> undone,
+void GeneratorHistory::take(engine::Engine& engine, Place place, std::span<const std::uint32_t> undone,
                             const Writer& writer, PageStep& into) {
   if (given_up_) {
     return;
   }
   if (work_ > limits_.work_on_generators || terms_ > limits_.terms_of_history) {
-    given_up_ = step;
+    given_up_ = place.step;
     followed_ = {};
     return;
   }
   forget_undone(undone, into);
-  carry_on(engine, step, into);
-  record(engine, step, writer, nullptr, into);
+  carry_on(engine, place.step, into);
+  record(engine, place, writer, nullptr, into);
 }
 
-void GeneratorHistory::take_last(engine::Engine& engine, std::uint32_t step, const Writer& writer,
+void GeneratorHistory::take_last(engine::Engine& engine, Place place, const Writer& writer,
                                  const std::atomic<bool>* stop, PageStep& into) {
   if (!into.generators) {
-    record(engine, step, writer, stop, into);
+    record(engine, place, writer, stop, into);
   }
 }
 
@@ -175,8 +175,8 @@ void GeneratorHistory::carry_on(engine::Engine& engine, std::uint32_t step, Page
   }
 }
 
-void GeneratorHistory::record(engine::Engine& engine, std::uint32_t step, const Writer& writer,
-                              const std::atomic<bool>* stop, PageStep& into) {
+void GeneratorHistory::record(engine::Engine& engine, Place place, const Writer& writer, const std::atomic<bool>* stop,
+                              PageStep& into) {
   into.generators.emplace();
   const engine::Homology homology = engine.homology();
   const std::size_t dimensions = engine.cells().size();
@@ -202,13 +202,13 @@ void GeneratorHistory::record(engine::Engine& engine, std::uint32_t step, const 
       if (!known) {
         terms_ += weight;
         added.push_back({static_cast<std::uint32_t>(classes_.size()), index});
-        follow(generator.cycle, step, writer);
+        follow(generator.cycle, place.state, writer);
         classes_.push_back(std::move(found));
       }
       return ++index < room;
     });
     if (!given_up_) {
-      find_ages(engine.ring(), orders, step, added);
+      find_ages(engine.ring(), orders, place.step, added);
     }
   }
   last_ = *into.generators;
@@ -247,11 +247,11 @@ std::optional<std::uint32_t> GeneratorHistory::known_class(const engine::Generat
 }
 
 /// Requires: it gets the next number.
-void GeneratorHistory::follow(const CellChain& cycle, std::uint32_t step, const Writer& writer) {
+void GeneratorHistory::follow(const CellChain& cycle, std::uint32_t state, const Writer& writer) {
   const bool is_written = cycle.terms.size() <= limits_.terms && !cycle.terms.empty();
   if (!given_up_ && is_written &&
       std::ranges::all_of(cycle.terms, [&](const auto& term) { return writer.is_shown(term.generator); })) {
-    followed_.push_back({static_cast<std::uint32_t>(classes_.size()), step, cycle, std::nullopt, cycle, {}});
+    followed_.push_back({static_cast<std::uint32_t>(classes_.size()), state, cycle, std::nullopt, cycle, {}});
   }
 }
 

@@ -31,14 +31,20 @@ class GeneratorHistory {
 
   explicit GeneratorHistory(const PageLimits& limits) : limits_{limits} {}
 
+  /// Where a replay is.
+  struct Place {
+    std::uint32_t step;   ///< the number of the last step
+    std::uint32_t state;  ///< of the last one that is not undone: what there is now was there after it
+  };
+
   /// To be called after a step, which took back those of the numbers `undone`, none unless it was an undo. Puts into it
   /// which classes have ended with it, and which are the generators after it.
   /// Cost: that of the generators, and a question for each class that has not ended; or none, once it has given up.
-  void take(engine::Engine& engine, std::uint32_t step, std::span<const std::uint32_t> undone, const Writer& writer,
+  void take(engine::Engine& engine, Place place, std::span<const std::uint32_t> undone, const Writer& writer,
             PageStep& into);
   /// Puts the generators into a step behind which there is no other one, if they are not in it: whatever that takes,
   /// unless `stop` says no.
-  void take_last(engine::Engine& engine, std::uint32_t step, const Writer& writer, const std::atomic<bool>* stop,
+  void take_last(engine::Engine& engine, Place place, const Writer& writer, const std::atomic<bool>* stop,
                  PageStep& into);
 
   /// By number.
@@ -50,7 +56,7 @@ class GeneratorHistory {
   /// A class whose cycle can be carried on.
   struct Followed {
     std::uint32_t number;     ///< of the class
-    std::uint32_t recorded;   ///< the step after which its cycle was written
+    std::uint32_t recorded;   ///< the step behind which there are all nodes of its cycle
     engine::CellChain cycle;  ///< in nodes of that time
     std::optional<std::uint32_t> ended;
     engine::CellChain now;                       ///< the cycle in the object now
@@ -66,13 +72,12 @@ class GeneratorHistory {
   void forget_undone(std::span<const std::uint32_t> undone, PageStep& into);
   std::optional<ClassEnd> end_of(engine::Engine& engine, Followed& each);
   void carry_on(engine::Engine& engine, std::uint32_t step, PageStep& into);
-  void record(engine::Engine& engine, std::uint32_t step, const Writer& writer, const std::atomic<bool>* stop,
-              PageStep& into);
+  void record(engine::Engine& engine, Place place, const Writer& writer, const std::atomic<bool>* stop, PageStep& into);
   [[nodiscard]] static PageClass written(const engine::Generator& generator, const GeneratorOptions& options,
                                          const Writer& writer);
   [[nodiscard]] std::optional<std::uint32_t> known_class(const engine::Generator& generator,
                                                          const PageClass& found) const;
-  void follow(const engine::CellChain& cycle, std::uint32_t step, const Writer& writer);
+  void follow(const engine::CellChain& cycle, std::uint32_t state, const Writer& writer);
   void find_ages(const sparse::AnyRing& ring, std::span<const sparse::Integer> orders, std::uint32_t step,
                  std::span<const New> added);
 

@@ -67,7 +67,7 @@ void PageHistory::take(engine::Engine& engine, const ops::Operation& operation, 
   step.betti = homology.betti;
   step.torsion = homology.torsion;
   add_answer(engine, operation, report, step);
-  generators_.take(engine, static_cast<std::uint32_t>(steps_.size()), step.undone, writer(structure), step);
+  generators_.take(engine, place(steps_.size()), step.undone, writer(structure), step);
   if (steps_.size() == limits_.steps * stride_) {
     thin_out();
   }
@@ -79,9 +79,12 @@ void PageHistory::take(engine::Engine& engine, const ops::Operation& operation, 
 
 void PageHistory::take_last_generators(engine::Engine& engine, const std::atomic<bool>* stop) {
   if (!steps_.empty()) {
-    generators_.take_last(engine, static_cast<std::uint32_t>(steps_.size() - 1), writer(engine.structure()), stop,
-                          steps_.back());
+    generators_.take_last(engine, place(steps_.size() - 1), writer(engine.structure()), stop, steps_.back());
   }
+}
+
+GeneratorHistory::Place PageHistory::place(std::size_t step) const {
+  return {static_cast<std::uint32_t>(step), undoable_.empty() ? 0 : undoable_.back()};
 }
 
 GeneratorHistory::Writer PageHistory::writer(const Structure& structure) const {

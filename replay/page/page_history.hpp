@@ -62,6 +62,7 @@ class PageHistory {
     const auto& list = numbers_[ops::is_asked_for(node) ? 1 : 0];
     return ops::number_of(node) < list.size() ? list[ops::number_of(node)] : std::uint32_t{ops::none};
   }
+  [[nodiscard]] GeneratorHistory::Place place(std::size_t step) const;
   [[nodiscard]] GeneratorHistory::Writer writer(const ops::Structure& structure) const;
   [[nodiscard]] std::uint32_t type_number(const ops::CellType& type);
 

@@ -151,6 +151,12 @@ void write_events(const PageStep& step, JsonText& out) {
   }
 }
 
+/// Whether nothing is to be said of a step but how many cells it made. Of long histories that is most of the steps.
+bool has_made_only(const PageStep& step) {
+  return step.op.empty() && step.removed.empty() && step.moved.empty() && step.consumed.empty() &&
+         step.undone.empty() && step.ended.empty();
+}
+
 /// What is the same as where the page stopped before is left out.
 void write_state(const PageStep& step, const PageStep* before, JsonText& out) {
   out.field("op", step.op);
@@ -219,6 +225,10 @@ void write_content(PageHistory& history, engine::Engine& engine, const PageHead&
   out.begin_list();
   const PageStep* before = nullptr;
   for (const PageStep& step : from(history.steps(), seen.steps)) {
+    if (has_made_only(step)) {
+      out.value(step.made);
+      continue;
+    }
     out.begin_object();
     write_events(step, out);
     if (!step.op.empty()) {  // the page stops there

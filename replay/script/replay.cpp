@@ -59,7 +59,10 @@ class Run {
     start_ = start;
     Outcome outcome = begin_log(engine, *header);
     if (outcome == Outcome::done) {
-      const OpenToOthers open(*this, engine);
+      const OpenReplay open(options_.shared, engine, [this, &engine](ops::Operation operation) -> Status {
+        replay_log().trace("from outside: {}", ops::keyword(operation));
+        return is_time_up() ? time_is_up() : take(engine, std::move(operation));
+      });
       outcome = all_steps(engine);
       if (outcome == Outcome::done || outcome == refused_) {
         wait_for_others();
@@ -225,29 +228,6 @@ class Run {
     return {Errc::limit, "time is up before this step, the " + std::to_string(steps_ + 1) +
                              ". one, as the limit was set; those before it have happened"};
   }
-
-  /// While it lives, others take part.
-  class OpenToOthers {
-   public:
-    OpenToOthers(Run& run, engine::Engine& engine) : shared_{run.options_.shared} {
-      if (shared_ != nullptr) {
-        shared_->open(engine, [&run, &engine](ops::Operation operation) -> Status {
-          replay_log().trace("from outside: {}", ops::keyword(operation));
-          return run.is_time_up() ? run.time_is_up() : run.take(engine, std::move(operation));
-        });
-      }
-    }
-    OpenToOthers(const OpenToOthers&) = delete;
-    OpenToOthers& operator=(const OpenToOthers&) = delete;
-    ~OpenToOthers() {
-      if (shared_ != nullptr) {
-        shared_->close();
-      }
-    }
-
-   private:
-    SharedReplay* shared_;
-  };
 
   void wait_for_others() {
     constexpr std::chrono::milliseconds a_while{50};  // a signal does not end a wait

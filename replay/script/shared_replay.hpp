@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "engine/engine.hpp"
 
@@ -64,6 +65,26 @@ class SharedReplay {
   mutable std::condition_variable changed_;
   std::uint64_t revision_ = 0;  ///< guarded by revised_, as the next one is
   bool is_open_ = false;
+};
+
+/// Keeps a replay open to others while it lives; none when it is null.
+class OpenReplay {
+ public:
+  OpenReplay(SharedReplay* shared, engine::Engine& engine, SharedReplay::Taker taker) : shared_{shared} {
+    if (shared_ != nullptr) {
+      shared_->open(engine, std::move(taker));
+    }
+  }
+  OpenReplay(const OpenReplay&) = delete;
+  OpenReplay& operator=(const OpenReplay&) = delete;
+  ~OpenReplay() {
+    if (shared_ != nullptr) {
+      shared_->close();
+    }
+  }
+
+ private:
+  SharedReplay* shared_;
 };
 
 }  // namespace sesame::replay

@@ -131,6 +131,16 @@ TEST_CASE("classes end by splits, products and undo, and go on when their end is
   CHECK(again.ages(4, 1) == Ages{1});
 }
 
+TEST_CASE("what was written behind an undo ends when more is taken back", "[classes]") {
+  // Behind step 4 the generators are written anew, in cells that step 5 takes away.
+  const Classes classes(script({edge, R"({"op":"simplex","name":"f","dim":1})", loop, R"({"op":"undo"})",
+                                R"({"op":"undo"})", R"({"op":"simplex","name":"g","dim":0})", loop}));
+  CHECK(classes.ages(4, 0) == Ages{0, 1});
+  CHECK(classes.ages(5, 0) == Ages{0});
+  CHECK(classes.ages(7, 0) == Ages{0, 5});
+  CHECK(classes.ages(7, 1) == Ages{6});
+}
+
 TEST_CASE("generators are given up when they take too much, and those at the end are there all the same", "[classes]") {
   replay::PageLimits limits;
   limits.work_on_generators = 0;

@@ -16,6 +16,18 @@ using nlohmann::json;
 
 namespace {
 
+/// With all steps as objects: one that made cells, and of which there is nothing else to say, is their number.
+json with_objects(json page) {
+  std::uint64_t first = 0;
+  for (json& step : page["steps"]) {
+    if (step.is_number()) {
+      step = json{{"made", {first, step.get<std::uint64_t>()}}};
+    }
+    first += step.contains("made") ? step["made"][1].get<std::uint64_t>() : 0;
+  }
+  return page;
+}
+
 /// A replay with the page that is made of it.
 struct Paged {
   explicit Paged(const std::string& script, const replay::PageLimits& limits = {}) : history{limits} {
@@ -26,7 +38,7 @@ struct Paged {
     };
     const Replayed replayed = replay_text(script, nullptr, options);
     CHECK(replayed.errors.empty());
-    data = json::parse(replay::page_data(history, *engine, {"", "script", ""}));
+    data = with_objects(json::parse(replay::page_data(history, *engine, {"", "script", ""})));
   }
   Paged(const Paged&) = delete;
   Paged& operator=(const Paged&) = delete;

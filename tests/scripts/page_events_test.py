@@ -41,7 +41,11 @@ def fold(there, step, forwards):
 def check(data, what):
     dimensions = [sum(data["cells"]["types"][number]) for number in data["cells"]["type"]]
     assert len(data["places"]["cells"]) == dimensions.count(0), what
-    there, cells = set(), []
+    there, cells, first = set(), [], 0
+    for number, step in enumerate(data["steps"]):  # one that made some cells and did nothing else is their number
+        if isinstance(step, int):
+            data["steps"][number] = {"made": (first, step)}
+        first += data["steps"][number].get("made", (0, 0))[1]
     for number, step in enumerate(data["steps"], 1):
         if "undone" in step:
             for undone in step["undone"]:

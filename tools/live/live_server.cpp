@@ -13,13 +13,13 @@
 #include <mutex>
 #include <new>
 #include <optional>
-#include <random>
 #include <sstream>
 #include <thread>
 #include <utility>
 
 #include "ops/vocabulary/json_text.hpp"
 #include "replay/page/page_file.hpp"
+#include "tools/live/live_gate.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -36,29 +36,6 @@ constexpr std::chrono::seconds time_of_silence{10};
 /// Between two pieces of news: so often at most, and so many times as long as the last one took.
 constexpr milliseconds least_pause{80};
 constexpr int share_of_pause = 4;
-
-/// 128 random bits, which nobody guesses.
-std::string make_token() {
-  std::random_device random;
-  std::string token;
-  for (int k = 0; k < 4; ++k) {
-    token += fmt::format("{:08x}", random());
-  }
-  return token;
-}
-
-/// Takes as long for any two texts of the same length.
-bool are_equal(std::string_view a, std::string_view b) {
-  unsigned difference = a.size() == b.size() ? 0 : 1;
-  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
-    difference |= static_cast<unsigned char>(a[k]) ^ static_cast<unsigned char>(b[k]);
-  }
-  return difference == 0;
-}
-
-std::string in_address(const std::string& host) {
-  return host.find(':') != std::string::npos ? '[' + host + ']' : host;
-}
 
 std::string error_json(std::string_view what) {
   std::string text;
@@ -78,8 +55,7 @@ constexpr std::string_view waiting_page =
 /// What is done with requests. Its threads may be anywhere in it, but for `show`, at the same time.
 class LiveServer::Handlers {
  public:
-  Handlers(ServerAddress address, bool is_writable)
-      : address_{std::move(address)}, token_{is_writable ? make_token() : ""} {
+  Handlers(ServerAddress address, bool is_writable) : gate_{std::move(address), is_writable} {
     server_.new_task_queue = [] { return new httplib::ThreadPool(threads); };  // which the library deletes
     server_.set_keep_alive_timeout(1);
     server_.set_payload_max_length(most_bytes_of_steps);
@@ -113,14 +89,16 @@ class LiveServer::Handlers {
   }
 
   Status listen() {
+    const ServerAddress& address = gate_.address();
     errno = 0;
-    port_ = address_.port == 0                                   ? server_.bind_to_any_port(address_.host)
-            : server_.bind_to_port(address_.host, address_.port) ? address_.port
-                                                                 : -1;
-    if (port_ < 0) {
+    const int port = address.port == 0                                  ? server_.bind_to_any_port(address.host)
+                     : server_.bind_to_port(address.host, address.port) ? address.port
+                                                                        : -1;
+    if (port < 0) {
       const std::string why = errno != 0 ? std::string{": "} + std::strerror(errno) : "";
-      return Error{Errc::io, fmt::format("cannot listen on {}:{}{}", in_address(address_.host), address_.port, why)};
+      return Error{Errc::io, "cannot listen on " + address.text() + why};
     }
+    gate_.set_port(port);
     listener_ = std::thread([this] {
       server_.listen_after_bind();
       has_ended_ = true;
@@ -137,11 +115,7 @@ class LiveServer::Handlers {
     ++session_;
   }
 
-  [[nodiscard]] std::string url() const {
-    const std::string base = fmt::format("http://{}:{}/", in_address(address_.host), port_);
-    return token_.empty() ? base : base + "?token=" + token_;
-  }
-  [[nodiscard]] bool is_local() const { return address_.host.starts_with("127.") || address_.host == "::1"; }
+  [[nodiscard]] const LiveGate& gate() const { return gate_; }
 
  private:
   /// How far a page is that asks for news: "session/cells/steps/classes".
@@ -183,38 +157,13 @@ class LiveServer::Handlers {
     return {replay_, session_};
   }
 
-  /// A page of another site can make a browser ask us, also under a name of its own that leads here. A name that is
-  /// none of ours is refused, and a request that says it is from elsewhere.
   bool is_for_us(const httplib::Request& request, httplib::Response& response) const {
-    const std::string host = request.get_header_value("Host");
-    const std::string origin = request.get_header_value("Origin");
-    if (!is_our_name(host)) {
-      refuse(response, 403, "this server is reached by its address only, such as " + url().substr(0, url().find('?')));
-      return false;
+    const std::optional<std::string> refusal =
+        gate_.refusal(request.get_header_value("Host"), request.get_header_value("Origin"));
+    if (refusal) {
+      refuse(response, 403, *refusal);
     }
-    if (!origin.empty() && origin != "http://" + host) {
-      refuse(response, 403, "only pages of this server may ask it for anything");
-      return false;
-    }
-    return true;
-  }
-
-  [[nodiscard]] bool is_our_name(std::string_view host) const {
-    const std::string port = fmt::format(":{}", port_);
-    if (!host.ends_with(port)) {
-      return port_ == 80 && is_our_host(host);
-    }
-    host.remove_suffix(port.size());
-    return is_our_host(host);
-  }
-  [[nodiscard]] bool is_our_host(std::string_view host) const {
-    if (host == in_address(address_.host) || (is_local() && (host == "localhost" || host == "127.0.0.1"))) {
-      return true;
-    }
-    // Where it listens on all addresses of the machine, any that is a number: no number is somebody's name.
-    const bool is_everywhere = address_.host == "0.0.0.0" || address_.host == "::";
-    return is_everywhere && (host == "localhost" || host.starts_with('[') ||
-                             host.find_first_not_of("0123456789.") == std::string_view::npos);
+    return !refusal;
   }
 
   static void refuse(httplib::Response& response, int status, const std::string& what) {
@@ -233,7 +182,7 @@ class LiveServer::Handlers {
       out.begin_object();
       out.key("live");
       out.begin_object();
-      out.field("writable", !token_.empty());
+      out.field("writable", gate_.is_writable());
       const Place place{now.session,
                         {history.cells().size(), history.steps().size(), history.generators().classes().size(), {}}};
       out.field("place", place.text());
@@ -357,12 +306,12 @@ class LiveServer::Handlers {
   };
 
   void take_steps(const httplib::Request& request, httplib::Response& response) {
-    if (token_.empty()) {
+    if (!gate_.is_writable()) {
       refuse(response, 403, "this replay takes no steps from pages: it was started without --writable");
       return;
     }
     // A header of its own: no page of another site can send one without being asked first.
-    if (!are_equal(request.get_header_value("X-Sesame-Token"), token_)) {
+    if (!gate_.has_token(request.get_header_value("X-Sesame-Token"))) {
       refuse(response, 403, "steps are taken from who has the token of the address that sesame printed");
       return;
     }
@@ -386,9 +335,7 @@ class LiveServer::Handlers {
     response.set_content(text, "application/json");
   }
 
-  ServerAddress address_;
-  std::string token_;  ///< empty: the page may not write
-  int port_ = -1;
+  LiveGate gate_;
   httplib::Server server_;
   std::thread listener_;
   std::atomic<bool> is_ending_ = false, has_ended_ = false;
@@ -410,7 +357,7 @@ Result<std::unique_ptr<LiveServer>> LiveServer::start(const ServerAddress& addre
 }
 
 void LiveServer::show(std::shared_ptr<LiveReplay> replay) { handlers_->show(std::move(replay)); }
-std::string LiveServer::url() const { return handlers_->url(); }
-bool LiveServer::is_local() const { return handlers_->is_local(); }
+std::string LiveServer::url() const { return handlers_->gate().url(); }
+bool LiveServer::is_local() const { return handlers_->gate().is_local(); }
 
 }  // namespace sesame::tools

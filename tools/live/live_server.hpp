@@ -9,17 +9,9 @@
 
 #include "sparse/result.hpp"
 #include "tools/live/live_replay.hpp"
+#include "tools/live/server_address.hpp"
 
 namespace sesame::tools {
-
-/// Where a server listens.
-struct ServerAddress {
-  std::string host = "127.0.0.1";  ///< a number, of IPv4 or of IPv6 without brackets
-  int port = 0;                    ///< 0: any that is free
-};
-
-/// "8080", "127.0.0.1:8080", "[::1]:8080". Errors: bad_input.
-[[nodiscard]] Result<ServerAddress> parse_server_address(std::string_view text);
 
 /// Serves one page at `/`, which grows with the replay by server-sent events from `/events`, and takes steps at
 /// `/steps` from who knows the token. Nobody but pages of its own may have it do anything: a request has to name this

@@ -1,9 +1,15 @@
+#include "tools/live/server_address.hpp"
+
 #include <charconv>
 
 #include "sparse/quoted.hpp"
-#include "tools/live/live_server.hpp"
 
 namespace sesame::tools {
+
+std::string ServerAddress::text() const {
+  const bool is_long = host.find(':') != std::string::npos;
+  return (is_long ? '[' + host + ']' : host) + ':' + std::to_string(port);
+}
 
 Result<ServerAddress> parse_server_address(std::string_view text) {
   const auto wrong = [&] {

@@ -78,3 +78,14 @@ test("a step touches what it made and what it glued, an undo what it brought bac
   object.goTo(4);
   assert.deepEqual([...object.touchedBy(3, 4)].sort(), [1, 2, 3, 6, 7]);
 });
+
+test("steps that made cells and nothing else are their number", () => {
+  const cells: [number[], string, number[]][] = ["a", "b", "c", "d"].map((name) => [[], name, []]);
+  const data = dataOf(cells, [], [{ op: "s", text: "", made: [0, 1] }]);
+  data.steps.push(2, 0, { op: "s", text: "", made: [3, 1] });
+  const object = new ObjectState(data);
+  assert.deepEqual([0, 1, 2, 3, 4].map((steps) => (object.goTo(steps), object.currentCells().length)), [0, 1, 3, 3, 4]);
+  assert.deepEqual([...object.touchedBy(1, 3)], [1, 2]);
+  object.goTo(1);
+  assert.deepEqual(object.currentCells(), [0]);
+});

@@ -6,8 +6,9 @@ import { marksOf, stepPath, torsionRuns } from "../src/replay/timeline.ts";
 import { across, cross, dot, turned, unit } from "../src/vectors.ts";
 
 test("a curve has a corner only where its value changes", () => {
-  assert.equal(stepPath([1, 1, 1, 2, 2], (x) => 10 * x, (y) => -y), "M0,-1H30V-2H50");
-  assert.equal(stepPath([], (x) => x, (y) => y), "");
+  assert.equal(stepPath([1, 1, 1, 2, 2], [0, 1, 2, 3, 4], 5, (x) => 10 * x, (y) => -y), "M0,-1H30V-2H50");
+  assert.equal(stepPath([1, 2], [0, 6], 9, (x) => x, (y) => y), "M0,1H6V2H9");
+  assert.equal(stepPath([], [], 1, (x) => x, (y) => y), "");
 });
 
 test("axes have a few round marks", () => {
@@ -17,7 +18,7 @@ test("axes have a few round marks", () => {
 });
 
 test("torsion comes in runs of steps", () => {
-  const numbers = [[], [[], [2]], [[], [2]], [[], [4]], []].map((torsion) => ({ cells: [], euler: 0, betti: [], torsion }));
+  const numbers = [[], [[], [2]], [[], [2]], [[], [4]], []].map((torsion, steps) => ({ steps, cells: [], euler: 0, betti: [], torsion, generators: [] }));
   assert.deepEqual(torsionRuns(numbers), [
     { from: 1, to: 2, text: "H1: Z/2" },
     { from: 3, to: 3, text: "H1: Z/4" },

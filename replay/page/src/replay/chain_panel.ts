@@ -1,7 +1,7 @@
 /** Generators, and what is said of a chain that was chosen: its order, its text, what it bounds. */
 import { colourOfGenerator, cssColour } from "../colours.ts";
 import { button, copy, paragraph } from "../elements.ts";
-import type { Answer, Chain, Data, Generator } from "./data.ts";
+import { type Answer, type Chain, type Data, type Generator, stepOf } from "./data.ts";
 import { chainJson, chainSum } from "./replay_text.ts";
 
 type NameOf = (cell: number) => string;
@@ -135,7 +135,7 @@ export class ChainPanel {
   /** A sentence about a step, with a button that goes there. */
   private sentence(text: string, step: number, name: string): HTMLElement {
     const made = paragraph(`${text} `, name);
-    const { op } = this.data.steps[step];
+    const { op } = stepOf(this.data.steps[step]);
     made.append(button(`step ${step + 1}${op ? `, ${op}` : ""}`, () => this.onJump(step + 1)), ".");
     return made;
   }

@@ -1,5 +1,5 @@
 /** When classes come to their ends, and how that is said. */
-import type { End, Step } from "./data.ts";
+import { type AnyStep, type End, stepOf } from "./data.ts";
 
 const sentences: Record<End, string> = {
   bounds: "Its cycle comes to bound with",
@@ -12,14 +12,14 @@ export class ClassEnds {
   private readonly ends = new Map<number, { step: number; how: End }[]>();
   private read = 0;
 
-  constructor(private readonly steps: readonly Step[]) {
+  constructor(private readonly steps: readonly AnyStep[]) {
     this.grow();
   }
 
   /** To be called when there are more steps. */
   grow(): void {
     for (; this.read < this.steps.length; ++this.read) {
-      for (const [number, how] of this.steps[this.read].ended ?? []) {
+      for (const [number, how] of stepOf(this.steps[this.read]).ended ?? []) {
         const list = this.ends.get(number) ?? [];
         list.push({ step: this.read, how });
         this.ends.set(number, list);

@@ -34,8 +34,11 @@ export interface Generator {
 
 /**
  * Lists that are not there are empty; numbers that are not there are those of the step before. Steps at which the page
- * does not stop have events only.
+ * does not stop have events only. One that made some cells, and of which there is nothing else to say, is their number:
+ * cells are numbered in the order in which they were made.
  */
+export type AnyStep = Step | number;
+
 export interface Step {
   op: string;
   text: string;
@@ -84,7 +87,7 @@ export interface Places {
 export interface News extends Head {
   cells: Cells;
   places: Places;
-  steps: Step[];
+  steps: AnyStep[];
   classes: Generator[];
 }
 
@@ -98,7 +101,7 @@ export interface Data extends Head {
   limits: { cells: number; cells_of_family: number; steps: number; generators: number; terms: number };
   cells: Cells;
   places: Places;
-  steps: Step[];
+  steps: AnyStep[];
   classes: Generator[];
 }
 
@@ -116,8 +119,16 @@ export function addNews(data: Data, { cells, places, steps, classes, ...rest }: 
   Object.assign(data, rest);
 }
 
-/** The numbers of an object after a step. */
+const nothing = {} as Step;
+
+/** What is said of a step but for the number of cells that it made. */
+export function stepOf(step: AnyStep): Step {
+  return typeof step === "number" ? nothing : step;
+}
+
+/** The numbers of an object after so many steps. */
 export interface Numbers {
+  steps: number;
   cells: number[];
   euler: number;
   betti: number[];
@@ -125,23 +136,24 @@ export interface Numbers {
   generators: number[] | null;
 }
 
-/** By step, the empty object before the first one included: entry n is what there is after n steps. `all`: those of the first steps, which is added to. */
-export function numbersOf(steps: readonly Step[], all: Numbers[] = []): Numbers[] {
-  let now: Numbers = all.at(-1) ?? { cells: [], euler: 0, betti: [], torsion: [], generators: [] };
-  if (all.length === 0) {
-    all.push(now);
-  }
-  for (const step of steps.slice(all.length - 1)) {
-    now = {
-      cells: step.cells ?? now.cells,
-      euler: step.euler ?? now.euler,
-      betti: step.betti ?? now.betti,
-      torsion: step.torsion ?? now.torsion,
-      generators: step.generators === undefined ? now.generators : step.generators,
-    };
-    all.push(now);
-  }
-  return all;
+/** What there is at each stop, the empty object before the first step included. `stops`: ascending, from 0 on. */
+export function numbersOf(steps: readonly AnyStep[], stops: readonly number[]): Numbers[] {
+  let now: Numbers = { steps: 0, cells: [], euler: 0, betti: [], torsion: [], generators: [] };
+  let read = 0;
+  return stops.map((stop) => {
+    now = { ...now, steps: stop };
+    for (; read < stop; ++read) {
+      const { op, cells, euler, betti, torsion, generators } = stepOf(steps[read]);
+      if (op !== undefined) {
+        now.cells = cells ?? now.cells;
+        now.euler = euler ?? now.euler;
+        now.betti = betti ?? now.betti;
+        now.torsion = torsion ?? now.torsion;
+        now.generators = generators === undefined ? now.generators : generators;
+      }
+    }
+    return now;
+  });
 }
 
 /** Where the page stops: after 0 steps, after so many more each time, and at the end. */

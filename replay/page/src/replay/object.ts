@@ -1,9 +1,10 @@
 /** The object as it was after any number of steps: events are carried out and taken back one step at a time. */
-import { type Data, dimensionOf } from "./data.ts";
+import { type Data, dimensionOf, stepOf } from "./data.ts";
 
 /** Stands for a cell that is still one of its own. */
 const itself = -0x7fffffff;
 const unshown = -1;
+const none: number[] = [];
 
 /** The cell that another one has become. */
 export interface Found {
@@ -27,16 +28,20 @@ export class ObjectState {
   private state = new Uint8Array();
   private eldest = new Int32Array();
   private faces = new Int32Array();
-  /** What a step that is carried out has written over: faces, then eldest cells. */
-  private readonly saved: number[][] = [];
+  /** What a step that is carried out has written over, if anything: faces, then eldest cells. */
+  private readonly saved: (number[] | undefined)[] = [];
+  /** By step, and one more: the first cell that it made. */
+  private firstMade = new Int32Array(1);
+  private stepCount = 0;
   private after = 0;
 
   constructor(readonly data: Data) {
     this.grow();
   }
 
-  /** To be called when the data have more cells than before. */
+  /** To be called when the data have more cells and steps than before. */
   grow(): void {
+    this.growSteps();
     const { type, faces } = this.data.cells;
     if (type.length > this.became.length) {
       const room = Math.max(type.length, 2 * this.became.length);
@@ -60,6 +65,20 @@ export class ObjectState {
     }
   }
 
+  private growSteps(): void {
+    const { steps } = this.data;
+    if (steps.length >= this.firstMade.length) {
+      const larger = new Int32Array(Math.max(steps.length + 1, 2 * this.firstMade.length));
+      larger.set(this.firstMade);
+      this.firstMade = larger;
+    }
+    for (; this.stepCount < steps.length; ++this.stepCount) {
+      const step = steps[this.stepCount];
+      const made = typeof step === "number" ? step : (step.made?.[1] ?? 0);
+      this.firstMade[this.stepCount + 1] = this.firstMade[this.stepCount] + made;
+    }
+  }
+
   dimension(cell: number): number {
     return this.dimensions[cell];
   }
@@ -76,9 +95,9 @@ export class ObjectState {
 
   goTo(steps: number): void {
     while (this.after < steps) {
-      const step = this.data.steps[this.after];
-      if (step.undone) {
-        step.undone.forEach((k) => this.takeBack(k));
+      const { undone } = stepOf(this.data.steps[this.after]);
+      if (undone) {
+        undone.forEach((k) => this.takeBack(k));
       } else {
         this.carryOut(this.after);
       }
@@ -86,9 +105,9 @@ export class ObjectState {
     }
     while (this.after > steps) {
       --this.after;
-      const step = this.data.steps[this.after];
-      if (step.undone) {
-        [...step.undone].reverse().forEach((k) => this.carryOut(k));
+      const { undone } = stepOf(this.data.steps[this.after]);
+      if (undone) {
+        [...undone].reverse().forEach((k) => this.carryOut(k));
       } else {
         this.takeBack(this.after);
       }
@@ -161,9 +180,9 @@ export class ObjectState {
       }
     };
     const addStep = (k: number) => {
-      const { made, removed = [], moved = [] } = this.data.steps[k];
-      for (let i = 0; made && i < made[1]; ++i) {
-        add(made[0] + i);
+      const { removed = none, moved = none } = stepOf(this.data.steps[k]);
+      for (let cell = this.firstMade[k]; cell < this.firstMade[k + 1]; ++cell) {
+        add(cell);
       }
       for (let i = 0; i < removed.length; i += 2) {
         add(removed[i]);
@@ -174,17 +193,19 @@ export class ObjectState {
     };
     for (let k = first; k < last; ++k) {
       addStep(k);
-      this.data.steps[k].undone?.forEach(addStep);
+      stepOf(this.data.steps[k]).undone?.forEach(addStep);
     }
     return touched;
   }
 
   private carryOut(k: number): void {
-    const { made, removed = [], moved = [], consumed = [] } = this.data.steps[k];
-    const saved: number[] = [];
-    if (made) {
-      this.state.fill(isThere, made[0], made[0] + made[1]);
+    this.state.fill(isThere, this.firstMade[k], this.firstMade[k + 1]);
+    const step = this.data.steps[k];
+    if (typeof step === "number") {
+      return;
     }
+    const { removed = none, moved = none, consumed = none } = step;
+    const saved: number[] = [];
     for (const cell of consumed) {
       this.state[cell] = isConsumed;
     }
@@ -202,12 +223,12 @@ export class ObjectState {
         this.eldest[to] = Math.min(this.eldest[to], this.eldest[cell]);
       }
     }
-    this.saved[k] = saved;
+    this.saved[k] = saved.length > 0 ? saved : undefined;
   }
 
   private takeBack(k: number): void {
-    const { made, removed = [], moved = [], consumed = [] } = this.data.steps[k];
-    const saved = this.saved[k];
+    const { removed = none, moved = none, consumed = none } = stepOf(this.data.steps[k]);
+    const saved = this.saved[k] ?? [];
     for (let i = removed.length - 2; i >= 0; i -= 2) {
       const [cell, ref] = [removed[i], removed[i + 1]];
       this.became[cell] = itself;
@@ -221,8 +242,6 @@ export class ObjectState {
     for (const cell of consumed) {
       this.state[cell] = isThere;
     }
-    if (made) {
-      this.state.fill(0, made[0], made[0] + made[1]);
-    }
+    this.state.fill(0, this.firstMade[k], this.firstMade[k + 1]);
   }
 }

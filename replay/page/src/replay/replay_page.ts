@@ -5,7 +5,7 @@ import { ChainPanel, type Chosen } from "./chain_panel.ts";
 import { overlayOf } from "./chains.ts";
 import { ClassEnds } from "./class_ends.ts";
 import { colourOfGenerator, dark, light, palette, type Theme } from "../colours.ts";
-import { addNews, type Chain, type Data, type News, numbersOf, stopsOf } from "./data.ts";
+import { addNews, type Chain, type Data, type News, type Numbers, numbersOf, stepOf, stopsOf } from "./data.ts";
 import { componentsOf, drawnOf, placesOf } from "./geometry.ts";
 import { LivePanel } from "./live_panel.ts";
 import { ObjectState } from "./object.ts";
@@ -19,7 +19,7 @@ import { groupsText, remarksOf, typeText } from "./replay_text.ts";
 import { Timeline } from "./timeline.ts";
 
 export class ReplayPage {
-  private readonly numbers;
+  private numbers: Numbers[];
   private readonly object: ObjectState;
   private readonly places;
   private readonly player: Player;
@@ -34,12 +34,12 @@ export class ReplayPage {
   private drawn: Drawn;
 
   constructor(private readonly data: Data) {
-    this.numbers = numbersOf(data.steps);
+    const stops = stopsOf(data.steps.length, data.stride);
+    this.numbers = numbersOf(data.steps, stops);
     this.object = new ObjectState(data);
     this.object.goTo(data.steps.length);
     this.places = placesOf(data.places.cells, data.places.points);
     this.drawn = drawnOf(this.object, this.places);
-    const stops = stopsOf(data.steps.length, data.stride);
     this.player = new Player(stops, () => this.update());
     const scheme = matchMedia("(prefers-color-scheme: dark)");
     this.theme = scheme.matches ? dark : light;
@@ -76,11 +76,12 @@ export class ReplayPage {
     const isFollowing = this.player.isAtEnd;
     addNews(this.data, news);
     placesOf(news.places.cells, news.places.points).forEach((at, cell) => this.places.set(cell, at));
-    numbersOf(this.data.steps, this.numbers);
     this.object.grow();
     this.ends.grow();
     const steps = this.player.steps;
     const stops = stopsOf(this.data.steps.length, this.data.stride);
+    this.numbers = numbersOf(this.data.steps, stops);
+    this.timeline.setNumbers(this.numbers);
     this.player.setStops(stops);
     this.steps.setStops(stops);
     this.fillHead();
@@ -93,8 +94,13 @@ export class ReplayPage {
     }
   }
 
+  /** The numbers where the page is. */
+  private get now(): Numbers {
+    return this.numbers[this.player.position];
+  }
+
   private setRange(): void {
-    get<HTMLInputElement>("slider").max = String(stopsOf(this.data.steps.length, this.data.stride).length - 1);
+    get<HTMLInputElement>("slider").max = String(this.numbers.length - 1);
   }
 
   private makePicture(): Picture | null {
@@ -208,7 +214,7 @@ export class ReplayPage {
 
   private update(): void {
     const steps = this.player.steps;
-    const there = this.numbers[steps].generators ?? [];
+    const there = this.now.generators ?? [];
     this.chosen = this.chosen.filter((number) => there.includes(number));
     this.object.goTo(steps);
     this.drawn = drawnOf(this.object, this.places);
@@ -218,8 +224,8 @@ export class ReplayPage {
   }
 
   private updateTexts(steps: number): void {
-    const numbers = this.numbers[steps];
-    const step = steps > 0 ? this.data.steps[steps - 1] : null;
+    const numbers = this.now;
+    const step = steps > 0 ? stepOf(this.data.steps[steps - 1]) : null;
     const slider = get<HTMLInputElement>("slider");
     slider.value = String(this.player.position);
     slider.setAttribute("aria-valuetext", `after step ${steps}: ${groupsText(this.data.ring, numbers)}`);
@@ -246,8 +252,8 @@ export class ReplayPage {
   }
 
   private updateChains(steps: number): void {
-    const answer = steps > 0 ? this.data.steps[steps - 1].answer : undefined;
-    this.chains.fill(this.numbers[steps].generators);
+    const answer = steps > 0 ? stepOf(this.data.steps[steps - 1]).answer : undefined;
+    this.chains.fill(this.now.generators);
     if (this.chosen.length === 0 && answer) {
       this.chains.showAnswer(answer);
     } else {
@@ -277,7 +283,7 @@ export class ReplayPage {
       return [...all.flatMap(([number, { chain }]) => lay(carried(this.object, chain), colourOfGenerator(number), number)), ...lay(bounds && carried(this.object, bounds), 0x56b4e9)];
     }
     const steps = this.player.steps;
-    const answer = steps > 0 ? this.data.steps[steps - 1].answer : undefined;
+    const answer = steps > 0 ? stepOf(this.data.steps[steps - 1]).answer : undefined;
     return answer ? [...lay(answer.asked, 0xd55e00), ...lay(answer.bounds, 0x56b4e9)] : [];
   }
 

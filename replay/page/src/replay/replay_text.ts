@@ -1,6 +1,6 @@
 /** Chains, cells and what there is to say of a replay. */
 import { groupText } from "../text.ts";
-import type { Chain, Data, Numbers } from "./data.ts";
+import { type Chain, type Data, type Numbers, stepOf } from "./data.ts";
 import type { ObjectState } from "./object.ts";
 
 export function groupsText(ring: string, numbers: Numbers): string {
@@ -94,7 +94,7 @@ export function remarksOf(data: Data, object: ObjectState): string[] {
   if (counts.beside > 0) {
     remarks.push("A vertex that is split off is drawn a little beside the one that it was split from.");
   }
-  if (data.steps.some(({ removed }) => removed && removed.length > 0)) {
+  if (data.steps.some((step) => (stepOf(step).removed?.length ?? 0) > 0)) {
     remarks.push("What is glued together is drawn where its oldest vertex is, which also keeps its name.");
   }
   return remarks;

@@ -1,5 +1,5 @@
 /** The list of operations, with a search. */
-import type { Data } from "./data.ts";
+import { type Data, stepOf } from "./data.ts";
 
 /** Whether a step is what somebody looks for: each of the words is in its number, its name or its text. */
 export function matches(words: readonly string[], number: number, op: string, text: string): boolean {
@@ -36,7 +36,7 @@ export class StepsPanel {
     this.rows.splice(same).forEach(({ row }) => row.remove());
     for (let k = same + 1; k < stops.length; ++k) {
       const stop = stops[k];
-      const step = this.data.steps[stop - 1];
+      const step = stepOf(this.data.steps[stop - 1]);
       const row = document.createElement("li");
       const button = document.createElement("button");
       const parts: [string, string][] = [
@@ -75,7 +75,7 @@ export class StepsPanel {
   }
 
   private summary(stop: number, before: number): string {
-    const { text, op } = this.data.steps[stop - 1];
+    const { text, op } = stepOf(this.data.steps[stop - 1]);
     const fields = text.replace(/^\{"op":"[a-z]+",?/, "").replace(/\}$/, "");
     const more = stop - before - 1;
     return (fields === text && text.startsWith(op) ? text.slice(op.length) : fields) + (more > 0 ? ` (and the ${more} steps before)` : "");
@@ -85,7 +85,7 @@ export class StepsPanel {
     const words = wordsOf(this.search.value);
     let count = 0;
     for (const { stop, row } of this.rows) {
-      const { op, text } = this.data.steps[stop - 1];
+      const { op, text } = stepOf(this.data.steps[stop - 1]);
       row.hidden = !matches(words, stop, op, text);
       count += row.hidden ? 0 : 1;
     }

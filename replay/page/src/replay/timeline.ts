@@ -17,22 +17,23 @@ function element<K extends keyof SVGElementTagNameMap>(name: K, attributes: Reco
 }
 
 /**
- * The corners of a curve of steps, each a level from x(step) to x(step + 1): only where the value changes, so long
- * histories are short paths.
+ * The corners of a curve of levels, each from one step to the next one that is listed, the last one to `end`: only where
+ * the value changes, so long histories are short paths.
  */
-export function stepPath(values: readonly number[], x: (step: number) => number, y: (value: number) => number): string {
+export function stepPath(values: readonly number[], steps: readonly number[], end: number, x: (step: number) => number, y: (value: number) => number): string {
   let path = "";
   let last: number | null = null;
   const round = (v: number) => Math.round(v * 10) / 10;
-  values.forEach((value, step) => {
+  values.forEach((value, k) => {
+    const at = round(x(steps[k]));
     if (last === null) {
-      path = `M${round(x(step))},${round(y(value))}`;
+      path = `M${at},${round(y(value))}`;
     } else if (value !== last) {
-      path += `H${round(x(step))}V${round(y(value))}`;
+      path += `H${at}V${round(y(value))}`;
     }
     last = value;
   });
-  return values.length > 0 ? `${path}H${round(x(values.length))}` : "";
+  return values.length > 0 ? `${path}H${round(x(end))}` : "";
 }
 
 /** Round values at which an axis has marks, some four of them. */
@@ -51,13 +52,13 @@ export function marksOf(low: number, high: number): number[] {
 export function torsionRuns(numbers: readonly Numbers[]): { from: number; to: number; text: string }[] {
   const runs: { from: number; to: number; text: string }[] = [];
   let open: { from: number; to: number; text: string } | null = null;
-  numbers.forEach(({ torsion }, step) => {
+  numbers.forEach(({ torsion, steps }) => {
     const parts = torsion.flatMap((orders, p) => (orders.length > 0 ? [`H${p}: ${orders.map((t) => `Z/${t}`).join(" + ")}`] : []));
     const text = parts.join(", ");
     if (open && open.text === text) {
-      open.to = step;
+      open.to = steps;
     } else {
-      open = text ? { from: step, to: step, text } : null;
+      open = text ? { from: steps, to: steps, text } : null;
       if (open) {
         runs.push(open);
       }
@@ -71,12 +72,12 @@ export class Timeline {
   private x: (step: number) => number = () => 0;
   private now = 0;
 
-  constructor(private readonly svg: SVGSVGElement, private readonly numbers: readonly Numbers[], onJump: (step: number) => void) {
+  constructor(private readonly svg: SVGSVGElement, private numbers: readonly Numbers[], onJump: (step: number) => void) {
     let isDown = false;
     const jump = (event: PointerEvent) => {
       const box = this.svg.getBoundingClientRect();
       const share = (event.clientX - box.left - left) / Math.max(box.width - left - right, 1);
-      onJump(Math.floor(Math.min(Math.max(share, 0), 0.999999) * this.numbers.length));
+      onJump(Math.floor(Math.min(Math.max(share, 0), 0.999999) * this.count));
     };
     this.svg.addEventListener("pointerdown", (event) => {
       isDown = true;
@@ -87,15 +88,25 @@ export class Timeline {
     this.svg.addEventListener("pointerup", () => (isDown = false));
   }
 
+  /** The levels, from that before the first step to that after the last one. */
+  private get count(): number {
+    return this.numbers[this.numbers.length - 1].steps + 1;
+  }
+
+  setNumbers(numbers: readonly Numbers[]): void {
+    this.numbers = numbers;
+  }
+
   draw(width: number, height: number): void {
     this.svg.replaceChildren();
-    this.svg.classList.toggle("dense", this.numbers.length > width); // several steps to a pixel
+    this.svg.classList.toggle("dense", this.count > width); // several steps to a pixel
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    const count = this.numbers.length;
+    const count = this.count;
+    const steps = this.numbers.map((numbers) => numbers.steps);
     const runs = torsionRuns(this.numbers);
     const bottom = height - 16 - (runs.length > 0 ? 14 : 0);
     this.x = (step) => left + (step / count) * (width - left - right);
-    const dimensions = Math.max(0, ...this.numbers.map(({ betti }) => betti.length));
+    const dimensions = this.numbers.reduce((most, { betti }) => Math.max(most, betti.length), 0);
     const curves = Array.from({ length: dimensions }, (_, p) => this.numbers.map(({ betti }) => betti[p] ?? 0));
     const euler = this.numbers.map((numbers) => numbers.euler);
     let [low, high] = [0, 1];
@@ -120,10 +131,10 @@ export class Timeline {
       bar.append(element("title", {}, `torsion from step ${from} to ${to}: ${text}`));
       this.svg.append(bar);
     }
-    this.svg.append(element("path", { class: "euler", d: stepPath(euler, this.x, y) }));
+    this.svg.append(element("path", { class: "euler", d: stepPath(euler, steps, count, this.x, y) }));
     curves.forEach((curve, p) => {
       const apart = (value: number) => y(value) + 1.6 * (p - (dimensions - 1) / 2); // or equal ones would hide each other
-      this.svg.append(element("path", { class: `betti h${p % 8}`, d: stepPath(curve, this.x, apart), "stroke-dasharray": dashes[p % dashes.length] }));
+      this.svg.append(element("path", { class: `betti h${p % 8}`, d: stepPath(curve, steps, count, this.x, apart), "stroke-dasharray": dashes[p % dashes.length] }));
     });
     this.cursor = element("rect", { class: "cursor", y: 1, height: bottom + 13 });
     this.svg.prepend(this.cursor);
