@@ -1,5 +1,5 @@
 /// \file
-/// Pictures of barcodes: as SVG files, and as a page that needs nothing else.
+/// Pictures of barcodes, as SVG files.
 ///
 /// Every dimension has a colour of a palette for all kinds of colour vision, and in the diagram a shape as well. The
 /// same barcode gives the same bytes. The size of a picture is bounded: at most 2,000 bars are drawn as lines, points
@@ -49,10 +49,5 @@ void write_diagram_svg(std::ostream& out, const engine::Barcode& barcode, const 
 /// Betti numbers against time.
 void write_betti_svg(std::ostream& out, const engine::Barcode& barcode, const Provenance& provenance,
                      const DrawingOptions& options);
-
-/// The three pictures, the numbers of bars, the longest bars and the provenance as one HTML page, light or dark as the
-/// reader's system is, without scripts or anything from outside.
-void write_html(std::ostream& out, const engine::Barcode& barcode, const Provenance& provenance,
-                const DrawingOptions& options);
 
 }  // namespace sesame::replay

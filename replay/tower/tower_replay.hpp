@@ -41,6 +41,9 @@ class TowerReplay {
   /// a simplex is missing; bad_input.
   Status apply(const TowerOperation& operation);
 
+  /// The history is told of nothing any more.
+  void end_history() { history_ = nullptr; }
+
   /// What is there, by labels, and what is wrong with an operation.
   [[nodiscard]] ops::TowerRules rules() const { return complex_.rules(); }
   [[nodiscard]] std::uint64_t operations() const { return operations_; }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "replay/tower/bar_chains.hpp"
+
 namespace sesame::replay {
 namespace {
 
@@ -183,9 +185,8 @@ void write_differences(std::ostream& out, std::span<const TowerResult> results) 
 
 template <class Visit>
 void CycleReport::for_each_bar(Visit&& visit) const {
-  const std::uint32_t p = std::visit([](const auto& ring) { return ring.characteristic(); }, tracker_.ring());
-  engine::BarCycles& cycles = *tracker_.cycles();
-  for (const engine::BarCycles::TracedBar& traced : cycles.bars()) {
+  const BarChainNamer namer(tracker_, history_, operations_);
+  for (const engine::BarCycles::TracedBar& traced : namer.cycles().bars()) {
     const Bar& bar = traced.bar;
     if (bar.birth == bar.death || !selection_.has(bar) || !options_.wants(bar.dimension)) {
       continue;
@@ -193,12 +194,8 @@ void CycleReport::for_each_bar(Visit&& visit) const {
     if (stop_ != nullptr && stop_->load()) {
       return;
     }
-    const bool is_open = traced.bar.death == never;
-    const auto cycle = cycles.cycle(traced);
-    const auto second = is_open ? cycle : cycles.bounded_chain(traced);
-    const std::uint64_t last = is_open ? operations_ - 1 : cycles.last_operation_with(traced.killed_by);
-    visit(traced.bar, history_.image(cycle, cycles.last_operation_with(traced.born_by), p),
-          history_.image(second, last, p));
+    const BarChains chains = namer.chains(traced);
+    visit(bar, chains.cycle, chains.second);
   }
 }
 

@@ -47,6 +47,32 @@ def random_text(seed, operations=60):
     return "".join(line + "\n" for line in done.stdout.splitlines() if not line.startswith("#"))
 
 
+def page_bars(data):
+    """The bars of a page, as `--json` has them."""
+    bars = []
+    for each in data["bars"]:
+        birth = 0
+        for step, length in zip(each["births"], each["lengths"], strict=True):
+            birth += step
+            bars.append([each["dim"], birth, birth + length])
+        birth = 0
+        for step in each["open"]:
+            birth += step
+            bars.append([each["dim"], birth, None])
+    return sorted(bars, key=tower_oracle.bar_order)
+
+
+def chains_of(known):
+    """What a class of a page and one of `--json` both say."""
+    chains = [[key, [[c, list(map(int, labels))] for c, labels in known[key]]]  # large labels are texts on a page
+              for key in ("cycle", "bounds", "now") if key in known]
+    return json.dumps(chains + [[key, known[key]] for key in ("cycle_terms", "bounds_terms", "now_terms") if key in known])
+
+
+def classes_of(data):
+    return sorted(map(chains_of, data["classes"]))
+
+
 class Tower(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -205,7 +231,71 @@ class Tower(unittest.TestCase):
         self.assertTrue(svg.read_text().lstrip().startswith("<"))
         self.assertIn("</svg>", svg.read_text())
         self.assertIn("</html>", page.read_text())
-        self.assertNotIn("http://", page.read_text().replace("http://www.w3.org/", ""))
+        self.assertIn("default-src 'none'", page.read_text())
+
+    def page_data(self, *arguments):
+        page = self.folder / "page.html"
+        done = self.run_on(*arguments, "--quiet", "--html", page)
+        self.assertEqual((done.returncode, done.stderr), (0, b""), arguments)
+        return json.loads(page.read_text().partition('id="data">')[2].partition("</script>")[0])
+
+    def test_a_page_has_the_bars_and_as_far_as_they_are_cheap_their_classes(self):
+        path = self.file("t.tower", random_text(7, 200))
+        (found,) = self.objects(path, "--generators")
+        data = self.page_data(path)
+        self.assertEqual(page_bars(data), found["bars"])
+        self.assertEqual(len(data["classes"]), len(found["bars"]))
+        self.assertEqual(classes_of(data), sorted(map(chains_of, found["generators"])))
+        self.assertEqual(data["notes"], [])
+        loops = self.page_data(path, "--generators=1", "--max-terms", "3")
+        (found,) = self.objects(path, "--generators=1", "--max-terms", "3")
+        self.assertEqual(classes_of(loops), sorted(map(chains_of, found["generators"])))
+        self.assertEqual(len(loops["notes"]), 1)
+        for each in data["classes"]:
+            self.assertEqual(each["born"]["text"], path.read_text().splitlines()[each["born"]["line"] - 1])
+        many = self.file("many.tower", "".join(f"i {k}\n" for k in range(20001)))
+        data = self.page_data(many)
+        self.assertEqual((len(page_bars(data)), data["classes"]), (20001, []))
+        self.assertIn("more than 20,000 operations", data["notes"][0])
+        data = self.page_data(many, "--until", "20000")
+        self.assertEqual(len(data["classes"]), 2000)
+        self.assertIn("2,000 of the 20,000 bars have their class on this page", data["notes"][0])
+        self.assertEqual(len(self.page_data(many, "--generators")["classes"]), 20001)
+
+    def test_points_are_on_the_page(self):
+        path, points = self.file("c.tower", CIRCLE), self.file("p.txt", "# x y\n0 0\n1,0\n0 1\n")
+        data = self.page_data(path, "--points", points)["complex"]
+        self.assertEqual(data["points"], [0, 0, 0, 1, 0, 0, 0, 1, 0])
+        self.assertEqual((data["dims"], data["ends"]), ([0, 0, 0, 1, 1, 1, -1, -1], list(range(1, 9))))
+        self.assertIsNone(self.page_data(path)["complex"])
+        facets = self.page_data(self.file("f", "0 1 2\n"), "--points", points, "--format", "facets")
+        self.assertEqual(len(facets["complex"]["dims"]), 7)
+        self.assertEqual({each["born"]["line"] for each in facets["classes"]}, {1})
+
+    def test_points_that_are_wrong_or_do_not_fit_are_refused(self):
+        path, out = self.file("c.tower", CIRCLE), self.file("page.html", "old")
+        wrong = [("0 0\n1 x\n0 1\n", 2, "p.txt:2: \"x\" should be a coordinate"),
+                 ("0 0\n1 0\n", 2, "c.tower:3: vertex 2 has no point: "),
+                 ("", 2, "c.tower:1: vertex 0 has no point: ")]
+        for text, status, what in wrong:
+            done = self.run_on(path, "--html", out, "--points", self.file("p.txt", text))
+            self.assertEqual((done.returncode, done.stdout), (status, b""))
+            self.assertIn(what, done.stderr.decode())
+        points = self.file("p.txt", "0 0 0 9\n1 0 0 9\n0 1 0 9\n")
+        matrix, script = self.file("m", "0\n0\n1 0 1\n"), self.file("s.jsonl", as_script("i 0\n"))
+        for arguments, what in (((path, "--points", points), "--points is for the page"),
+                                ((path, "--points", self.folder / "none", "--html", out), "none"),
+                                ((path, "--points", points, "--html", points), "p.txt"),
+                                (("-", "--points", "-", "--html", out), "standard input"),
+                                ((matrix, "--points", points, "--html", out), "boundary matrix"),
+                                ((script, "--points", points, "--html", out), "sesame replay --html")):
+            done = self.run_on(*arguments, stdin=CIRCLE.encode())
+            self.assertEqual((done.returncode, done.stdout), (1, b""), arguments)
+            self.assertIn(what, done.stderr.decode(), arguments)
+        self.assertEqual(out.read_text(), "old")
+        done = self.run_on(path, "--points", points, "--html", out)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("points of 4 coordinates; the page draws the first three", done.stderr.decode())
 
     def test_the_picture_of_the_documentation_is_the_one_that_is_drawn(self):
         svg = self.folder / "t.svg"

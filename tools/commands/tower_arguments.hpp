@@ -19,6 +19,7 @@ struct TowerArguments {
   std::string ring;
   std::vector<std::string> rings;
   std::string pers, csv, svg, html;
+  std::string points;  ///< the file that says where vertices are, for the page
   replay::BarSelection selection;
   std::optional<int> max_dimension;
   std::uint64_t until = 0, every = 0;

@@ -56,9 +56,13 @@ void add_tower_command(CLI::App& app, int& status) {
                       "the table");
   command->add_option("--csv", arguments->csv, "Write the Betti numbers, a row for each time at which they change");
   command->add_option("--svg", arguments->svg, "Draw barcode, persistence diagram and Betti curves");
-  command->add_option("--html", arguments->html, "A page with the drawings and the longest bars");
+  command->add_option("--html", arguments->html,
+                      "A page to look at: barcode, diagram and Betti curves, linked, and the class of each bar");
+  command->add_option("--points", arguments->points,
+                      "Where the vertices are, a point a line, that of vertex 0 first: the page draws complex and "
+                      "classes there");
   command->add_flag("--all-bars", arguments->all_bars,
-                    "Draw each bar by itself, also where many of a dimension have one length");
+                    "In --svg draw each bar by itself, also where many of a dimension have one length");
   add_generator_options(*command, arguments->generators,
                         "For each bar the cycle that is born, and the chain that it comes to bound; =1 or =0-2,4: of "
                         "these dimensions only");

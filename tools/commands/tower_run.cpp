@@ -42,6 +42,9 @@ Outcome TowerRun::open() {
   if (const Status legal = check_arguments(); !legal) {
     return wrong_usage(legal.error());
   }
+  if (const Status read = read_points(); !read) {
+    return read.error().code == Errc::bad_input ? fail(read.error()) : wrong_usage(read.error());
+  }
   if (const Status opened = open_outputs(); !opened) {
     return wrong_usage(opened.error());
   }
@@ -102,6 +105,16 @@ Status TowerRun::check_arguments() const {
                  "--add-faces is for simplices that are listed by their vertices; in a script `insert` adds faces by "
                  "itself"};
   }
+  if (!arguments_.points.empty() && arguments_.html.empty()) {
+    return Error{Errc::refused, "--points is for the page that --html writes"};
+  }
+  if (!arguments_.points.empty() && (is_matrix() || format == TowerFormat::script)) {
+    return Error{Errc::refused,
+                 is_matrix() ? "--points is for vertices that have numbers of their own: towers, lists of simplices or "
+                               "facets; the cells of a boundary matrix have none"
+                             : "--points is for towers; a script says by \"at\" where its vertices are, and sesame "
+                               "replay --html draws it"};
+  }
   if (arguments_.json && fills_standard_output()) {
     return Error{Errc::refused, "--json writes to standard output, and so would the output that is called -"};
   }
@@ -117,6 +130,29 @@ Status TowerRun::check_arguments() const {
   if (format == TowerFormat::script && (rings_.size() > 1 || arguments_.generators || arguments_.every > 0)) {
     return Error{Errc::refused,
                  "--rings, --generators and --every are for towers; sesame replay has the generators of a script"};
+  }
+  return Done{};
+}
+
+Status TowerRun::read_points() {
+  if (arguments_.points.empty()) {
+    return Done{};
+  }
+  if (arguments_.points == "-" && arguments_.file == "-") {
+    return Error{Errc::refused, "FILE and --points cannot both be standard input"};
+  }
+  Result<replay::ByteSource> source = replay::ByteSource::open(arguments_.points);
+  if (!source) {
+    return source.error();
+  }
+  Result<replay::PointList> points = replay::read_points(std::move(*source));
+  if (!points) {
+    return points.error();
+  }
+  points_ = std::move(*points);
+  if (points_->coordinates > 3 && !arguments_.quiet) {
+    std::cerr << points_->name << ": points of " << points_->coordinates
+              << " coordinates; the page draws the first three\n";
   }
   return Done{};
 }
@@ -210,7 +246,8 @@ void TowerRun::write(std::span<const TowerResult> results, const replay::CycleRe
     replay::write_svg(*outputs_.svg, *results[0].barcode, results[0].provenance, drawing(drawn));
   }
   if (outputs_.html != nullptr) {
-    replay::write_html(*outputs_.html, *results[0].barcode, results[0].provenance, drawing(drawn));
+    replay::write_tower_page(*outputs_.html, {*results[0].barcode, results[0].provenance, drawing(drawn), drawn.classes,
+                                              drawn.note, points(), drawn.operations});
   }
   if (arguments_.json) {
     replay::write_tower_json(std::cout, results, cycles, start_);

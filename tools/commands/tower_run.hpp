@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/towers/class_space.hpp"
+#include "replay/page/tower_page.hpp"
 #include "replay/picture/barcode_drawing.hpp"
 #include "replay/script/replay.hpp"
 #include "replay/tower/group_sequence.hpp"
@@ -36,7 +37,8 @@ class TowerRun {
   };
 
   /// `arguments` must outlive it.
-  explicit TowerRun(const TowerArguments& arguments) : arguments_{arguments}, files_{{arguments.file}} {}
+  explicit TowerRun(const TowerArguments& arguments)
+      : arguments_{arguments}, files_{{arguments.file, arguments.points}} {}
 
   /// Before the loop; when something is wrong, says it and returns another outcome than `done`.
   replay::Outcome open();
@@ -69,16 +71,23 @@ class TowerRun {
   /// The operations of the input that were carried out; added faces are none.
   [[nodiscard]] std::uint64_t operations() const { return operations_; }
   [[nodiscard]] replay::FaceAdder& faces() { return faces_; }
+  /// Where the last operation stands: see TowerReader::line.
+  [[nodiscard]] std::uint64_t line() const { return reader_->line(); }
+  /// Where the vertices are, or null.
+  [[nodiscard]] const replay::PointList* points() const { return points_ ? &*points_ : nullptr; }
   /// The input, when it is a script; from then on it is not read by read_all.
   [[nodiscard]] replay::ScriptReader take_script() { return reader_->take_script(); }
   /// What shows how far the work has come, or null.
   [[nodiscard]] replay::Progress* progress() { return progress_ ? &*progress_ : nullptr; }
   void end_progress() { progress_.reset(); }
 
-  /// Facts of a drawing that only the loop knows.
+  /// Facts of a drawing, or a page, that only the loop knows.
   struct Drawn {
     bool has_contractions = false;
-    std::optional<int> top_dimension;  ///< of the cells of a tower
+    std::optional<int> top_dimension;                   ///< of the cells of a tower
+    const replay::TowerClasses* classes = nullptr;      ///< of its bars, or null when they are not known
+    const replay::OperationList* operations = nullptr;  ///< or null when they were too many
+    std::string note;                                   ///< what else a page says
   };
   /// Writes a result for each ring, into files, as JSON or as tables.
   void write(std::span<const replay::TowerResult> results, const replay::CycleReport* cycles, const Drawn& drawn) const;
@@ -92,6 +101,7 @@ class TowerRun {
   Status read_rings();
   [[nodiscard]] Status check_arguments() const;
   Status open_outputs();
+  Status read_points();
   void say_format();
   replay::Outcome fail(const Error& error);
   [[nodiscard]] replay::DrawingOptions drawing(const Drawn& drawn) const;
@@ -104,6 +114,7 @@ class TowerRun {
   OutputFiles files_;
   Outputs outputs_;
   std::uint64_t operations_ = 0;
+  std::optional<replay::PointList> points_;
   std::optional<replay::Progress> progress_;
   Clock::time_point start_;
 };

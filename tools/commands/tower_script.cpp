@@ -42,7 +42,10 @@ void write_bars(const TowerRun& run, std::uint64_t steps, const engine::Barcode&
   if (pers) {
     pers->finish(steps, result.hidden);
   }
-  run.write({&result, 1}, nullptr, {});
+  TowerRun::Drawn drawn;
+  drawn.note =
+      "The classes of a script's bars are not known here: sesame replay --html draws its object and generators.";
+  run.write({&result, 1}, nullptr, drawn);
 }
 
 }  // namespace

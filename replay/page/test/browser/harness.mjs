@@ -45,7 +45,7 @@ export class Browser {
     page.on("console", (message) => ["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text()) && wrong.push(message.text()));
     page.on("pageerror", (error) => wrong.push(String(error)));
     page.on("request", (request) => !allowed(request.url()) && wrong.push(`request of ${request.url()}`));
-    await page.goto(url);
+    await page.goto(url, { timeout: 120_000 }); // a busy machine takes long for the first page
     return { page, wrong, close: () => context.close() };
   }
 
