@@ -53,7 +53,7 @@ test("chains are text that people read and programs take", () => {
 test("a bar is said with the operations that made it and ended it", () => {
   const classes = [{ bar: 3, born: { line: 6, text: "i 0 2", after: 6 }, killed: { line: 7, text: "c 0 1", after: 7 }, cycle: [], bounds: [] }];
   const model = new Model(towerData(circle, { classes }));
-  assert.deepEqual(barSentences(model, 3), ['Born at time 5 by "i 0 2", line 6.', 'Ends at time 6 by "c 0 1", line 7; length 1.']);
+  assert.deepEqual(barSentences(model, 3), ["Born at time 5 by including {0 2}, line 6.", "Ends at time 6 by contracting 0 into 1, line 7; length 1."]);
   assert.deepEqual(barSentences(model, 2), ["Born at time 0.", "It never ends."]);
   assert.equal(operationText({ line: 9, text: "column 4: 1 2", after: 5 }), "by column 4: 1 2");
 });

@@ -28,7 +28,7 @@ export class BettiPlot implements Plot {
     const least = Math.min(largest, ...model.allCurves.largest.filter((value) => value > 0));
     const isLogarithmic = largest > 40 * least;
     const marks = marksOf(largest, isLogarithmic).map((value) => ({ value, text: withSeparators(value) }));
-    this.box = { left: leftMargin(marks.map(({ text }) => text)), top: 26, right: width - 14, bottom: height - 40 };
+    this.box = { left: leftMargin(marks.map(({ text }) => text)), top: 26, right: width - 22, bottom: height - 40 };
     this.x = new Scale(model.range, this.box.left, this.box.right);
     this.isFiltered = model.isFiltered;
     timeAxis(paper, this.box, model.range, model.times.axis(model.data.time_name), inks);

@@ -5,9 +5,14 @@ import type { BarClass, Operation, Term } from "./data.ts";
 import { dimensionMark } from "./marks.ts";
 import type { Model } from "./model.ts";
 
-/** "by i 4 7, line 12". */
+/** "by including {4 7}, line 12"; a cell of a boundary matrix is called by its column. */
 export function operationText({ line, text }: Operation): string {
-  return text.startsWith("column") ? `by ${text}` : `by "${text}", line ${line}`;
+  const [kind, ...labels] = text.split(" ");
+  if (kind === "column") {
+    return `by ${text}`;
+  }
+  const what = kind === "c" ? `contracting ${labels[0]} into ${labels[1]}` : `including {${labels.join(" ")}}`;
+  return `by ${what}, line ${line}`;
 }
 
 /** What there is to say of a bar, a sentence each. */

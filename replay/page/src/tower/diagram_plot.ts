@@ -9,6 +9,8 @@ import { type Box, dragged, leftMargin, type Plot, Scale, type Size, timeAxis } 
 /** More symbols than these would hide one another. */
 const mostSymbols = 3000;
 const cell = 2;
+/** Of these, the longest, as each of them matters. */
+const symbolsOverShades = 300;
 
 /** The first place between two at which a list in increasing order has x or more. */
 function firstFrom(sorted: Float64Array, from: number, to: number, x: number): number {
@@ -39,7 +41,7 @@ export class DiagramPlot implements Plot {
   draw(paper: Paper, model: Model, { width, height }: Size, inks: Inks): void {
     this.infinity = 18;
     const marks = marksIn(model.range, Math.max(2, Math.floor((height - 74) / 50)));
-    this.box = { left: leftMargin(marks.map(({ text }) => text)), top: 34, right: width - 14, bottom: height - 40 };
+    this.box = { left: leftMargin(marks.map(({ text }) => text)), top: 34, right: width - 22, bottom: height - 40 };
     this.x = new Scale(model.range, this.box.left, this.box.right);
     this.y = new Scale(model.range, this.box.bottom, this.box.top);
     this.shown = model.keptCount;
@@ -55,7 +57,12 @@ export class DiagramPlot implements Plot {
     paper.line([this.box.left, this.infinity, this.box.right, this.infinity], inks.weak, 1, [5, 3]);
     paper.text(this.box.left - 7, this.infinity + 5, "\u221e", inks.weak, { anchor: "end", size: 15 });
     this.legend(paper, model, inks);
-    model.keptCount > mostSymbols ? this.drawShades(paper, model, inks) : this.drawSymbols(paper, model, inks);
+    if (model.keptCount > mostSymbols) {
+      this.drawShades(paper, model, inks);
+      this.drawSymbols(paper, model, inks, model.longest(0, symbolsOverShades));
+    } else {
+      this.drawSymbols(paper, model, inks, model.rows);
+    }
   }
 
   mark(paper: Paper, model: Model, inks: Inks): void {
@@ -118,7 +125,7 @@ export class DiagramPlot implements Plot {
   }
 
   note(): string {
-    return this.shown > mostSymbols ? `Nothing is left out: ${counted(this.shown, "bar")} as shades, the darker the more fall together. Of ${counted(mostSymbols, "bar")} or fewer each has its symbol.` : "";
+    return this.shown > mostSymbols ? `Nothing is left out: ${counted(this.shown, "bar")} as shades, the darker the more fall together; the ${symbolsOverShades} longest have symbols.` : "";
   }
 
   private place({ bars }: Model, bar: number): [number, number] {
@@ -140,18 +147,21 @@ export class DiagramPlot implements Plot {
     });
   }
 
-  private drawSymbols(paper: Paper, model: Model, inks: Inks): void {
+  private drawSymbols(paper: Paper, model: Model, inks: Inks, bars: Iterable<number>): void {
     const radius = model.keptCount > 500 ? 3 : 4;
-    for (const { dim, first, end } of model.bars.parts) {
-      const at = new Map<string, [number, number, number]>();
-      for (let bar = first; bar < end; ++bar) {
-        const [x, y] = model.kept[bar] ? this.place(model, bar) : [NaN, NaN];
-        if (this.isInside(x, y)) {
-          const key = `${Math.round(2 * x)},${Math.round(2 * y)}`;
-          const same = at.get(key);
-          same ? ++same[2] : at.set(key, [x, y, 1]);
-        }
+    const ofDimension = new Map<number, Map<string, [number, number, number]>>();
+    for (const bar of bars) {
+      const [x, y] = this.place(model, bar);
+      if (this.isInside(x, y)) {
+        const dim = model.bars.dimension(bar);
+        const at = ofDimension.get(dim) ?? new Map<string, [number, number, number]>();
+        ofDimension.set(dim, at);
+        const key = `${Math.round(2 * x)},${Math.round(2 * y)}`;
+        const same = at.get(key);
+        same ? ++same[2] : at.set(key, [x, y, 1]);
       }
+    }
+    for (const [dim, at] of [...ofDimension].sort((a, b) => a[0] - b[0])) {
       // What falls together is one larger symbol.
       const places = [...at.values()].flatMap(([x, y, count]) => [x, y, Math.min(radius * 2.5, radius * count ** 0.25)]);
       paper.symbols(shapeOf(dim), places, inkOf(inks, dim), 0.8);

@@ -30,6 +30,10 @@ export function isPlain({ without, open, length, birth, death, alive }: Filter):
 /** Sets a 1 for each bar that a filter keeps, and 0 for others. Returns how many it keeps of each part. */
 export function apply({ without, open, length, birth, death, alive }: Filter, bars: Bars, kept: Uint8Array): number[] {
   const { births, deaths } = bars;
+  const [bornFrom, bornTo] = birth;
+  const [diesFrom, diesTo] = open ? death : [death[0], Math.min(death[1], Number.MAX_VALUE)];
+  const [lengthFrom, lengthTo] = length;
+  const [aliveFrom, aliveTo] = alive;
   return bars.parts.map((part) => {
     let count = 0;
     if (without.has(part.dim)) {
@@ -39,9 +43,10 @@ export function apply({ without, open, length, birth, death, alive }: Filter, ba
     for (let bar = part.first; bar < part.end; ++bar) {
       const b = births[bar];
       const d = deaths[bar];
+      const size = d - b;
       const has =
-        b >= birth[0] && b <= birth[1] && d >= death[0] && d <= death[1] && d - b >= length[0] && d - b <= length[1] &&
-        b <= alive[1] && (d > alive[0] || alive[0] === -Infinity) && (open || d < Infinity);
+        b >= bornFrom && b <= bornTo && d >= diesFrom && d <= diesTo && size >= lengthFrom && size <= lengthTo &&
+        b <= aliveTo && (d > aliveFrom || aliveFrom === -Infinity);
       kept[bar] = has ? 1 : 0;
       count += has ? 1 : 0;
     }

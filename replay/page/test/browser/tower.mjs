@@ -87,7 +87,7 @@ export const short = {
     assert.match(await page.locator("#facts").textContent(), /coefficients Z\/2 \u00b7 41 operations \u00b7 16 bars, of which 1 never ends/);
     await comparesClasses(page, report, 100);
     await page.locator("#bars button").nth(1).click();
-    assert.match(await page.locator("#details").textContent(), /Born at time 3 by "i 11 0", line 29\.Ends at time 12 by "c 4 0", line 45; length 9\./);
+    assert.match(await page.locator("#details").textContent(), /Born at time 3 by including \{11 0\}, line 29\.Ends at time 12 by contracting 4 into 0, line 45; length 9\./);
     assert.equal(await page.locator("#stage").isVisible(), false);
     await browser.shot(page, "tower");
     assert.deepEqual(wrong, []);
