@@ -240,7 +240,7 @@ std::string tower_page_data(const TowerPage& page, const TowerPageLimits& limits
                                 counted(shown.bars.bars.size(), "bar"),
                                 page.classes->wanted
                                     ? ", as --generators says."
-                                    : ", the longest of each dimension; --generators gives it to all."));
+                                    : ", the longest of each dimension; --generators brings all."));
   }
   if (times.are_rounded()) {
     notes.emplace_back("Times beyond 2^53 that are far apart are shown as the nearest doubles.");

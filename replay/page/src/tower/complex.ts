@@ -66,6 +66,12 @@ class Vertices {
 export class TowerComplex {
   constructor(private readonly data: ComplexData) {}
 
+  /** How many operations there are before the first contraction. */
+  get growing(): number {
+    const found = this.data.dims.indexOf(-1);
+    return found < 0 ? this.data.dims.length : found;
+  }
+
   /** After so many operations. Cost: the operations. */
   at(operations: number): Moment {
     const vertices = new Vertices();

@@ -28,10 +28,11 @@ export class SpacePanel {
 
   constructor(private readonly model: Model, private readonly data: ComplexData, private theme: Theme, private readonly onMoment: () => void) {
     this.complex = new TowerComplex(data);
-    this.moment = Math.max(data.ends.length - 1, 0);
+    const last = Math.max(data.ends.length - 1, 0);
+    this.moment = Math.min(momentWith(data, this.complex.growing), last); // what is contracted to a point is nothing to begin with
     get<HTMLElement>("stage").hidden = false;
     this.picture = this.makePicture();
-    this.slider.max = String(this.moment);
+    this.slider.max = String(last);
     this.slider.addEventListener("input", () => this.toMoment(this.slider.valueAsNumber));
     const press = (id: string, act: () => void) => get(id).addEventListener("click", act);
     press("fit", () => this.fit());

@@ -319,6 +319,18 @@ export const long = {
       const [, ...expected] = changes.filter(([when]) => when <= Number(time)).at(-1);
       assert.equal(betti, expected.map((value, dim) => `b${dim} = ${value}`).join(", "));
     }
+    // A drag over many waits until it rests, and then keeps what it says.
+    await page.locator("#barcode .marks").scrollIntoViewIfNeeded();
+    const bars = await page.locator("#barcode .marks").boundingBox();
+    await page.mouse.move(bars.x + 0.4 * bars.width, bars.y + 50);
+    await page.mouse.down();
+    await page.mouse.move(bars.x + 0.5 * bars.width, bars.y + 60, { steps: 5 });
+    await page.mouse.up();
+    await settled(page);
+    const [from, to] = await page.locator("#alive-from, #alive-to").evaluateAll((all) => all.map(({ value }) => Number(value)));
+    const some = report.bars.filter(([, birth, death]) => birth <= to && (death ?? Infinity) > from);
+    assert.match(await page.locator("#listed").textContent(), new RegExp(`^1 to 50 of ${some.length.toLocaleString("en")}$`));
+    assert.match(await page.locator("#kept").textContent(), new RegExp(`^${some.length.toLocaleString("en")} of ${many} bars: alive`));
     await browser.shot(page, "tower_many");
     assert.deepEqual(wrong, []);
     await close();
