@@ -21,7 +21,8 @@ const lines = ["i 0", "i 1", "i 2", "i 0 1", "i 1 2", "i 0 2", "i 0 1 2", "c 0 1
 test("a complex has what is there after some operations, merged and squashed", () => {
   const complex = new TowerComplex(complexOf(lines));
   assert.deepEqual(complex.at(0), { simplices: [], counts: [] });
-  assert.equal(complex.growing, 7);
+  assert.equal(complex.fullest, 7);
+  assert.equal(new TowerComplex(complexOf(["i 0", "i 1", "c 0 1", "i 3", "i 4", "i 3 4", "c 3 4"])).fullest, 6);
   assert.deepEqual(complex.at(7).counts, [3, 3, 1]);
   assert.deepEqual(complex.at(8), { simplices: [[1], [2], [1, 2]], counts: [2, 1] });
   assert.deepEqual(complex.at(9), { simplices: [[1]], counts: [1] });

@@ -66,10 +66,16 @@ class Vertices {
 export class TowerComplex {
   constructor(private readonly data: ComplexData) {}
 
-  /** How many operations there are before the first contraction. */
-  get growing(): number {
-    const found = this.data.dims.indexOf(-1);
-    return found < 0 ? this.data.dims.length : found;
+  /** After how many operations the most vertices are there, the last time that they are. */
+  get fullest(): number {
+    let [vertices, most, found] = [0, 0, 0];
+    this.data.dims.forEach((dim, k) => {
+      vertices += dim === 0 ? 1 : dim < 0 ? -1 : 0;
+      if (vertices >= most) {
+        [most, found] = [vertices, k + 1];
+      }
+    });
+    return found;
   }
 
   /** After so many operations. Cost: the operations. */

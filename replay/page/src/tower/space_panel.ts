@@ -29,7 +29,7 @@ export class SpacePanel {
   constructor(private readonly model: Model, private readonly data: ComplexData, private theme: Theme, private readonly onMoment: () => void) {
     this.complex = new TowerComplex(data);
     const last = Math.max(data.ends.length - 1, 0);
-    this.moment = Math.min(momentWith(data, this.complex.growing), last); // what is contracted to a point is nothing to begin with
+    this.moment = Math.min(momentWith(data, this.complex.fullest), last); // what is contracted to a point is nothing to begin with
     get<HTMLElement>("stage").hidden = false;
     this.picture = this.makePicture();
     this.slider.max = String(last);

@@ -2,6 +2,8 @@
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { build } from "esbuild";
 import { drawnPixels, texts } from "./harness.mjs";
 
 /** The page of an input, and what the program says of it. */
@@ -278,6 +280,44 @@ export const long = {
       const expected = longestFirst(report.bars).map((bar) => [number(bar[1]), number(bar[2])]);
       assert.deepEqual((await rows(page)).map(([, birth, death]) => [birth, death]), expected.slice(0, 50));
       await comparesClasses(page, report, 30);
+      assert.deepEqual(wrong, []);
+      await close();
+    }
+  },
+  async "classes that are carried along in space are what the program says that they become"(browser) {
+    const folder = browser.file("modules");
+    await build({ entryPoints: [fileURLToPath(new URL("../../src/tower/complex.ts", import.meta.url))], bundle: true, format: "esm", outfile: join(folder, "complex.mjs"), logLevel: "warning" });
+    const { TowerComplex } = await import(pathToFileURL(join(folder, "complex.mjs")).href);
+    const [random, points] = ["classes.tower", "classes.txt"].map((name) => browser.file(name));
+    browser.run("generate", "tower-A", "--size", "1000", "-o", random);
+    writeFileSync(points, Array.from({ length: 4000 }, (_, k) => `${Math.cos(k)} ${Math.sin(k)} ${k / 4000}`).join("\n"));
+    for (const [ring, p] of [["Z/3", 3], ["Q", 0]]) {
+      const { page, wrong, close } = await opened(browser, random, { words: ["--points", points, "--generators", "--ring", ring] });
+      const data = JSON.parse(await page.locator("#data").textContent());
+      const complex = new TowerComplex(data.complex);
+      const residue = (x) => (p > 0 ? ((x % p) + p) % p : x);
+      const asMap = (chain) => new Map(chain.map(([c, labels]) => [labels.join(), residue(Number(c))]).filter(([, c]) => c !== 0).sort());
+      let [open, killed] = [0, 0];
+      for (const known of data.classes.filter((_, k) => k % 7 === 0)) {
+        const end = known.killed?.after ?? data.complex.dims.length;
+        const image = asMap(complex.image(known.cycle, known.born.after, end, p));
+        if (known.now) {
+          ++open;
+          assert.deepEqual(image, asMap(known.now), JSON.stringify(known));
+        } else {
+          ++killed;
+          const boundary = new Map();
+          for (const [c, labels] of known.bounds) {
+            labels.forEach((_, k) => {
+              const face = labels.filter((__, other) => other !== k).join();
+              boundary.set(face, (boundary.get(face) ?? 0) + (k % 2 === 0 ? 1 : -1) * Number(c));
+            });
+          }
+          assert.deepEqual(image, new Map([...boundary].map(([face, c]) => [face, residue(c)]).filter(([, c]) => c !== 0).sort()), JSON.stringify(known));
+        }
+      }
+      assert.ok(open > 0 && killed > 20, `${open} ${killed}`);
+      assert.ok((await drawnPixels(page)) > 500);
       assert.deepEqual(wrong, []);
       await close();
     }
