@@ -105,9 +105,9 @@ PageBarNumbers::PageBarNumbers(std::span<const Bar> bars) : bars_{bars}, asked_(
 }
 
 std::optional<std::uint64_t> PageBarNumbers::next(const Bar& bar) {
-  const auto same = std::ranges::equal_range(bars_, bar);
-  const auto first = static_cast<std::size_t>(same.begin() - bars_.begin());
-  if (same.empty() || asked_[first] == same.size()) {
+  const auto [begin, end] = std::equal_range(bars_.begin(), bars_.end(), bar);
+  const auto first = static_cast<std::size_t>(begin - bars_.begin());
+  if (begin == end || asked_[first] == static_cast<std::size_t>(end - begin)) {
     return std::nullopt;
   }
   return numbers_[first + asked_[first]++];

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "ops/vocabulary/json_text.hpp"
 #include "replay/page/page_bars.hpp"
@@ -53,7 +54,7 @@ class ClassWriter {
   ClassWriter(const TowerClasses& classes, const TowerPageLimits& limits) : classes_{classes}, limits_{limits} {}
 
   /// Adds a list. Returns how many bars it has.
-  std::uint64_t write(std::vector<Chosen> bars, JsonText& out) {
+  std::uint64_t write(std::span<const Chosen> bars, JsonText& out) {
     out.begin_list();
     std::uint64_t written = 0;
     for (const Chosen& chosen : bars) {
@@ -238,9 +239,8 @@ std::string tower_page_data(const TowerPage& page, const TowerPageLimits& limits
   if (page.classes != nullptr && written < shown.bars.bars.size()) {
     notes.push_back(fmt::format("{} of the {} have their class on this page{}", with_separators(written),
                                 counted(shown.bars.bars.size(), "bar"),
-                                page.classes->wanted
-                                    ? ", as --generators says."
-                                    : ", the longest of each dimension; --generators brings all."));
+                                page.classes->wanted ? ", as --generators says."
+                                                     : ", the longest of each dimension; --generators brings all."));
   }
   if (times.are_rounded()) {
     notes.emplace_back("Times beyond 2^53 that are far apart are shown as the nearest doubles.");
