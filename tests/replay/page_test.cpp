@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "replay/page/packed_numbers.hpp"
 #include "replay/page/page_file.hpp"
 #include "replay/page/page_template.hpp"
 #include "replay/page/page_writer.hpp"
@@ -395,4 +396,17 @@ TEST_CASE("a page may ask the server that it comes from, and one from a disk nob
   replay::write_page_file(server, "{}", replay::PageFrom::server);
   CHECK_THAT(disk.str(), !Contains("connect-src"));
   CHECK_THAT(server.str(), Contains("default-src 'none'; connect-src 'self'; script-src 'sha256-"));
+
+TEST_CASE("long lists of numbers are packed as the bytes that they are") {
+  const auto packed = [](const auto& numbers) {
+    std::string text;
+    ops::JsonText out(text);
+    replay::write_packed(std::span{numbers}, out);
+    return text;
+  };
+  // In TypeScript: replay/page/test/picking.test.ts.
+  CHECK(packed(std::vector<float>{1, -2.5F}) == R"({"kind":"f32","data":"AACAPwAAIMA="})");
+  CHECK(packed(std::vector<std::uint32_t>{1, 65535, 256}) == R"({"kind":"u16","data":"AQD//wAB"})");
+  CHECK(packed(std::vector<std::uint32_t>{1, 65536}) == R"({"kind":"u32","data":"AQAAAAAAAQA="})");
+  CHECK(packed(std::vector<std::uint32_t>{}) == R"({"kind":"u16","data":""})");
 }

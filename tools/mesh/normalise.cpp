@@ -6,6 +6,7 @@
 #include <compare>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "tools/mesh/text.hpp"
 
@@ -15,25 +16,21 @@ namespace {
 
 using Corners = std::vector<std::uint32_t>;
 
-/// How often something happened, and to which face first.
+/// To which faces something happened.
 struct Tally {
-  std::size_t count = 0;
-  std::size_t first = 0;
+  std::vector<std::uint32_t> faces;
 
-  void add(std::size_t which) {
-    if (count++ == 0) {
-      first = which;
-    }
-  }
+  void add(std::size_t which) { faces.push_back(static_cast<std::uint32_t>(which)); }
+  [[nodiscard]] std::size_t count() const { return faces.size(); }
 };
 
 /// `kind` stands before the noun, as in "left out 2 duplicate faces"; it may be empty.
 void remark(Mesh& mesh, const Tally& tally, std::string_view verb, std::string_view kind, std::string_view reason) {
-  if (tally.count == 0) {
+  if (tally.faces.empty()) {
     return;
   }
-  mesh.remarks.push_back(fmt::format("{} {} {}{} ({}), the first is face {}, counted from 0", verb, tally.count, kind,
-                                     tally.count == 1 ? "face" : "faces", reason, tally.first));
+  mesh.remarks.push_back(fmt::format("{} {} {}{} ({}), the first is face {}, counted from 0", verb, tally.count(), kind,
+                                     tally.count() == 1 ? "face" : "faces", reason, tally.faces.front()));
 }
 
 /// The corners without those that repeat the one before them, around the cycle.
@@ -91,14 +88,16 @@ void mend_faces(Mesh& mesh, Cleaning& cleaning, std::vector<std::uint32_t>& orig
     }
   }
   mesh.faces = std::move(kept);
-  cleaning.shortened_faces = shortened.count;
-  cleaning.degenerate_faces = degenerate.count;
-  cleaning.segments = segments.count;
-  cleaning.folded_faces = folded.count;
+  cleaning.shortened_faces = shortened.count();
+  cleaning.degenerate_faces = degenerate.count();
+  cleaning.segments = segments.count();
+  cleaning.folded_faces = folded.count();
   remark(mesh, segments, "took as lines", "", "two corners bound no surface");
   remark(mesh, shortened, "shortened", "", "a corner is repeated in a row; it was kept once");
   remark(mesh, degenerate, "left out", "degenerate ", "fewer than three corners, but for repeats in a row");
   remark(mesh, folded, "kept", "folded ", "the boundary runs back over itself, so the face is a sphere of its own");
+  cleaning.degenerate = std::move(degenerate.faces);
+  cleaning.folded = std::move(folded.faces);
 }
 
 /// Where the least of the rotations of a cyclic word begins. Of two candidates one is ruled out, with all places that
@@ -173,12 +172,13 @@ void drop_duplicates(Mesh& mesh, Cleaning& cleaning, const std::vector<std::uint
       kept.push_face(mesh.faces[f]);
     }
   }
-  if (duplicates.count == 0) {
+  if (duplicates.faces.empty()) {
     return;
   }
   mesh.faces = std::move(kept);
-  cleaning.duplicate_faces = duplicates.count;
+  cleaning.duplicate_faces = duplicates.count();
   remark(mesh, duplicates, "left out", "duplicate ", "an earlier face has the same corners in the same order");
+  cleaning.duplicates = std::move(duplicates.faces);
 }
 
 Edge ordered(Edge edge) { return edge[0] < edge[1] ? edge : Edge{edge[1], edge[0]}; }

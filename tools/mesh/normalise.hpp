@@ -2,6 +2,9 @@
 /// From what a file says to a clean cell complex: the policy for broken input, in one place.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "tools/mesh/mesh.hpp"
 
 namespace sesame::tools {
@@ -15,6 +18,9 @@ struct Cleaning {
   std::size_t folded_faces = 0;      ///< kept: the boundary runs back over itself until nothing of it is left
   std::size_t redundant_lines = 0;   ///< left out: no length, an earlier line again, or a side of a face
   std::size_t unused_points = 0;     ///< left out: on no face and no line
+
+  /// Which faces of the file, counted from 0 and in order.
+  std::vector<std::uint32_t> degenerate, duplicates, folded;
 };
 
 /// Leaves out, and keeps the order of what stays. Each kind of change adds a remark that counts it and names the first.

@@ -68,15 +68,18 @@ class Examination {
       if (sides.empty()) {
         ++component.lines;
         ++validity_.lines;
+        validity_.places.lines.push_back(incidence_.edges[e]);
       } else if (sides.size() == 1) {
         ++component.boundary_edges;
         ++validity_.boundary_edges;
       } else if (sides.size() == 2) {
         if (runs_upwards(mesh_, incidence_, sides[0]) == runs_upwards(mesh_, incidence_, sides[1])) {
           ++validity_.reversed_edges;
+          validity_.places.reversed_edges.push_back(incidence_.edges[e]);
         }
       } else {
         component.is_manifold = false;
+        validity_.places.non_manifold_edges.push_back(incidence_.edges[e]);
         if (validity_.non_manifold_edges++ == 0) {
           validity_.first_non_manifold_edge.emplace(mesh_.points[from], mesh_.points[to]);
         }
@@ -122,6 +125,7 @@ class Examination {
         continue;
       }
       component_of(v).is_manifold = false;
+      validity_.places.non_manifold_vertices.push_back(v);
       if (validity_.non_manifold_vertices++ == 0) {
         validity_.first_non_manifold_vertex = mesh_.points[v];
       }
@@ -133,7 +137,7 @@ class Examination {
   }
 
   void count_boundary_loops() {
-    std::vector<Edge> boundary;
+    std::vector<Edge>& boundary = validity_.places.boundary;
     std::vector<bool> on_boundary(mesh_.points.size(), false);
     for (std::size_t e = 0; e < incidence_.edges.size(); ++e) {
       if (incidence_.sides_of(e).size() != 1) {
@@ -145,14 +149,17 @@ class Examination {
       }
     }
     const auto loops = connected_parts(mesh_.points.size(), boundary);
-    std::vector<bool> counted_already(loops.count, false);
+    constexpr auto uncounted = static_cast<std::uint32_t>(-1);
+    std::vector<std::uint32_t> number(loops.count, uncounted);
     for (std::uint32_t v = 0; v < mesh_.points.size(); ++v) {
-      if (!on_boundary[v] || counted_already[loops.of[v]]) {
+      if (!on_boundary[v] || number[loops.of[v]] != uncounted) {
         continue;
       }
-      counted_already[loops.of[v]] = true;
       ++component_of(v).boundary_loops;
-      ++validity_.boundary_loops;
+      number[loops.of[v]] = static_cast<std::uint32_t>(validity_.boundary_loops++);
+    }
+    for (const Edge& edge : boundary) {
+      validity_.places.boundary_loop.push_back(number[loops.of[edge[0]]]);
     }
   }
 

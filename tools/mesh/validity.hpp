@@ -2,6 +2,7 @@
 /// Is this mesh a surface, and which one: what counting alone can tell, before any homology is computed.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -32,6 +33,16 @@ struct Component {
   [[nodiscard]] std::optional<long long> genus() const;
 };
 
+/// Where a mesh is no closed surface whose faces agree; points are those that `normalise` leaves, in its order.
+struct MeshPlaces {
+  std::vector<Edge> lines;
+  std::vector<Edge> boundary;
+  std::vector<std::uint32_t> boundary_loop;  ///< of each edge of the boundary: its loop, in the order of lowest points
+  std::vector<Edge> non_manifold_edges;
+  std::vector<std::uint32_t> non_manifold_vertices;
+  std::vector<Edge> reversed_edges;
+};
+
 /// Counts are of the cell complex that `normalise` makes of the mesh; `cleaning` says what that left out.
 struct Validity {
   std::size_t points_in_file = 0;
@@ -49,6 +60,7 @@ struct Validity {
   std::size_t non_manifold_edges = 0;     ///< edges on more than two faces
   std::size_t non_manifold_vertices = 0;  ///< vertices of faces whose link is neither a path nor a circle
   std::size_t reversed_edges = 0;         ///< edges whose two faces run along them in the same direction
+  MeshPlaces places;                      ///< of all of these
   std::optional<std::pair<Point, Point>> first_non_manifold_edge;
   std::optional<Point> first_non_manifold_vertex;
   std::vector<Component> components;  ///< in the order of their lowest points
