@@ -122,6 +122,19 @@ TEST_CASE("sesame mesh --shorter-than leaves out long loops, and says how many")
   CHECK(run({"--shorter-than", "0", mesh_path("torus.off")}).status == 1);
 }
 
+TEST_CASE("sesame mesh --html writes a page of the mesh, and beside standard output only") {
+  const tests::TemporaryFile html{""};
+  const Run result = run({"--html", html.path(), "--shorter-than", "5", mesh_path("torus.off")});
+  CHECK(result.errors.empty());
+  REQUIRE(result.status == 0);
+  const std::string page = contents_at(html.path());
+  CHECK_THAT(page, StartsWith("<!DOCTYPE html>") && Contains(R"({"kind":"mesh",)") && Contains(R"("side":"tunnel")"));
+  const Run refused = run({"--html", "-", mesh_path("torus.off")});
+  CHECK(refused.status == 1);
+  CHECK_THAT(refused.errors, Contains("--csv and --html should name files"));
+  CHECK(run({"--html", mesh_path("torus.off"), mesh_path("torus.off")}).status == 1);
+}
+
 TEST_CASE("sesame mesh writes its loops into files, as drawings and as a table") {
   const tests::TemporaryFile obj{""};
   const tests::TemporaryFile ply{""};

@@ -8,6 +8,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/commands/mesh_drawing.hpp"
 #include "tools/commands/mesh_input.hpp"
+#include "tools/commands/mesh_page.hpp"
 #include "tools/commands/mesh_report.hpp"
 #include "tools/commands/options.hpp"
 #include "tools/commands/output_file.hpp"
@@ -25,7 +26,7 @@ struct LoopFile {
 
 struct Arguments {
   MeshInput mesh;
-  LoopFile obj, ply, vtk, csv;
+  LoopFile obj, ply, vtk, csv, html;
   std::optional<double> shorter_than;
   std::string ring = "Z";
   std::optional<std::size_t> generators_limit;
@@ -37,13 +38,13 @@ int fail(const std::string& what, Outcome outcome) {
   return static_cast<int>(outcome);
 }
 
-/// Opens the files for loops. Errors: those of OutputFiles; one would go where the report goes.
+/// Opens the files. Errors: those of OutputFiles; one would go where the report goes.
 Status open_files(Arguments& arguments, OutputFiles& outputs) {
-  for (LoopFile* file : {&arguments.obj, &arguments.ply, &arguments.vtk, &arguments.csv}) {
+  for (LoopFile* file : {&arguments.obj, &arguments.ply, &arguments.vtk, &arguments.csv, &arguments.html}) {
     if (is_standard_output(file->path)) {
       return Error{Errc::io,
-                   "sesame mesh: the report goes to standard output; --obj, --ply, --vtk and --csv should name "
-                   "files"};
+                   "sesame mesh: the report goes to standard output; --obj, --ply, --vtk, --csv and --html "
+                   "should name files"};
     }
     const Result<std::ostream*> out = outputs.open(file->path);
     if (!out) {
@@ -101,6 +102,10 @@ int run_mesh(Arguments& arguments) {
   if (const std::string left_out = found->validity.left_out_faces(); !left_out.empty()) {
     std::cerr << name << ": " << left_out << '\n';
   }
+  if (arguments.html.out != nullptr) {
+    const bool has_generators = arguments.generators_limit != std::size_t{0};
+    write_mesh_page(*arguments.html.out, *mesh, *found, {name, has_generators, arguments.shorter_than, {}});
+  }
   const std::size_t left_out = arguments.shorter_than ? leave_out_long_loops(*found, *arguments.shorter_than) : 0;
   if (const Status written = write_files(arguments, *mesh, *found, outputs); !written) {
     return refuse(written.error());
@@ -135,6 +140,8 @@ void add_mesh_command(CLI::App& app, int& status) {
                       "Write the mesh with its loops as data of cells (VTK; .vtu: as XML)");
   command->add_option("--csv", arguments->csv.path,
                       "Write the loops as a table, a row for each edge, with coordinates");
+  command->add_option("--html", arguments->html.path,
+                      "Write the mesh as a page for a browser: in space, with what is wrong with it, and its loops");
   command->footer(
       "A loop on a closed surface in space is a handle loop when it bounds inside, a tunnel loop when it bounds "
       "outside.\n"

@@ -76,6 +76,18 @@ export function lineBuffers(edges: Drawn["edges"], colourOf: ColourOf): LineBuff
   return buffers;
 }
 
+/** Broken lines as pairs of points. */
+export function segmentsOf(paths: readonly (readonly Vec[])[]): (readonly [Vec, Vec])[] {
+  return paths.flatMap((path) => path.slice(1).map((end, k) => [path[k], end] as const));
+}
+
+/** All coordinates in a row. */
+export function flatPoints(points: readonly Vec[]): Float32Array {
+  const flat = new Float32Array(points.length * 3);
+  points.forEach((point, k) => flat.set(point, 3 * k));
+  return flat;
+}
+
 /** The middle and the radius of a ball with everything in it that is drawn. */
 export function ballAround(drawn: Drawn): { middle: Vec; radius: number } {
   const low = [Infinity, Infinity, Infinity];

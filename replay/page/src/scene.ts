@@ -1,36 +1,26 @@
-/** The picture in space. It knows no history: it is given what is to be drawn. */
+/** The picture in space. It knows no history: it is given what is to be drawn, layer by layer. */
 import {
   AmbientLight,
-  BufferAttribute,
-  BufferGeometry,
   Color,
   DirectionalLight,
-  DoubleSide,
-  InstancedMesh,
-  CylinderGeometry,
   Matrix4,
-  Mesh,
-  MeshLambertMaterial,
+  type Mesh,
   type Object3D,
   PerspectiveCamera,
-  Points,
-  PointsMaterial,
-  Quaternion,
-  Raycaster,
   Scene,
-  SphereGeometry,
-  Vector2,
   Vector3,
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
-import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
-import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
-import { ballAround, type ColourOf, type FaceBuffers, faceBuffers, lineBuffers, rgb } from "./buffers.ts";
+import { ballAround, type ColourOf, faceBuffers, flatPoints, lineBuffers, rgb, segmentsOf } from "./buffers.ts";
 import type { Theme } from "./colours.ts";
 import type { Drawn } from "./drawn.ts";
-import type { Vec } from "./vectors.ts";
+import { turnedTowards } from "./flight.ts";
+import { isDrawnByProcessor, Motion } from "./motion.ts";
+import { ballsPart, colouredLinesPart, dotsPart, facesPart, forget, tubesPart } from "./parts.ts";
+import { type Lens, pointAt, projected, segmentAt, triangleAt } from "./picking.ts";
+import { add, scale, sub, type Vec } from "./vectors.ts";
+import { wideLines } from "./wide_lines.ts";
 
 /** A chain as it is laid over the object. */
 export interface Overlay {
@@ -51,29 +41,62 @@ export interface View {
   overlays: Overlay[];
 }
 
+/** What can be pointed at, and the number of each: points, segments and triangles of a kind each. */
+export interface Targets {
+  points: ArrayLike<number>;
+  pointCells: ArrayLike<number>;
+  /** Two points each; `ends` are their numbers, if `segments` has them once. */
+  segments: ArrayLike<number>;
+  ends: ArrayLike<number> | null;
+  segmentCells: ArrayLike<number>;
+  triangles: ArrayLike<number>;
+  corners: ArrayLike<number> | null;
+  triangleCells: ArrayLike<number>;
+}
+
+export interface Ball {
+  middle: Vec;
+  radius: number;
+}
+
+const noTargets: Targets = { points: [], pointCells: [], segments: [], ends: null, segmentCells: [], triangles: [], corners: null, triangleCells: [] };
+/** In pixels: how near a click must be to an edge, a vertex or a chain. */
+const reaches = { segment: 5, point: 8, chain: 9 };
+/** More edges than this are lines of one pixel: wide ones are drawn as faces, which takes many times as long. */
+const mostWideEdges = 3000;
+
 export class Picture {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(40, 1, 0.01, 1000);
   private readonly controls: OrbitControls;
-  private readonly raycaster = new Raycaster();
-  private parts: Object3D[] = [];
-  private faces: Mesh | null = null;
-  private dots: Points | null = null;
-  private faceCells: Int32Array = new Int32Array();
-  private dotCells: number[] = [];
-  private lines: LineMaterial[] = [];
-  private ball: { middle: Vec; radius: number } = { middle: [0, 0, 0], radius: 1 };
+  private readonly layers = new Map<string, Object3D[]>();
+  /** Layers that are left out while the camera moves, where they make that slow. */
+  private readonly fine = new Set<string>();
+  private readonly isPlain = isDrawnByProcessor();
+  private readonly motion: Motion;
+  private targets = noTargets;
+  private chains: Targets = noTargets;
+  private ball: Ball = { middle: [0, 0, 0], radius: 1 };
   private isDue = false;
+  private hasMoved = false;
+  private flight = 0;
   /** Whether the camera was moved by hand. */
   moved = false;
 
-  constructor(private readonly canvas: HTMLCanvasElement, private theme: Theme) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+  /** `onSlow` is called once, when it turns out that fine layers have to be left out while the camera moves. */
+  constructor(private readonly canvas: HTMLCanvasElement, private theme: Theme, onSlow: () => void = () => {}) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: !this.isPlain, preserveDrawingBuffer: true });
+    this.motion = new Motion(() => this.request(), () => this.fine.size > 0 && onSlow());
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.addEventListener("change", () => this.request());
-    this.controls.addEventListener("start", () => (this.moved = true));
+    this.controls.addEventListener("change", () => {
+      this.hasMoved = true;
+      this.request();
+    });
+    this.controls.addEventListener("start", () => {
+      this.moved = true;
+      ++this.flight; // whatever flies stops
+    });
     const sun = new DirectionalLight(0xffffff, 1.8);
     sun.position.set(1, 2, 3);
     this.camera.add(sun);
@@ -92,200 +115,249 @@ export class Picture {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / Math.max(height, 1);
     this.camera.updateProjectionMatrix();
-    this.lines.forEach((material) => material.resolution.set(width, height));
     this.request();
+  }
+
+  /** From what is looked at to the camera. */
+  get direction(): Vec {
+    return sub(this.eye, this.target);
+  }
+
+  private get eye(): Vec {
+    return this.camera.position.toArray();
+  }
+
+  private get target(): Vec {
+    return this.controls.target.toArray();
+  }
+
+  /** Everything that there is to see. */
+  setBall(ball: Ball): void {
+    this.ball = ball;
+  }
+
+  /** From how far a ball of this radius is in sight as a whole. */
+  distanceFor(radius: number): number {
+    const angle = (this.camera.fov * Math.PI) / 360;
+    const narrow = Math.min(1, this.camera.aspect);
+    return (1.02 * radius) / Math.sin(Math.atan(Math.tan(angle) * narrow));
   }
 
   /** Moves the camera so that everything is in sight, without turning it. */
   fit(): void {
-    const { middle, radius } = this.ball;
-    const direction = this.camera.position.clone().sub(this.controls.target).normalize();
-    const angle = (this.camera.fov * Math.PI) / 360;
-    const narrow = Math.min(1, this.camera.aspect);
-    const distance = (1.02 * radius) / Math.sin(Math.atan(Math.tan(angle) * narrow));
-    this.controls.target.set(...(middle as [number, number, number]));
-    this.camera.position.copy(this.controls.target).addScaledVector(direction, distance);
-    this.camera.near = distance / 200;
-    this.camera.far = distance * 50;
-    this.camera.updateProjectionMatrix();
+    ++this.flight;
+    this.look(this.ball.middle, this.direction, this.distanceFor(this.ball.radius));
+  }
+
+  /** Moves the camera, in sight of everybody who does not mind that, until it sees a ball from a direction. */
+  flyTo({ middle, radius }: Ball, direction: Vec): void {
+    this.moved = true;
+    const here = ++this.flight;
+    const [from, turned] = [this.target, this.direction];
+    const [first, last] = [Math.hypot(...turned), this.distanceFor(radius)];
+    const lasts = matchMedia("(prefers-reduced-motion: reduce)").matches ? 0 : 600;
+    const start = performance.now();
+    const step = () => {
+      if (here !== this.flight) {
+        return;
+      }
+      const t = lasts > 0 ? Math.min((performance.now() - start) / lasts, 1) : 1;
+      const eased = t * t * (3 - 2 * t);
+      this.look(add(scale(from, 1 - eased), scale(middle, eased)), turnedTowards(turned, direction, eased), first ** (1 - eased) * last ** eased);
+      if (t < 1) {
+        requestAnimationFrame(step);
+      }
+    };
+    step();
+  }
+
+  private look(target: Vec, direction: Vec, distance: number): void {
+    const way = Math.hypot(...direction);
+    this.controls.target.set(...(target as [number, number, number]));
+    this.camera.position.set(...(add(target, scale(direction, distance / way)) as [number, number, number]));
     this.controls.update();
     this.request();
   }
 
-  show(view: View): void {
-    for (const part of this.parts) {
+  /** Replaces what a layer has in it; those of lower order are drawn first. Fine ones may be left out in motion. */
+  put(layer: string, parts: Object3D[], order: number, isFine = false): void {
+    isFine && parts.length > 0 ? this.fine.add(layer) : this.fine.delete(layer);
+    for (const part of this.layers.get(layer) ?? []) {
       this.scene.remove(part);
-      (part as Mesh).geometry?.dispose();
+      forget(part as Mesh);
     }
-    this.parts = [];
-    this.lines = [];
+    for (const part of parts) {
+      part.renderOrder = order;
+      part.frustumCulled = false; // everything is in sight as a rule, and its bounds would have to be found
+      this.scene.add(part);
+    }
+    this.layers.set(layer, parts);
+    this.request();
+  }
+
+  /** What `cellAt` finds, and `generatorAt`: there, cells are numbers of generators. */
+  setTargets(targets: Partial<Targets>): void {
+    this.targets = { ...noTargets, ...targets };
+  }
+
+  setChains(chains: Partial<Targets>): void {
+    this.chains = { ...noTargets, ...chains };
+  }
+
+  show(view: View): void {
     this.ball = ballAround(view.drawn);
-    this.addFaces(view);
-    this.addEdges(view);
-    this.addVertices(view);
-    view.overlays.forEach((overlay) => this.addOverlay(overlay));
+    this.showFaces(view);
+    this.showEdges(view);
+    this.showVertices(view);
+    this.showOverlays(view.overlays);
     if (!this.moved) {
       this.fit();
     }
-    this.request();
   }
 
   /** The generator that is drawn at a point of the canvas, in its own pixels, or -1. */
   generatorAt(x: number, y: number): number {
-    this.aim(x, y);
-    const hits = this.raycaster.intersectObjects(this.parts.filter((part) => part.userData.generator >= 0), false);
-    return hits.length > 0 ? (hits[0].object.userData.generator as number) : -1;
-  }
-
-  /** The cell there: a vertex if one is near, else a face. */
-  cellAt(x: number, y: number): number | null {
-    this.aim(x, y);
-    this.raycaster.params.Points.threshold = this.ball.radius * 0.02;
-    const dot = this.dots && this.raycaster.intersectObject(this.dots)[0];
-    if (dot?.index !== undefined) {
-      return this.dotCells[dot.index];
+    const { segments, ends, segmentCells, points, pointCells, triangles, corners, triangleCells } = this.chains;
+    const lens = this.lens();
+    const point = pointAt(projected(lens, points), x, y, reaches.chain);
+    if (point) {
+      return pointCells[point.index];
     }
-    const face = this.faces && this.raycaster.intersectObject(this.faces)[0];
-    return face?.faceIndex !== undefined && face.faceIndex !== null ? this.faceCells[face.faceIndex] : null;
+    const segment = segmentAt(projected(lens, segments), ends, x, y, reaches.chain);
+    if (segment) {
+      return segmentCells[segment.index];
+    }
+    const face = triangleAt(projected(lens, triangles), corners, x, y);
+    return face ? triangleCells[face.index] : -1;
   }
 
-  private aim(x: number, y: number): void {
-    const { clientWidth, clientHeight } = this.canvas;
-    this.raycaster.setFromCamera(new Vector2((2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight), this.camera);
+  /** The cell there: a vertex if one is near, else an edge, else a face; none that a face hides. */
+  cellAt(x: number, y: number): number | null {
+    const { segments, ends, segmentCells, points, pointCells, triangles, corners, triangleCells } = this.targets;
+    const lens = this.lens();
+    const face = triangleAt(projected(lens, triangles), corners, x, y);
+    // A face that is seen aslant is nearer at the point than where its vertices are.
+    const farthest = face ? 1 / (1 / face.nearness + 0.02 * this.ball.radius) : 0;
+    const point = pointAt(projected(lens, points), x, y, reaches.point, farthest);
+    if (point) {
+      return pointCells[point.index];
+    }
+    const segment = segmentAt(projected(lens, segments), ends, x, y, reaches.segment, farthest);
+    return segment ? segmentCells[segment.index] : face ? triangleCells[face.index] : null;
   }
 
-  private request(): void {
+  /** Where a point is on the canvas, in its own pixels; for tests. */
+  placeOnCanvas(point: Vec): [number, number] {
+    const [x, y] = projected(this.lens(), point);
+    return [x, y];
+  }
+
+  private lens(): Lens {
+    this.camera.updateMatrixWorld();
+    const matrix = new Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse);
+    return { matrix: matrix.elements, width: this.canvas.clientWidth, height: this.canvas.clientHeight };
+  }
+
+  /** A new frame is due. */
+  request(): void {
     if (!this.isDue) {
       this.isDue = true;
       requestAnimationFrame(() => {
         this.isDue = false;
-        this.renderer.render(this.scene, this.camera);
+        this.render();
       });
     }
   }
 
-  private add(part: Object3D, order: number, generator = -1): void {
-    part.renderOrder = order;
-    part.userData.generator = generator;
-    this.parts.push(part);
-    this.scene.add(part);
+  private render(): void {
+    if (this.hasMoved) {
+      this.motion.frame(performance.now());
+    }
+    this.hasMoved = false;
+    const isCoarse = this.motion.isMoving && this.motion.isSlow;
+    for (const [name, parts] of this.layers) {
+      parts.forEach((part) => (part.visible = !(isCoarse && this.fine.has(name))));
+    }
+    // Where lines have rough edges, twice as many pixels make them smooth, once everything rests.
+    const ratio = this.isPlain ? (this.motion.isMoving ? 1 : 2) : Math.min(window.devicePixelRatio, 2);
+    if (ratio !== this.renderer.getPixelRatio()) {
+      this.renderer.setPixelRatio(ratio);
+    }
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    this.camera.near = distance / 200;
+    this.camera.far = this.camera.position.distanceTo(new Vector3(...this.ball.middle)) + 3 * this.ball.radius + distance;
+    this.camera.updateProjectionMatrix();
+    this.renderer.render(this.scene, this.camera);
   }
 
-  private addFaces({ drawn, colourOf, highlighted, opacity }: View): void {
-    this.faces = null;
-    if (drawn.faces.length === 0) {
-      return;
-    }
+  private showFaces({ drawn, colourOf, highlighted, opacity }: View): void {
     const bright = rgb(this.theme.highlight);
     const buffers = faceBuffers(drawn.faces, (cell) => (highlighted.has(cell) ? bright : colourOf(cell)));
-    const geometry = faceGeometry(buffers);
-    this.faceCells = buffers.cells;
-    this.faces = new Mesh(geometry, surface(opacity, true));
-    this.add(this.faces, 0);
+    this.put("faces", drawn.faces.length > 0 ? [facesPart(buffers, opacity, true)] : [], 0);
+    const { positions: segments, cells: segmentCells } = lineBuffers(drawn.edges, () => [0, 0, 0]);
+    this.setTargets({
+      points: flatPoints(drawn.vertices.map(({ at }) => at)),
+      pointCells: drawn.vertices.map(({ cell }) => cell),
+      segments,
+      segmentCells,
+      triangles: buffers.positions,
+      triangleCells: buffers.cells,
+    });
   }
 
-  private addEdges({ drawn, highlighted }: View): void {
-    const plain = rgb(this.theme.edge);
-    const bright = rgb(this.theme.highlight);
+  private showEdges({ drawn, highlighted }: View): void {
+    const plain = drawn.edges.filter(({ cell }) => !highlighted.has(cell));
     const some = drawn.edges.filter(({ cell }) => highlighted.has(cell));
-    const width = drawn.edges.length > 3000 ? 0.6 : drawn.edges.length > 500 ? 1 : 1.6;
-    this.addLines(drawn.edges.filter(({ cell }) => !highlighted.has(cell)), () => plain, width, 1);
-    this.addLines(some, () => bright, 4.5, 2);
+    const width = drawn.edges.length > 500 ? 1 : 1.6;
+    const buffers = lineBuffers(plain, () => rgb(this.theme.edge));
+    // Paler, or many of them are nothing but dark.
+    const isMany = drawn.edges.length > mostWideEdges;
+    const part = isMany ? () => colouredLinesPart(buffers, 0.6) : () => wideLines(buffers.positions, buffers.colours, width);
+    this.put("edges", plain.length > 0 ? [part()] : [], 1, isMany);
+    const bright = lineBuffers(some, () => [0, 0, 0]).positions;
+    this.put("bright edges", some.length > 0 ? [wideLines(bright, this.theme.highlight, 4.5)] : [], 2);
   }
 
-  private addLines(edges: Drawn["edges"], colourOf: ColourOf, width: number, order: number): void {
-    if (edges.length === 0) {
-      return;
-    }
-    const buffers = lineBuffers(edges, colourOf);
-    const geometry = new LineSegmentsGeometry();
-    geometry.setPositions(buffers.positions);
-    geometry.setColors(buffers.colours);
-    const thin = width < 1; // paler, or many of them are nothing but dark
-    const material = new LineMaterial({ vertexColors: true, linewidth: Math.max(width, 1), transparent: thin, opacity: thin ? width : 1 });
-    material.resolution.set(this.canvas.clientWidth, this.canvas.clientHeight);
-    this.lines.push(material);
-    this.add(new LineSegments2(geometry, material), order);
-  }
-
-  private addVertices({ drawn, highlighted }: View): void {
-    this.dots = null;
+  private showVertices({ drawn, highlighted }: View): void {
+    const count = drawn.vertices.length;
     const groups: [boolean, number, number][] = [
-      [false, this.theme.vertex, drawn.vertices.length > 1000 ? 1.5 : drawn.vertices.length > 200 ? 3 : 6],
-      [true, this.theme.highlight, drawn.vertices.length > 1000 ? 5 : 11],
+      [false, this.theme.vertex, count > 1000 ? 1.5 : count > 200 ? 3 : 6],
+      [true, this.theme.highlight, count > 1000 ? 5 : 11],
     ];
-    for (const [bright, colour, size] of groups) {
-      const some = drawn.vertices.filter(({ cell }) => highlighted.has(cell) === bright);
-      if (some.length > 0) {
-        const dots = pointsAt(some.map(({ at }) => at), colour, size * this.renderer.getPixelRatio());
-        this.add(dots, 3);
-      }
-    }
-    const all = pointsAt(drawn.vertices.map(({ at }) => at), 0, 1);
-    all.updateMatrixWorld();
-    this.dotCells = drawn.vertices.map(({ cell }) => cell);
-    this.dots = all; // not drawn: only to be found
+    const parts = groups.flatMap(([bright, colour, size]) => {
+      const some = drawn.vertices.filter(({ cell }) => highlighted.has(cell) === bright).map(({ at }) => at);
+      return some.length > 0 ? [dotsPart(flatPoints(some), colour, size)] : [];
+    });
+    this.put("vertices", parts, 3);
   }
 
-  private addOverlay({ generator, colour, points, paths, faces }: Overlay): void {
+  private showOverlays(overlays: readonly Overlay[]): void {
     const radius = this.ball.radius * 0.014;
-    if (faces.length > 0) {
-      const buffers = faceBuffers(faces, () => rgb(colour));
-      this.add(new Mesh(faceGeometry(buffers), surface(0.55, false)), 4, generator);
+    const patches: Object3D[] = [];
+    const bars: Object3D[] = [];
+    for (const { colour, points, paths, faces } of overlays) {
+      if (faces.length > 0) {
+        patches.push(facesPart(faceBuffers(faces, () => rgb(colour)), 0.55, false));
+      }
+      const joints = [...paths.flat(), ...points];
+      const isPoints = points.length > 0 && paths.length === 0;
+      bars.push(tubesPart(segmentsOf(paths), radius, colour), ballsPart(joints, isPoints ? radius * 2.2 : radius, colour));
     }
-    const segments = paths.flatMap((path) => path.slice(1).map((end, k) => [path[k], end] as const));
-    this.addTubes(segments, radius, colour, generator);
-    const joints = [...paths.flat(), ...points];
-    this.addBalls(joints, points.length > 0 && paths.length === 0 ? radius * 2.2 : radius, colour, generator);
-  }
-
-  private addTubes(segments: (readonly [Vec, Vec])[], radius: number, colour: number, generator: number): void {
-    const material = new MeshLambertMaterial({ color: colour });
-    const tubes = new InstancedMesh(new CylinderGeometry(1, 1, 1, 10, 1, true), material, segments.length);
-    const up = new Vector3(0, 1, 0);
-    segments.forEach(([from, to], k) => {
-      const [a, b] = [new Vector3(...from), new Vector3(...to)];
-      const line = b.clone().sub(a);
-      const size = line.length();
-      const turn = new Quaternion().setFromUnitVectors(up, line.normalize());
-      tubes.setMatrixAt(k, new Matrix4().compose(a.add(b).multiplyScalar(0.5), turn, new Vector3(radius, size, radius)));
+    this.put("patches", patches, 4);
+    this.put("bars", bars, 5);
+    const known = overlays.filter(({ generator }) => generator >= 0);
+    const of = <T>(items: (overlay: Overlay) => readonly T[]) => known.map((overlay) => [overlay.generator, items(overlay)] as const);
+    const repeated = <T>(lists: (readonly [number, readonly T[]])[]) => lists.flatMap(([generator, list]) => list.map(() => generator));
+    const points = of(({ points }) => points);
+    const segments = of(({ paths }) => segmentsOf(paths));
+    const triangles = of(({ faces }) => faces.flatMap(({ triangles }) => triangles));
+    this.setChains({
+      points: flatPoints(points.flatMap(([, list]) => list)),
+      pointCells: repeated(points),
+      segments: flatPoints(segments.flatMap(([, list]) => list).flat()),
+      segmentCells: repeated(segments),
+      triangles: flatPoints(triangles.flatMap(([, list]) => list)),
+      triangleCells: repeated(triangles).filter((_, k) => k % 3 === 0),
     });
-    this.add(tubes, 5, generator);
-  }
-
-  private addBalls(centres: readonly Vec[], radius: number, colour: number, generator: number): void {
-    const balls = new InstancedMesh(new SphereGeometry(1, 12, 8), new MeshLambertMaterial({ color: colour }), centres.length);
-    centres.forEach((at, k) => {
-      balls.setMatrixAt(k, new Matrix4().makeScale(radius, radius, radius).setPosition(...(at as [number, number, number])));
-    });
-    this.add(balls, 5, generator);
   }
 }
-
-function faceGeometry({ positions, normals, colours }: FaceBuffers): BufferGeometry {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(positions, 3));
-  geometry.setAttribute("normal", new BufferAttribute(normals, 3));
-  geometry.setAttribute("color", new BufferAttribute(colours, 3));
-  return geometry;
-}
-
-function surface(opacity: number, pushesBack: boolean): MeshLambertMaterial {
-  return new MeshLambertMaterial({
-    vertexColors: true,
-    side: DoubleSide,
-    transparent: opacity < 1,
-    opacity,
-    depthWrite: opacity >= 1,
-    polygonOffset: true,
-    polygonOffsetFactor: pushesBack ? 1 : -1,
-    polygonOffsetUnits: pushesBack ? 1 : -1,
-  });
-}
-
-function pointsAt(places: readonly Vec[], colour: number, size: number): Points {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(new Float32Array(places.flat()), 3));
-  return new Points(geometry, new PointsMaterial({ color: colour, size, sizeAttenuation: false }));
-}
-

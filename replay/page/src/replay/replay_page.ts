@@ -31,6 +31,7 @@ export class ReplayPage {
   private theme: Theme;
   private chosen: number[] = [];
   private live: LivePanel | null = null;
+  private isSlow = false;
   private drawn: Drawn;
 
   constructor(private readonly data: Data) {
@@ -105,7 +106,10 @@ export class ReplayPage {
 
   private makePicture(): Picture | null {
     try {
-      return new Picture(get("canvas"), this.theme);
+      return new Picture(get("canvas"), this.theme, () => {
+        this.isSlow = true;
+        this.updateTexts(this.player.steps);
+      });
     } catch (error) {
       get<HTMLElement>("nopicture").hidden = false;
       return null; // all else works without
@@ -239,7 +243,8 @@ export class ReplayPage {
         return item;
       }),
     );
-    const unshown = this.drawn.missing > 0 ? ` ${this.drawn.missing} of the cells cannot be drawn.` : "";
+    const missing = this.drawn.missing > 0 ? ` ${this.drawn.missing} of the cells cannot be drawn.` : "";
+    const unshown = missing + (this.isSlow ? " Edges are not drawn while the object turns, as there are many." : "");
     get("cells").textContent = `${cellsText(numbers.cells)}; Euler characteristic ${numbers.euler}`;
     get("unshown").textContent = unshown;
     get("canvas").setAttribute("aria-label", `The object after step ${steps}: ${cellsText(numbers.cells)}.${unshown}`);

@@ -126,6 +126,19 @@ export const short = {
     assert.deepEqual(wrong, []);
     await close();
   },
+  async "a click says which face, edge or vertex it meets"(browser) {
+    const { page, wrong, close } = await opened(browser, join(browser.examples, "torus.jsonl"));
+    await page.locator("#slider").fill("1");
+    const { x, y, width, height } = await page.locator("#canvas").boundingBox();
+    const met = new Set();
+    for (let k = 0; k < 60 && !(met.has("edge") && met.has("square")); ++k) {
+      await page.mouse.click(x + (width * (k + 0.5)) / 60, y + height / 2);
+      met.add((await page.locator("#cell").textContent()).split(" ")[0]);
+    }
+    assert.ok(met.has("edge") && met.has("square"), [...met].join());
+    assert.deepEqual(wrong, []);
+    await close();
+  },
   async "what a script says is text on the page, whatever it says"(browser) {
     const bad = "</script><script>document.title='broken'</script><img src=x onerror=alert(1)>";
     const script = browser.file("bad.jsonl");

@@ -1,0 +1,35 @@
+import assert from "node:assert/strict";
+import { mock, test } from "node:test";
+import { Motion } from "../src/motion.ts";
+
+function moved(gap: number, frames: number) {
+  let [rests, slows] = [0, 0];
+  const motion = new Motion(() => ++rests, () => ++slows);
+  for (let k = 0; k < frames; ++k) {
+    motion.frame(1000 + k * gap);
+  }
+  return { motion, counts: () => [rests, slows] };
+}
+
+test("what takes long is slow from then on, and is said once", () => {
+  const { motion, counts } = moved(50, 30);
+  assert.ok(motion.isSlow && motion.isMoving);
+  assert.deepEqual(counts(), [0, 1]);
+});
+
+test("what is fluid is not slow, nor is a single pause", () => {
+  const { motion } = moved(16, 30);
+  motion.frame(9000);
+  assert.ok(!motion.isSlow);
+});
+
+test("motion ends a while after the last frame", () => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const { motion, counts } = moved(16, 3);
+  mock.timers.tick(200);
+  assert.ok(motion.isMoving);
+  mock.timers.tick(100);
+  assert.ok(!motion.isMoving);
+  assert.deepEqual(counts(), [1, 0]);
+  mock.timers.reset();
+});
