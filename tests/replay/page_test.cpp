@@ -396,6 +396,7 @@ TEST_CASE("a page may ask the server that it comes from, and one from a disk nob
   replay::write_page_file(server, "{}", replay::PageFrom::server);
   CHECK_THAT(disk.str(), !Contains("connect-src"));
   CHECK_THAT(server.str(), Contains("default-src 'none'; connect-src 'self'; script-src 'sha256-"));
+}
 
 TEST_CASE("long lists of numbers are packed as the bytes that they are") {
   const auto packed = [](const auto& numbers) {
