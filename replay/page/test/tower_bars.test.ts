@@ -13,6 +13,11 @@ test("numbers are put in order as by a comparison, equal ones as they stand", ()
   const expected = [...numbers.keys()].sort((a, b) => (numbers[a] < numbers[b] ? -1 : numbers[a] > numbers[b] ? 1 : a - b));
   assert.deepEqual([...orderBy(numbers)], expected);
   assert.deepEqual([...orderBy(new Float64Array())], []);
+  for (const [low, high] of [[-5, 5], [-40000, 40000], [-2147483648, 2147483646], [-2147483648, 2147483648], [1e15, 1e15 + 9]]) {
+    const whole = Float64Array.from({ length: 2000 }, () => Math.floor(low + random() * (high - low)));
+    whole.set([low, high, low]);
+    assert.deepEqual([...orderBy(whole)], [...whole.keys()].sort((a, b) => whole[a] - whole[b] || a - b));
+  }
 });
 
 test("births and lengths are read as what they are more than the one before", () => {

@@ -76,11 +76,27 @@ export class Bars {
 
   /** The longest first; of equal length in their order. */
   byLength(): Uint32Array {
-    const negative = new Float64Array(this.count);
-    for (let bar = 0; bar < this.count; ++bar) {
-      negative[bar] = this.births[bar] - this.deaths[bar];
+    const order = new Uint32Array(this.count);
+    let at = 0;
+    for (const { open, end } of this.parts) {
+      for (let bar = open; bar < end; ++bar) {
+        order[at++] = bar;
+      }
     }
-    return orderBy(negative);
+    // Of those that end: infinite numbers among them would keep the others from being whole.
+    const ended = new Uint32Array(this.count - at);
+    const negative = new Float64Array(this.count - at);
+    let next = 0;
+    for (const { first, open } of this.parts) {
+      for (let bar = first; bar < open; ++bar) {
+        ended[next] = bar;
+        negative[next++] = this.births[bar] - this.deaths[bar];
+      }
+    }
+    for (const k of orderBy(negative)) {
+      order[at++] = ended[k];
+    }
+    return order;
   }
 
   /** From the first birth to the last birth or end, of all or of those with a 1. */

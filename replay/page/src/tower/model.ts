@@ -50,10 +50,11 @@ export class Model {
       this.allRange = widened(this.bars.range(), 0.02);
     }
     this.classes = new Map(data.classes.map((each) => [each.bar, each]));
-    this.kept = new Uint8Array(this.bars.count);
+    this.kept = new Uint8Array(this.bars.count).fill(1);
+    this.keptOf = this.bars.parts.map(({ first, end }) => end - first);
+    this.keptCount = this.bars.count;
     this.rows = this.allRows;
     this.range = this.allRange;
-    this.setFilter(noFilter);
   }
 
   get isFiltered(): boolean {

@@ -34,6 +34,8 @@ export class TowerPage {
   private readonly space: SpacePanel | null;
   private readonly scheme = matchMedia("(prefers-color-scheme: dark)");
   private due: Due | null = null;
+  /** For which everything is drawn. */
+  private width = 0;
   private resting: ReturnType<typeof setTimeout> | undefined;
   /** How long it took to draw with a filter the last time, in ms. */
   private cost = 0;
@@ -61,7 +63,7 @@ export class TowerPage {
       this.space?.setTheme(this.scheme.matches);
       this.request({ draw: true });
     });
-    new ResizeObserver(() => this.request({ draw: true })).observe(get("plots"));
+    new ResizeObserver(() => this.width !== get("plots").clientWidth && this.request({ draw: true })).observe(get("plots"));
     this.filters.update();
     this.details.update();
     this.table.reset();
@@ -173,6 +175,7 @@ export class TowerPage {
   }
 
   private draw(): void {
+    this.width = get("plots").clientWidth;
     this.views.forEach((view) => view.draw(this.inks));
   }
 
