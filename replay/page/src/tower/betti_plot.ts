@@ -66,12 +66,13 @@ export class BettiPlot implements Plot {
 
   mark(paper: Paper, model: Model, inks: Inks): void {
     markTimes(paper, this.box, this.x, model, inks);
-    for (const [bar, width] of [[model.hovered, 2], [model.chosen, 4]] as const) {
+    const y = this.box.bottom + 4;
+    for (const [bar, width] of [[model.hovered, 2], [model.chosen, 3]] as const) {
       if (bar >= 0 && model.kept[bar]) {
-        // A bar has no place among the curves but on their axis.
+        // A bar has no place among the curves but below their axis.
         const [from, to] = [model.bars.births[bar], model.bars.deaths[bar]].map((time) => Math.min(Math.max(this.x.at(time), this.box.left), this.box.right));
-        paper.line([from - 1.5, this.box.bottom, to + 1.5, this.box.bottom], inks.text, width + 3);
-        paper.line([from, this.box.bottom, to, this.box.bottom], inkOf(inks, model.bars.dimension(bar)), width);
+        paper.line([from - 1, y, to + 1, y], inks.text, width + 2);
+        paper.line([from, y, to, y], inkOf(inks, model.bars.dimension(bar)), width);
       }
     }
   }
