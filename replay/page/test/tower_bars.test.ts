@@ -117,6 +117,7 @@ test("a filter is said in words", () => {
 test("a model lists the longest of the bars that are kept, and knows their places", () => {
   const model = new Model(towerData(randomLists(50, 9)));
   model.setFilter({ ...noFilter, alive: [10, 12], open: false });
+  assert.equal(model.filterText(), `${model.keptCount} of 110 bars: alive at a time from 10 to 12; none that never end`);
   const list = model.longest(0, 1000);
   assert.equal(list.length, model.keptCount);
   assert.ok(model.keptCount > 20 && model.keptCount < model.bars.count);

@@ -1,9 +1,9 @@
 /** The dimensions, and number fields that say which bars are looked at. */
 import { button } from "../elements.ts";
-import { everything, type Filter, filterText, type Interval, noFilter } from "./filter.ts";
+import { everything, type Filter, type Interval, noFilter } from "./filter.ts";
 import { dimensionMark } from "./marks.ts";
 import type { Model } from "./model.ts";
-import { counted, shortNumber, withSeparators } from "./numbers.ts";
+import { shortNumber, withSeparators } from "./numbers.ts";
 
 type Ranged = "length" | "birth" | "death" | "alive";
 
@@ -43,7 +43,7 @@ export class FilterPanel {
 
   /** After the filter has changed. */
   update(): void {
-    const { filter, bars, keptOf, keptCount, times } = this.model;
+    const { filter, bars, keptOf, times } = this.model;
     bars.parts.forEach(({ dim }, k) => {
       const { box, kept } = this.boxes.get(dim)!;
       box.checked = !filter.without.has(dim);
@@ -59,8 +59,7 @@ export class FilterPanel {
       });
     }
     this.open.checked = filter.open;
-    const said = filterText(filter, (x) => times.text(x), shortNumber);
-    this.summary.textContent = said ? `${withSeparators(keptCount)} of ${counted(bars.count, "bar")}: ${said}` : `all of ${counted(bars.count, "bar")}`;
+    this.summary.textContent = this.model.filterText();
   }
 
   private fillTable(table: HTMLTableElement): void {

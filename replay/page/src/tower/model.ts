@@ -2,8 +2,8 @@
 import { Bars, joined } from "./bars.ts";
 import { BettiCurves } from "./betti.ts";
 import type { BarClass, Data } from "./data.ts";
-import { apply, type Filter, isPlain, noFilter } from "./filter.ts";
-import { type Range, Times, widened } from "./numbers.ts";
+import { apply, type Filter, filterText, isPlain, noFilter } from "./filter.ts";
+import { counted, type Range, shortNumber, Times, widened, withSeparators } from "./numbers.ts";
 
 export class Model {
   readonly bars: Bars;
@@ -89,6 +89,12 @@ export class Model {
   /** Axes for what is kept, or for all. Not while somebody drags: what he points at would move. */
   setRange(): void {
     this.range = this.fits && this.keptCount > 0 ? widened(this.bars.range(this.kept), 0.02) : this.allRange;
+  }
+
+  /** "4 of 16 bars: alive at a time from 5 to 7". */
+  filterText(): string {
+    const said = filterText(this.filter, (x) => this.times.text(x), shortNumber);
+    return said ? `${withSeparators(this.keptCount)} of ${counted(this.bars.count, "bar")}: ${said}` : `all of ${counted(this.bars.count, "bar")}`;
   }
 
   /** All bars, the longest first. */

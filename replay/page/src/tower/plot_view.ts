@@ -80,7 +80,8 @@ export class PlotView {
       this.plot.mark(paper, this.model, lightInks);
       Object.assign(this.model, { time, hovered });
     }
-    return paper.file(this.size.width, this.size.height, `${this.name}: ${this.model.data.title}`);
+    const said = [...this.model.data.facts, this.model.filterText(), this.plot.note()].filter(Boolean);
+    return paper.file(this.size.width, this.size.height, `${this.name}: ${this.model.data.title}`, said.join("; "));
   }
 
   private save(): void {

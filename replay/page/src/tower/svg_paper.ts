@@ -78,11 +78,11 @@ export class SvgPaper implements Paper {
     });
   }
 
-  /** The whole file. */
-  file(width: number, height: number, title: string): string {
+  /** The whole file. What the description says is not drawn. */
+  file(width: number, height: number, title: string, description = ""): string {
     return (
       `<?xml version="1.0" encoding="UTF-8"?>\n<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${px(width)} ${px(height)}" width="${px(width)}" ` +
-      `height="${px(height)}" font-family="${escaped(family)}" role="img">\n<title>${escaped(title)}</title>\n${this.parts.join("\n")}\n</svg>\n`
+      `height="${px(height)}" font-family="${escaped(family)}" role="img">\n<title>${escaped(title)}</title>\n${description ? `<desc>${escaped(description)}</desc>\n` : ""}${this.parts.join("\n")}\n</svg>\n`
     );
   }
 

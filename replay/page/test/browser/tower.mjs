@@ -209,6 +209,7 @@ export const short = {
       const svg = readFileSync(await download.path(), "utf8");
       assert.match(svg, /^<\?xml version="1\.0" encoding="UTF-8"\?>\n<svg xmlns="http:\/\/www\.w3\.org\/2000\/svg"/);
       assert.match(svg, />H1<\/text>/);
+      assert.match(svg, /<desc>coefficients Z\/2; 41 operations; .*; all of 16 bars<\/desc>/);
       assert.ok(svg.includes("#0072b2") && svg.includes('fill="#ffffff"'), "on white paper, whatever the page is");
       assert.equal(await page.evaluate((text) => new DOMParser().parseFromString(text, "image/svg+xml").querySelector("parsererror")?.textContent ?? "", svg), "");
     }
