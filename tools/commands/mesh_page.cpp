@@ -69,6 +69,7 @@ class PageWriter {
     write_groups();
     write_geometry();
     write_places();
+    write_meetings();
     write_faces();
     write_generators();
     out_.end_object();
@@ -206,6 +207,30 @@ class PageWriter {
     out_.key("reversed_edges");
     write_edges(places.reversed_edges);
     out_.end_object();
+  }
+
+  void write_meetings() {
+    const auto& meetings = found_.meetings.meetings;
+    out_.field("meetings_in_all", meetings.size());
+    out_.field("meetings_complete", found_.meetings.is_complete);
+    out_.key("meetings");
+    out_.begin_list();
+    for (std::size_t k = 0; k < std::min(meetings.size(), options_.limits.meetings); ++k) {
+      out_.begin_object();
+      out_.field("faces", meetings[k].faces);
+      out_.field("crosses", meetings[k].crosses);
+      out_.key("place");
+      out_.list_of(placed(meetings[k].place, 0), placed(meetings[k].place, 1), placed(meetings[k].place, 2));
+      out_.key("corners");
+      out_.begin_list();
+      for (const std::uint32_t face : meetings[k].faces) {
+        const auto here = std::lower_bound(parts_.face_in_file.begin(), parts_.face_in_file.end(), face);
+        out_.value(parts_.polygons.faces[static_cast<std::size_t>(here - parts_.face_in_file.begin())]);
+      }
+      out_.end_list();
+      out_.end_object();
+    }
+    out_.end_list();
   }
 
   /// Faces of the file that are none of the mesh, or are folded, and where.

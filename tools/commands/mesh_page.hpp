@@ -17,7 +17,8 @@ struct MeshPageLimits {
   std::size_t edges = 2'000'000;      ///< of all loops together
   std::size_t surfaces = 500;
   std::size_t components = 1'000;
-  std::size_t faces = 1'000;  ///< that are left out of the mesh or folded, of each kind
+  std::size_t meetings = 1'000;  ///< pairs of faces that meet
+  std::size_t faces = 1'000;     ///< that are left out of the mesh or folded, of each kind
 };
 
 struct MeshPageOptions {

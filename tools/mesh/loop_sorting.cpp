@@ -81,8 +81,12 @@ bool is_projection(const LinkingForm& form, const Matrix<Integers>& matrix) {
 
 class Sorting {
  public:
-  Sorting(const Mesh& mesh, const Validity& validity)
-      : mesh_{mesh}, validity_{validity}, incidence_{incidence_of(mesh)}, points_{within_one(mesh.points)} {}
+  Sorting(const Mesh& mesh, const KnownOfMesh& known)
+      : mesh_{mesh},
+        validity_{known.validity},
+        meetings_{known.meetings},
+        incidence_{incidence_of(mesh)},
+        points_{within_one(mesh.points)} {}
 
   LoopSorting run() {
     const Parts parts = connected_parts(mesh_.points.size(), incidence_.edges);
@@ -94,6 +98,7 @@ class Sorting {
     for (HalfOfLoops* half : {&found_.handles, &found_.tunnels}) {
       half->coordinates.of_edge.resize(incidence_.edges.size());
     }
+    const std::vector<std::string> crossings = crossings_of(parts);
     const ExactSigns signs(points_);
     const EdgeGraph graph(points_, incidence_.edges);
     SurfaceCutter cutter(mesh_, incidence_, graph, signs, points_);
@@ -105,6 +110,8 @@ class Sorting {
         why_not = !component.is_manifold     ? "it is not a surface, so it has no inside"
                   : !component.is_orientable ? "it is not orientable, so it has no inside"
                                              : "it has a boundary, so it has no inside";
+      } else if (*genus > 0 && !crossings[part].empty()) {
+        why_not = crossings[part];
       } else if (*genus > most_handles) {
         why_not = "it has more than " + std::to_string(most_handles) + " handles";
       } else if (*genus > 0) {
@@ -123,6 +130,30 @@ class Sorting {
  private:
   // Coordinates of edges that are crossed are long vectors then, and Smith forms large.
   static constexpr long long most_handles = 500;
+
+  /// Of each part that is a surface, what it crosses; empty when nothing.
+  [[nodiscard]] std::vector<std::string> crossings_of(const Parts& parts) const {
+    std::vector<std::string> crossings(parts.count);
+    const auto is_surface = [this](std::uint32_t part) {
+      return validity_.components[part].is_closed() && validity_.components[part].genus();
+    };
+    for (const FaceMeeting& meeting : meetings_.meetings) {
+      const std::uint32_t one = parts.of[mesh_.faces[meeting.faces[0]][0]];
+      const std::uint32_t other = parts.of[mesh_.faces[meeting.faces[1]][0]];
+      if (!meeting.crosses || !is_surface(one) || !is_surface(other)) {
+        continue;
+      }
+      if (one == other) {
+        crossings[one] = "the surface meets itself: some of its faces cross";
+      }
+      for (const auto& [part, by] : {std::pair{one, other}, std::pair{other, one}}) {
+        if (crossings[part].empty()) {
+          crossings[part] = "the surface meets that of component " + std::to_string(by);
+        }
+      }
+    }
+    return crossings;
+  }
 
   /// That of the surface with its points moved a little, each by some part of the shortest edge at it.
   LinkingForm form_of_moved(const CutSystem& system, const std::vector<std::uint32_t>& edges, std::uint32_t part) {
@@ -197,6 +228,7 @@ class Sorting {
 
   const Mesh& mesh_;
   const Validity& validity_;
+  const SelfIntersections& meetings_;
   Incidence incidence_;
   std::vector<Point> points_;
   LoopSorting found_;
@@ -204,6 +236,6 @@ class Sorting {
 
 }  // namespace
 
-LoopSorting sort_loops(const Mesh& mesh, const Validity& validity) { return Sorting{mesh, validity}.run(); }
+LoopSorting sort_loops(const Mesh& mesh, const KnownOfMesh& known) { return Sorting{mesh, known}.run(); }
 
 }  // namespace sesame::tools

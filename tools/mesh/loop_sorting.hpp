@@ -8,6 +8,7 @@
 #include "tools/mesh/cut_system.hpp"
 #include "tools/mesh/linking_form.hpp"
 #include "tools/mesh/mesh.hpp"
+#include "tools/mesh/self_intersections.hpp"
 #include "tools/mesh/short_loops.hpp"
 #include "tools/mesh/validity.hpp"
 
@@ -39,6 +40,12 @@ struct LoopSorting {
   std::vector<std::string> remarks;
 };
 
+/// What was found out about a mesh before its loops are looked for.
+struct KnownOfMesh {
+  const Validity& validity;
+  const SelfIntersections& meetings;
+};
+
 /// What linking numbers say about the classes of a surface, one of which is sorted as above.
 ///
 /// Let S be a closed surface in R^3 of genus g, inside the bounded side of it, x_i and y_j dual bases of H_1(S) (see
@@ -60,11 +67,11 @@ struct LoopSorting {
 /// Inside and outside are meant with respect to each connected part alone, whatever others are in or around it.
 /// Parts that are no closed orientable surfaces have no inside. Where triangles have no area, or sheets touch, so that
 /// there are no linking numbers, they are taken of the surface with its points moved by a millionth of the edges there;
-/// a remark says so. That a surface does not meet itself is assumed, but for
-/// the checks above: one that does, and passes them, is sorted by its linking numbers.
+/// a remark says so. A surface that crosses itself, or another closed one, is not sorted. One that only touches itself
+/// is sorted by its linking numbers if these pass the checks above.
 ///
-/// `mesh`: as normalise leaves it; `validity`: of it, so parts are the same. Cost: see SurfaceCutter and linking_form,
-/// plus a Smith form of a matrix as large as the rank of H_1 of each part.
-[[nodiscard]] LoopSorting sort_loops(const Mesh& mesh, const Validity& validity);
+/// `mesh`: as normalise leaves it; what is known of it is of this mesh, so parts and faces are the same. Cost: see
+/// SurfaceCutter and linking_form, plus a Smith form of a matrix as large as the rank of H_1 of each part.
+[[nodiscard]] LoopSorting sort_loops(const Mesh& mesh, const KnownOfMesh& known);
 
 }  // namespace sesame::tools

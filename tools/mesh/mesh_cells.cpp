@@ -17,7 +17,7 @@ PreparedMesh prepared(const Mesh& mesh) {
   for (std::size_t p = 0; p < mesh.points.size(); ++p) {
     result.polygons.points[p] = {static_cast<double>(p), 0, 0};
   }
-  normalise(result.polygons);
+  normalise(result.polygons, result.face_in_file);
   for (Point& point : result.polygons.points) {
     result.point_in_file.push_back(static_cast<std::uint32_t>(point[0]));
     point = mesh.points[result.point_in_file.back()];

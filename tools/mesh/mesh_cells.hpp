@@ -19,6 +19,7 @@ namespace sesame::tools {
 struct PreparedMesh {
   Mesh polygons;
   std::vector<std::uint32_t> point_in_file;  ///< per point of `polygons`
+  std::vector<std::uint32_t> face_in_file;   ///< per face of `polygons`
   std::size_t points_in_file = 0;
   Mesh triangles;
   std::vector<std::uint32_t> face_of_triangle;  ///< the face of `polygons` that it is a part of

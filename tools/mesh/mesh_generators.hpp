@@ -26,10 +26,10 @@ struct FoundGenerators {
 [[nodiscard]] FoundGenerators components_of(const MeshCells& cells);
 /// H_1: short loops, and the engine's cycles where these do not suffice; finite orders first, then by length. Of closed
 /// surfaces in space as many loops bound inside as outside (see loop_sorting.hpp). `ring`: that of the answer; the
-/// engine's is Z when it is Q. `validity`: of the mesh. Cost: see sort_loops and short_half; short_loops and
+/// engine's is Z when it is Q. `known`: of the mesh. Cost: see sort_loops and short_half; short_loops and
 /// first_homology for all parts when there are some that have no inside.
 [[nodiscard]] FoundGenerators loops_of(const MeshCells& cells, engine::Engine& engine, const sparse::AnyRing& ring,
-                                       const Validity& validity);
+                                       const KnownOfMesh& known);
 /// H_2: the engine's cycles, oriented as the file orients the first of their triangles. Cost: their triangles.
 [[nodiscard]] FoundGenerators surfaces_of(const MeshCells& cells, engine::Engine& engine, const sparse::AnyRing& ring);
 

@@ -38,6 +38,7 @@ Result<MeshHomology> mesh_homology(const Mesh& mesh, const MeshHomologyOptions& 
   result.validity = validate(mesh);
   const PreparedMesh parts = prepared(mesh);
   result.remarks = parts.triangles.remarks;
+  SelfIntersections meetings = self_intersections(parts.polygons);
   auto engine = build(parts.triangles, options);
   if (!engine) {
     return engine.error();
@@ -53,12 +54,18 @@ Result<MeshHomology> mesh_homology(const Mesh& mesh, const MeshHomologyOptions& 
   if (options.generators) {
     const MeshCells cells(parts, result.engine->structure(), options.source);
     add(components_of(cells), result);
-    FoundGenerators loops = loops_of(cells, *result.engine, options.ring, result.validity);
+    FoundGenerators loops = loops_of(cells, *result.engine, options.ring, {result.validity, meetings});
     result.sorting = std::move(loops.sorting);
     std::move(loops.remarks.begin(), loops.remarks.end(), std::back_inserter(result.remarks));
     add(std::move(loops), result);
     add(surfaces_of(cells, *result.engine, options.ring), result);
   }
+  for (FaceMeeting& meeting : meetings.meetings) {
+    for (std::uint32_t& face : meeting.faces) {
+      face = parts.face_in_file[face];
+    }
+  }
+  result.meetings = std::move(meetings);
   return result;
 }
 

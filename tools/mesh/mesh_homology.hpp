@@ -10,6 +10,7 @@
 #include "sparse/result.hpp"
 #include "tools/mesh/loop_sorting.hpp"
 #include "tools/mesh/mesh_generator.hpp"
+#include "tools/mesh/self_intersections.hpp"
 #include "tools/mesh/validity.hpp"
 
 namespace sesame::tools {
@@ -22,6 +23,7 @@ struct MeshHomologyOptions {
 
 struct MeshHomology {
   Validity validity;
+  SelfIntersections meetings;        ///< faces as the file counts them
   std::vector<std::string> remarks;  ///< of cutting polygons and sorting loops
   sparse::AnyRing ring = sparse::Integers{};
   /// The complex, built by the script of `write_complex_script`; over Z when the ring is Q, which forgets the torsion.

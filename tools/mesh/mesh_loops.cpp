@@ -50,17 +50,18 @@ bool may_have_more(const Component& component, const PartSorting& sorting) {
 
 class LoopFinder {
  public:
-  LoopFinder(const MeshCells& cells, engine::Engine& engine, const sparse::AnyRing& ring, const Validity& validity)
+  LoopFinder(const MeshCells& cells, engine::Engine& engine, const sparse::AnyRing& ring, const KnownOfMesh& known)
       : cells_{cells},
         engine_{engine},
         ring_{ring},
-        validity_{validity},
+        known_{known},
+        validity_{known.validity},
         measures_{cells, ring},
         graph_{within_one(cells.mesh().polygons.points), cells.edges()},
         parts_{connected_parts(cells.mesh().triangles.points.size(), incidence_of(cells.mesh().triangles).edges)} {}
 
   FoundGenerators find() {
-    const LoopSorting sorting = sort_loops(cells_.mesh().polygons, validity_);
+    const LoopSorting sorting = sort_loops(cells_.mesh().polygons, known_);
     found_.sorting = sorting.parts;
     found_.remarks = sorting.remarks;
     std::vector<MeshGenerator> free;
@@ -293,6 +294,7 @@ class LoopFinder {
   const MeshCells& cells_;
   engine::Engine& engine_;
   const sparse::AnyRing& ring_;
+  const KnownOfMesh& known_;
   const Validity& validity_;
   ChainMeasures measures_;
   EdgeGraph graph_;
@@ -303,13 +305,13 @@ class LoopFinder {
 }  // namespace
 
 FoundGenerators loops_of(const MeshCells& cells, engine::Engine& engine, const sparse::AnyRing& ring,
-                         const Validity& validity) {
+                         const KnownOfMesh& known) {
   if (cells.edges().empty()) {
     FoundGenerators none;
-    none.sorting.resize(validity.components.size());
+    none.sorting.resize(known.validity.components.size());
     return none;
   }
-  return LoopFinder(cells, engine, ring, validity).find();
+  return LoopFinder(cells, engine, ring, known).find();
 }
 
 }  // namespace sesame::tools

@@ -137,7 +137,7 @@ void to_canonical_cycle(std::span<std::uint32_t> cycle, Corners& scratch) {
   }
 }
 
-void drop_duplicates(Mesh& mesh, Cleaning& cleaning, const std::vector<std::uint32_t>& origin) {
+void drop_duplicates(Mesh& mesh, Cleaning& cleaning, std::vector<std::uint32_t>& origin) {
   const std::size_t count = mesh.faces.size();
   const auto corners = mesh.faces.corners();
   Corners cycles{corners.begin(), corners.end()};
@@ -165,17 +165,20 @@ void drop_duplicates(Mesh& mesh, Cleaning& cleaning, const std::vector<std::uint
 
   Tally duplicates;
   Faces kept;
+  std::vector<std::uint32_t> origin_of_kept;
   for (std::size_t f = 0; f < count; ++f) {
     if (doubled[f]) {
       duplicates.add(origin[f]);
     } else {
       kept.push_face(mesh.faces[f]);
+      origin_of_kept.push_back(origin[f]);
     }
   }
   if (duplicates.faces.empty()) {
     return;
   }
   mesh.faces = std::move(kept);
+  origin = std::move(origin_of_kept);
   cleaning.duplicate_faces = duplicates.count();
   remark(mesh, duplicates, "left out", "duplicate ", "an earlier face has the same corners in the same order");
   cleaning.duplicates = std::move(duplicates.faces);
@@ -262,8 +265,13 @@ void drop_points(Mesh& mesh, Cleaning& cleaning) {
 }  // namespace
 
 Cleaning normalise(Mesh& mesh) {
-  Cleaning cleaning;
   std::vector<std::uint32_t> origin;
+  return normalise(mesh, origin);
+}
+
+Cleaning normalise(Mesh& mesh, std::vector<std::uint32_t>& origin) {
+  Cleaning cleaning;
+  origin.clear();
   mend_faces(mesh, cleaning, origin);
   drop_duplicates(mesh, cleaning, origin);
   drop_lines(mesh, cleaning);

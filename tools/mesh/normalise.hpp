@@ -36,5 +36,7 @@ struct Cleaning {
 ///          points.
 /// Cost     O(n log n) for n corners.
 Cleaning normalise(Mesh& mesh);
+/// The same; `origin`: of each face that is left, which one of the file it is.
+Cleaning normalise(Mesh& mesh, std::vector<std::uint32_t>& origin);
 
 }  // namespace sesame::tools

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { dashed, byLength, LengthScale, shorterThan, sliderSteps } from "../src/mesh/loops.ts";
-import { boxText, componentText, meaningText, numberText, orientationText, pointText, sideMeaning, verdictText, verticesText, vertexText } from "../src/mesh/mesh_text.ts";
+import { boxText, componentText, meaningText, meetingsText, numberText, orientationText, pointText, sideMeaning, verdictText, verticesText, vertexText } from "../src/mesh/mesh_text.ts";
 import { ballOf, placeGroups } from "../src/mesh/places.ts";
 import { remarksOf } from "../src/mesh/remarks.ts";
 import { type Data, type Loop, Mesh } from "../src/mesh/data.ts";
@@ -105,6 +105,17 @@ test("places are listed by kind, each with what is to be marked and seen", () =>
   assert.match(faces.text, /corners 0 1 2$/);
   assert.deepEqual(components.box, [[-1, -1, 0], [1, 1, 0]]);
   assert.ok(Math.abs(ballOf(components.box).radius - Math.SQRT2) < 1e-9);
+});
+
+test("faces that meet are places, with both of them marked", () => {
+  const data = squareMesh();
+  assert.equal(meetingsText(data), "It does not meet itself.");
+  assert.match(meetingsText({ ...data, meetings_complete: false }), /not known/);
+  Object.assign(data, { meetings_in_all: 7, meetings: [{ faces: [0, 1], crosses: true, place: [0, 0, 0], corners: [[0, 1, 2], [0, 2, 3]] }] });
+  const group = placeGroups(data, new Mesh(data))[0];
+  assert.deepEqual([group.title, group.count, group.places.length], ["Faces that meet", 7, 1]);
+  assert.deepEqual([group.places[0].segments.length, group.places[0].title], [12, "faces 0 and 1"]);
+  assert.match(meetingsText(data), /^It meets itself: 7 pairs/);
 });
 
 test("a list of places ends somewhere, and says how many there are", () => {

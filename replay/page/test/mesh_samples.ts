@@ -49,6 +49,9 @@ export function squareMesh(): Data {
       non_manifold_vertices: packedWholes([]),
       reversed_edges: packedWholes([]),
     },
+    meetings_in_all: 0,
+    meetings_complete: true,
+    meetings: [],
     bad_faces: {
       degenerate_in_all: 0,
       degenerate: [],

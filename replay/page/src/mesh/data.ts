@@ -58,6 +58,14 @@ export interface BadFace {
   points: number[];
 }
 
+/** Two faces that have more in common than vertices and edges; corners are points of the page. */
+export interface Meeting {
+  faces: [number, number];
+  crosses: boolean;
+  place: Vec;
+  corners: [number[], number[]];
+}
+
 export interface Data {
   version: string;
   source: string;
@@ -99,6 +107,10 @@ export interface Data {
     non_manifold_vertices: Packed;
     reversed_edges: Packed;
   };
+  meetings_in_all: number;
+  /** False: there were too many pairs of faces to look at. */
+  meetings_complete: boolean;
+  meetings: Meeting[];
   bad_faces: {
     degenerate_in_all: number;
     degenerate: BadFace[];

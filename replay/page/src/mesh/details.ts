@@ -1,7 +1,7 @@
 /** What is said of the thing that is chosen. */
 import { button, copy, paragraph } from "../elements.ts";
 import type { Component, Loop, Mesh, Surface } from "./data.ts";
-import { boxText, counted, numberText, orderText, pointText, sideMeaning, sideText, sizeOfBox, verticesText } from "./mesh_text.ts";
+import { boxText, counted, numberText, orderText, pointText, roundingOfPage, sideMeaning, sideText, sizeOfBox, verticesText } from "./mesh_text.ts";
 import type { Place } from "./places.ts";
 import { lineSwatch } from "./swatch.ts";
 
@@ -79,7 +79,7 @@ export function placeDetails(place: Place, mesh: Mesh, onFly: () => void): Node[
     heading(`${place.title[0].toUpperCase()}${place.title.slice(1)}`),
     list([
       ["what", place.text],
-      ["box", boxText(box)],
+      ["box", boxText(box, roundingOfPage)],
     ]),
     buttons(button("fly to", onFly)),
   ];

@@ -138,7 +138,7 @@ export class Layers {
   }
 
   private drawFaults(): void {
-    const { places } = this.data;
+    const { places, meetings } = this.data;
     const lines = (ends: Uint32Array, colour: number, width: number) => (ends.length > 0 ? [this.lines(ends, colour, width)] : []);
     const parts: Object3D[] = [];
     if (this.switches.boundary) {
@@ -147,6 +147,7 @@ export class Layers {
     if (this.switches.faults) {
       parts.push(...lines(wholes(places.non_manifold_edges), faultColour, 4), ...lines(wholes(places.reversed_edges), faultColour, 3));
       const points = [...wholes(places.non_manifold_vertices)].flatMap((point) => [...this.mesh.at(point)]);
+      points.push(...meetings.flatMap(({ place }) => [...place]));
       parts.push(...(points.length > 0 ? [dotsPart(Float32Array.from(points), faultColour, 9)] : []));
     }
     this.picture.put("faults", parts, 2);
@@ -193,7 +194,7 @@ export class Layers {
     const lines = [...ofColour].filter(([, list]) => list.length > 0);
     this.picture.put("loops", lines.map(([colour, list]) => wideLines(list, colour, isMany ? 1 : 3)), 4);
     // With a rim, as a line may be on a face of its colour.
-    this.picture.put("rims", isMany ? [] : lines.map(([, list]) => wideLines(list, this.theme.background, 5.5)), 3);
+    this.picture.put("rims", isMany ? [] : lines.map(([, list]) => underneath(wideLines(list, this.theme.background, 5.5))), 3);
     this.picture.setChains({ segments: Float32Array.from(segments), segmentCells: cells });
   }
 
@@ -245,6 +246,12 @@ export class Layers {
     }
     this.picture.put("mark", parts, 7);
   }
+}
+
+/** What is drawn later at the same place is in front of it. */
+function underneath(part: Part): Part {
+  (part.material as Material).depthWrite = false;
+  return part;
 }
 
 function onTop<T extends Part | LineSegments | Object3D>(part: T): T {

@@ -10,7 +10,7 @@ import { loopDetails, placeDetails, surfaceDetails } from "./details.ts";
 import { Layers, mostEdgesAtFirst, type Switches } from "./layers.ts";
 import { Listing } from "./listing.ts";
 import { LoopsPanel } from "./loops_panel.ts";
-import { counted, meaningText, numberText, orientationText, vertexText, verdictText } from "./mesh_text.ts";
+import { counted, meaningText, meetingsText, numberText, orientationText, vertexText, verdictText } from "./mesh_text.ts";
 import { ballOf, boxOf, type Place, placeGroups } from "./places.ts";
 import { PlacesPanel } from "./places_panel.ts";
 import { remarksOf } from "./remarks.ts";
@@ -67,7 +67,7 @@ export class MeshPage {
     const hide = (id: string, isHidden: boolean) => (get<HTMLElement>(id).hidden = isHidden);
     const { places } = data;
     hide("boundary-label", data.boundary_loops === 0);
-    hide("faults-label", [places.non_manifold_edges, places.non_manifold_vertices, places.reversed_edges].every(({ data }) => data === ""));
+    hide("faults-label", [places.non_manifold_edges, places.non_manifold_vertices, places.reversed_edges].every(({ data }) => data === "") && data.meetings.length === 0);
     hide("loops-label", data.loops.length === 0);
     hide("colours-label", data.components_in_all < 2);
     get<HTMLInputElement>("show-edges").checked = this.mesh.sides.length / 2 <= mostEdgesAtFirst;
@@ -104,7 +104,7 @@ export class MeshPage {
       }),
     );
     const reversed = wholes(data.places.reversed_edges).length / 2;
-    get("verdict").textContent = `${verdictText(data)} ${orientationText(data, reversed)}`;
+    get("verdict").textContent = `${verdictText(data)} ${orientationText(data, reversed)} ${meetingsText(data)}`;
     get<HTMLElement>("surfaces-section").hidden = data.surfaces.length === 0;
     this.surfaces.fill(
       data.surfaces.map(({ triangles, area, volume }, k) => ({

@@ -2,6 +2,9 @@
 import type { Box, Component, Data, Loop, Measure, Mesh } from "./data.ts";
 import type { Vec } from "../vectors.ts";
 
+/** What coordinates of the page, which are floats, may be off by. */
+export const roundingOfPage = 2e-7;
+
 export function counted(count: number, one: string, many: string): string {
   return `${count} ${count === 1 ? one : many}`;
 }
@@ -12,8 +15,8 @@ export function numberText(x: Measure): string {
 }
 
 /** Coordinates that are zero but for rounding, measured by `size`, read 0. */
-export function pointText(point: Vec, size: number): string {
-  return `(${point.map((x) => numberText(Math.abs(x) < 1e-12 * size ? 0 : Number(x.toPrecision(5)))).join(", ")})`;
+export function pointText(point: Vec, size: number, rounding = 1e-12): string {
+  return `(${point.map((x) => numberText(Math.abs(x) < rounding * size ? 0 : Number(x.toPrecision(5)))).join(", ")})`;
 }
 
 /** The largest coordinate of a box. */
@@ -21,14 +24,25 @@ export function sizeOfBox(box: Box): number {
   return Math.max(...box.flat().map(Math.abs));
 }
 
-export function boxText(box: Box): string {
+export function boxText(box: Box, rounding = 1e-12): string {
   const size = sizeOfBox(box);
-  return `${pointText(box[0], size)} to ${pointText(box[1], size)}`;
+  return `${pointText(box[0], size, rounding)} to ${pointText(box[1], size, rounding)}`;
 }
 
 export function verdictText(data: Data): string {
   const what = !data.manifold ? "Not a surface" : data.closed ? "A closed surface" : "A surface with boundary";
   return `${what}, ${counted(data.components_in_all, "component", "components")}.`;
+}
+
+export function meetingsText(data: Data): string {
+  const { meetings_in_all: count, meetings_complete: isComplete } = data;
+  if (data.faces === 0) {
+    return "";
+  }
+  if (count === 0) {
+    return isComplete ? "It does not meet itself." : "Whether it meets itself is not known: too many faces are near each other.";
+  }
+  return `It meets itself: ${isComplete ? "" : "at least "}${counted(count, "pair of faces has", "pairs of faces have")} more in common than vertices and edges.`;
 }
 
 export function orientationText(data: Data, reversed: number): string {
@@ -103,5 +117,5 @@ export function vertexText(point: number, mesh: Mesh): string {
   const place = mesh.toFile(mesh.at(point));
   const size = Math.max(...place.map(Math.abs));
   const name = mesh.isMade(point) ? "point in the middle of a polygon" : `vertex ${mesh.inFile(point)}`;
-  return `${name} at ${pointText(place, size)}`;
+  return `${name} at ${pointText(place, size, roundingOfPage)}`;
 }

@@ -47,9 +47,9 @@ class PlaceList {
 
   constructor(private readonly data: Data, private readonly mesh: Mesh) {}
 
-  private add(title: string, count: number, makes: (k: number) => Omit<Place, "box"> & { box?: [Vec, Vec] }): void {
+  private add(title: string, count: number, makes: (k: number) => Omit<Place, "box"> & { box?: [Vec, Vec] }, there = Infinity): void {
     if (count > 0) {
-      const places = Array.from({ length: Math.min(count, mostListed) }, (_, k) => {
+      const places = Array.from({ length: Math.min(count, mostListed, there) }, (_, k) => {
         const place = makes(k);
         return { ...place, box: place.box ?? boxOf([...place.points, ...place.segments]) };
       });
@@ -98,7 +98,17 @@ class PlaceList {
       const at = corners.map((_, c) => points.slice(3 * c, 3 * c + 3) as unknown as Vec);
       const segments = at.flatMap((from, c) => [from, at[(c + 1) % at.length]]);
       return { kind: "face", title: `face ${face}`, text: `${text}; corners ${corners.join(" ")}`, points: at, segments };
-    });
+    }, faces.length);
+  }
+
+  meetings(): void {
+    const { meetings, meetings_in_all, meetings_complete } = this.data;
+    this.add(`Faces that meet${meetings_complete ? "" : " (not all pairs could be looked at)"}`, meetings_in_all, (k) => {
+      const { faces, crosses, place, corners } = meetings[k];
+      const segments = corners.flatMap((face) => face.flatMap((point, c) => [this.mesh.at(point), this.mesh.at(face[(c + 1) % face.length])]));
+      const text = crosses ? "one goes through the other" : "they touch, or lie on each other";
+      return { kind: "meeting", title: `faces ${faces.join(" and ")}`, text, points: [place], segments };
+    }, meetings.length);
   }
 
   components(): void {
@@ -110,7 +120,7 @@ class PlaceList {
       points: [],
       segments: [],
       box: components[k].box.map((corner) => this.mesh.fromFile(corner)) as [Vec, Vec],
-    }));
+    }), components.length);
   }
 }
 
@@ -120,6 +130,7 @@ export function placeGroups(data: Data, mesh: Mesh): PlaceGroup[] {
   const { places, bad_faces: bad } = data;
   list.edges("Edges on more than two faces", "edge", wholes(places.non_manifold_edges), "more than two faces meet");
   list.vertices("Vertices where sheets touch", wholes(places.non_manifold_vertices), "the faces around it are not one disc or fan");
+  list.meetings();
   list.boundary(wholes(places.boundary), wholes(places.boundary_loop));
   list.edges("Edges across which faces disagree", "reversed", wholes(places.reversed_edges), "its two faces run along it in one direction");
   list.edges("Edges on no face", "line", wholes(places.lines), "a line");

@@ -156,6 +156,23 @@ export const short = {
     assert.deepEqual(wrong, []);
     await close();
   },
+  async "faces that meet are places, as many as the program reports, and take the sides of loops away"(browser) {
+    const { page, wrong, report, loops, close } = await opened(browser, torus(torus(), [0.31, 0.17, 0.23]));
+    const { self_intersections: count, first_self_intersections: first } = report.validity;
+    assert.ok(count > 0 && loops.every(({ loop }) => loop === null));
+    assert.match(await page.locator("#verdict").textContent(), new RegExp(`It meets itself: ${count} pairs of faces`));
+    const head = page.locator("#places .places-head").filter({ hasText: "Faces that meet" });
+    assert.match(await head.textContent(), new RegExp(`: ${count}\\b`));
+    const row = page.locator("#places [role=option]").first();
+    assert.match(await row.textContent(), new RegExp(`^faces ${first[0].faces.join(" and ")}`));
+    await row.click();
+    await page.waitForTimeout(1200);
+    await browser.shot(page, "mesh_meeting");
+    await rows(page).first().click();
+    assert.match(await page.locator("#chosen").textContent(), /no side: the surface meets that of component 1/);
+    assert.deepEqual(wrong, []);
+    await close();
+  },
   async "it fits on a phone, and what a file is called is text"(browser) {
     const name = "<img src=x onerror=alert(1)>.off";
     const { page, wrong, close } = await opened(browser, torus(), [], { viewport: { width: 390, height: 800 } }, name);
