@@ -68,6 +68,8 @@ class SharedReplay {
 };
 
 /// Keeps a replay open to others while it lives; none when it is null.
+///
+/// Threads: that of the replay.
 class OpenReplay {
  public:
   OpenReplay(SharedReplay* shared, engine::Engine& engine, SharedReplay::Taker taker) : shared_{shared} {
