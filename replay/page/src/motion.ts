@@ -7,6 +7,9 @@ const framesToJudge = 4;
 const rest = 250;
 
 export class Motion {
+  /** The camera moves. */
+  isTurning = false;
+  /** It does, or what is drawn has just been changed. */
   isMoving = false;
   /** Once it was not fluid, it is taken not to be from then on. */
   isSlow = false;
@@ -18,11 +21,11 @@ export class Motion {
 
   /** The camera has moved: a frame is drawn at this time, in milliseconds. */
   frame(now: number): void {
-    if (this.isMoving && now - this.last < 1000) {
+    if (this.isTurning && now - this.last < 1000) {
       this.recent.push(now - this.last);
     }
     this.last = now;
-    this.isMoving = true;
+    this.isTurning = true;
     if (!this.isSlow && this.recent.length >= framesToJudge) {
       const mean = this.recent.reduce((sum, time) => sum + time, 0) / this.recent.length;
       this.recent = [];
@@ -31,6 +34,12 @@ export class Motion {
         this.onSlow();
       }
     }
+    this.stir();
+  }
+
+  /** Something else has changed: a while has to pass until all is at rest. */
+  stir(): void {
+    this.isMoving = true;
     if (this.timer !== null) {
       clearTimeout(this.timer);
     }
@@ -40,6 +49,7 @@ export class Motion {
   private settle(): void {
     this.timer = null;
     this.isMoving = false;
+    this.isTurning = false;
     this.recent = [];
     this.onRest();
   }

@@ -192,6 +192,7 @@ export class Picture {
       this.scene.add(part);
     }
     this.layers.set(layer, parts);
+    this.motion.stir();
     this.request();
   }
 
@@ -274,7 +275,7 @@ export class Picture {
       this.motion.frame(performance.now());
     }
     this.hasMoved = false;
-    const isCoarse = this.motion.isMoving && this.motion.isSlow;
+    const isCoarse = this.motion.isTurning && this.motion.isSlow;
     for (const [name, parts] of this.layers) {
       parts.forEach((part) => (part.visible = !(isCoarse && this.fine.has(name))));
     }

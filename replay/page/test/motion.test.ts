@@ -23,6 +23,22 @@ test("what is fluid is not slow, nor is a single pause", () => {
   assert.ok(!motion.isSlow);
 });
 
+test("a change that is no motion lets nothing be slow, and ends as motion does", () => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  let rests = 0;
+  const motion = new Motion(() => ++rests, () => assert.fail("it is not slow"));
+  motion.stir();
+  assert.ok(motion.isMoving && !motion.isTurning);
+  for (let k = 0; k < 9; ++k) {
+    mock.timers.tick(200);
+    motion.stir();
+  }
+  assert.equal(rests, 0);
+  mock.timers.tick(300);
+  assert.deepEqual([rests, motion.isMoving], [1, false]);
+  mock.timers.reset();
+});
+
 test("motion ends a while after the last frame", () => {
   mock.timers.enable({ apis: ["setTimeout"] });
   const { motion, counts } = moved(16, 3);
