@@ -62,9 +62,11 @@ await page.addInitScript(() => {
     };
   }
 });
+const busyAtFirst = processorTime();
 await page.goto(pathToFileURL(html).href);
 await page.waitForFunction(() => globalThis.counts.frames > 0);
 const opened = await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(performance.now())))));
+const busyWhenOpen = processorTime();
 await (press && page.click(press));
 const box = await page.locator("#canvas").boundingBox();
 const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
@@ -96,6 +98,7 @@ await page.mouse.up();
 const canvas = await page.evaluate(() => [document.getElementById("canvas").width, document.getElementById("canvas").height]);
 console.log(JSON.stringify({
   opened_ms: Math.round(opened),
+  processor_ms_to_open: busyWhenOpen && busyWhenOpen - busyAtFirst,
   frames_per_second: Number(((1000 * (after.frames - before.frames)) / (after.now - before.now)).toFixed(1)),
   processor_ms_per_frame: busyBefore && Number(((busyAfter - busyBefore) / (after.frames - before.frames)).toFixed(1)),
   longest_frame_ms: Math.round(Math.max(...gaps)),
