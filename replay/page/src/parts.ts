@@ -15,11 +15,13 @@ import {
   Points,
   PointsMaterial,
   Quaternion,
+  type ShaderMaterial,
   SphereGeometry,
   type Texture,
   Vector3,
 } from "three";
 import type { FaceBuffers, LineBuffers } from "./buffers.ts";
+import { flatFaces } from "./flat_faces.ts";
 import type { Vec } from "./vectors.ts";
 
 /** Points that several parts have: they stay on the graphics card when one of these is forgotten. */
@@ -74,25 +76,18 @@ export function trianglesPart(points: BufferAttribute, corners: Uint32Array, col
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", points);
   geometry.setIndex(new BufferAttribute(corners, 1));
-  const material = surface(1, pushesBack);
-  material.flatShading = true;
-  material.forceSinglePass = true; // or what is seen through is drawn twice
-  if (typeof colours === "number") {
-    material.vertexColors = false;
-    material.color.set(colours);
-  } else {
+  if (typeof colours !== "number") {
     geometry.setAttribute("color", colours);
   }
-  return new Mesh(geometry, material);
+  return new Mesh(geometry, flatFaces(typeof colours === "number" ? colours : null, pushesBack));
 }
 
 /** As solid as this, from then on. */
 export function setOpacity(part: Mesh, opacity: number): void {
-  const material = part.material as MeshLambertMaterial;
-  material.opacity = opacity;
+  const material = part.material as ShaderMaterial;
+  material.uniforms.opacity.value = opacity;
   material.transparent = opacity < 1;
   material.depthWrite = opacity >= 1;
-  material.needsUpdate = true;
 }
 
 /** Lines of one pixel between points, by number: however many, they cost little. */
