@@ -11,7 +11,8 @@
 namespace sesame::tools {
 namespace {
 
-std::string name_of_source(const ReplayArguments& arguments) {
+/// What a page calls the script.
+std::string name_on_page(const ReplayArguments& arguments) {
   return arguments.file == "-" ? "standard input" : std::filesystem::path(arguments.file).filename().string();
 }
 
@@ -42,7 +43,7 @@ Status PageOutput::write(bool is_interrupted) {
   }
   const std::string notes = is_interrupted ? "The replay was interrupted: later steps are not here." : "";
   write_page(*out_, history_, *arguments_.engine,
-             {header_.title, name_of_source(arguments_), notes, is_interrupted ? nullptr : &stop_requested()});
+             {header_.title, name_on_page(arguments_), notes, is_interrupted ? nullptr : &stop_requested()});
   return files_.commit();
 }
 
@@ -71,7 +72,7 @@ void LivePages::open(const ReplayArguments& arguments, replay::ReplayOptions& op
   if (server_ == nullptr) {
     return;
   }
-  const auto live = std::make_shared<LiveReplay>(name_of_source(arguments), &stop_requested());
+  const auto live = std::make_shared<LiveReplay>(name_on_page(arguments), &stop_requested());
   options.shared = &live->shared;
   options.header = &header_;
   options.observer = [this, &arguments, live](const ops::Operation& operation, const engine::StepReport& report) {
