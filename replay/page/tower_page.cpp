@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <span>
 
@@ -202,6 +203,13 @@ void write_complex(const OperationList& operations, const PointList& points, con
   out.end_object();
 }
 
+/// A page is shown to others, whom the folders of who made it do not concern.
+std::string title_of_page(const TowerPage& page) {
+  Provenance provenance = page.provenance;
+  provenance.source = std::filesystem::path(provenance.source).filename().string();
+  return title_of(provenance, page.options);
+}
+
 }  // namespace
 
 std::string tower_page_data(const TowerPage& page, const TowerPageLimits& limits) {
@@ -213,7 +221,7 @@ std::string tower_page_data(const TowerPage& page, const TowerPageLimits& limits
   out.field("kind", "tower");
   out.field("format", 1);
   out.field("version", SESAME_VERSION);
-  out.field("title", title_of(page.provenance, page.options));
+  out.field("title", title_of_page(page));
   out.field("ring", page.provenance.ring);
   out.field("time_name", page.options.time_name);
   out.field("facts", facts(shown, page.provenance, page.options));

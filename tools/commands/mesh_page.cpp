@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numeric>
 #include <span>
 
@@ -61,7 +62,7 @@ class PageWriter {
     out_.field("kind", "mesh");
     out_.field("format", 1);
     out_.field("version", SESAME_VERSION);
-    out_.field("source", options_.source);
+    out_.field("source", std::filesystem::path(options_.source).filename().string());  // folders concern nobody
     out_.field("stem", name_of_source(options_.source));
     out_.field("ring", sparse::ring_name(found_.ring));
     write_counts();

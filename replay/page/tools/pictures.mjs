@@ -12,7 +12,7 @@ const browser = await Browser.start(sesame, "", folder);
 /** A page as somebody sees it who has chosen something. */
 async function picture(name, words, act) {
   const html = browser.file(`${name}.html`);
-  browser.run(...words, "--quiet", "--html", html);
+  browser.run(...words, "--html", html);
   const { page, wrong, close } = await browser.open(html, { viewport: { width: 1200, height: 800 } });
   await act(page);
   await page.evaluate(() => scrollTo(0, 0));
