@@ -222,13 +222,18 @@ TEST_CASE("operations are shown as they were read", "[replay][page]") {
 TEST_CASE("the page of a tower is one file, and what its texts say cannot end the element that they stand in",
           "[replay][page]") {
   std::ostringstream out;
-  const replay::Provenance bad{"Z/2", 1, "</script><script>alert(1)</script>\x01\xFF"};
+  replay::DrawingOptions options;
+  options.title = "</script><script>alert(1)</script>\x01\xFF";
   const Barcode barcode{{{0, 0, never}}, 0};
-  replay::write_tower_page(out, {barcode, bad, {}});
+  const replay::Provenance provenance{"Z/2", 1, "folder/source"};
+  replay::write_tower_page(out, {barcode, provenance, options});
   const std::string page = out.str();
   const std::string data = page.substr(page.find("id=\"data\">"));
   CHECK_THAT(data.substr(0, data.find("</script>")), Contains("alert(1)"));
   CHECK(std::regex_search(page, std::regex("</html>\\s*$")));
   CHECK_THAT(page, !Contains("src=\"http") && !Contains("@import"));
   CHECK(page.size() < 2'000'000);
+  std::ostringstream named;
+  replay::write_tower_page(named, {barcode, provenance, {}});
+  CHECK_THAT(named.str(), Contains(R"("title":"source")") && !Contains("folder"));
 }
