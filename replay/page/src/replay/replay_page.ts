@@ -29,6 +29,8 @@ export class ReplayPage {
   private readonly chains: ChainPanel;
   private readonly ends: ClassEnds;
   private theme: Theme;
+  /** Of the picture. */
+  private size = "";
   private chosen: number[] = [];
   private live: LivePanel | null = null;
   private isSlow = false;
@@ -310,6 +312,11 @@ export class ReplayPage {
 
   private resize(): void {
     const box = get<HTMLElement>("picture");
+    const size = `${box.clientWidth} x ${box.clientHeight}`;
+    if (size === this.size) {
+      return; // as the observer says first of all
+    }
+    this.size = size;
     this.picture?.resize(box.clientWidth, box.clientHeight);
     this.fit();
     this.drawTimeline();
