@@ -41,6 +41,7 @@ export class Browser {
   async goTo(url, { colorScheme = "light", viewport = { width: 1200, height: 900 }, allowed = (other) => other === url } = {}) {
     const context = await this.chromium.newContext({ colorScheme, viewport });
     const page = await context.newPage();
+    page.setDefaultTimeout(120_000); // machines may be slow, and have other things to do
     const wrong = [];
     page.on("console", (message) => ["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text()) && wrong.push(message.text()));
     page.on("pageerror", (error) => wrong.push(String(error)));
