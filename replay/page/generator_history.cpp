@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 #include <variant>
 
@@ -186,6 +185,7 @@ void GeneratorHistory::record(engine::Engine& engine, Place place, const Writer&
     orders.resize(orders.size() + static_cast<std::size_t>(homology.betti[p]));
     const std::uint64_t room = limits_.generators / dimensions + 1;
     GeneratorOptions options;
+    options.most_terms = std::min(limits_.terms, terms_left);  // a longer one is not even written out
     std::size_t index = 0;
     std::vector<New> added;
     visit_generators(engine, static_cast<int>(p), options, [&](const engine::Generator& generator) {
