@@ -2,22 +2,36 @@
 
 /** Frames that take longer than this on average are not fluid, in milliseconds. */
 const fluid = 28;
+/** There is time for finer ones when they take less than this. */
+const easy = 18;
 const framesToJudge = 4;
 /** The camera has come to rest when it has not moved for so long, in milliseconds. */
 const rest = 250;
+/** How many pixels there are to one of the page each way: the third and fourth only where fewer layers were not enough. */
+const ratios = [1, 1, 0.75, 0.5];
 
 export class Motion {
   /** The camera moves. */
   isTurning = false;
   /** It does, or what is drawn has just been changed. */
   isMoving = false;
-  /** Once it was not fluid, it is taken not to be from then on. */
-  isSlow = false;
+  /** How much is left out: nothing, fine layers, and then pixels too. */
+  private level = 0;
   private last = 0;
   private recent: number[] = [];
   private timer: ReturnType<typeof setTimeout> | null = null;
 
   constructor(private readonly onRest: () => void, private readonly onSlow: () => void) {}
+
+  /** Once it was not fluid, it is taken not to be from then on. */
+  get isSlow(): boolean {
+    return this.level > 0;
+  }
+
+  /** Of pixels while it moves, where the processor draws. */
+  get ratio(): number {
+    return this.isTurning ? ratios[this.level] : 1;
+  }
 
   /** The camera has moved: a frame is drawn at this time, in milliseconds. */
   frame(now: number): void {
@@ -26,18 +40,16 @@ export class Motion {
     }
     this.last = now;
     this.isTurning = true;
-    if (!this.isSlow && this.recent.length >= framesToJudge) {
-      const mean = this.recent.reduce((sum, time) => sum + time, 0) / this.recent.length;
+    if (this.recent.length >= framesToJudge && this.mean > fluid && this.level + 1 < ratios.length) {
       this.recent = [];
-      if (mean > fluid) {
-        this.isSlow = true;
-        this.onSlow();
-      }
+      ++this.level;
+      this.level === 1 && this.onSlow();
     }
+    this.recent.splice(0, this.recent.length - framesToJudge);
     this.stir();
   }
 
-  /** Something else has changed: a while has to pass until all is at rest. */
+  /** Something else has changed, or is on the screen at last: a while has to pass until all is at rest. */
   stir(): void {
     this.isMoving = true;
     if (this.timer !== null) {
@@ -46,10 +58,17 @@ export class Motion {
     this.timer = setTimeout(() => this.settle(), rest);
   }
 
+  private get mean(): number {
+    return this.recent.reduce((sum, time) => sum + time, 0) / this.recent.length;
+  }
+
   private settle(): void {
     this.timer = null;
     this.isMoving = false;
     this.isTurning = false;
+    if (this.level > 1 && this.recent.length >= framesToJudge && this.mean < easy) {
+      --this.level; // finer the next time, not now, or it would go to and fro
+    }
     this.recent = [];
     this.onRest();
   }

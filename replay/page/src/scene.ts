@@ -86,7 +86,12 @@ export class Picture {
 
   /** `onSlow` is called once, when it turns out that fine layers have to be left out while the camera moves. */
   constructor(private readonly canvas: HTMLCanvasElement, private theme: Theme, onSlow: () => void = () => {}) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: !this.isPlain, preserveDrawingBuffer: true });
+    // Nothing shines through, so browsers need not draw what is behind; three.js by itself would ask for a canvas that lets it.
+    const context = canvas.getContext("webgl2", { alpha: false, antialias: !this.isPlain, preserveDrawingBuffer: true });
+    if (!context) {
+      throw new Error("no WebGL");
+    }
+    this.renderer = new WebGLRenderer({ canvas, context });
     this.motion = new Motion(() => this.request(), () => this.fine.size > 0 && onSlow());
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", () => {
@@ -280,7 +285,7 @@ export class Picture {
       parts.forEach((part) => (part.visible = !(isCoarse && this.fine.has(name))));
     }
     // Where lines have rough edges, twice as many pixels make them smooth, once everything rests.
-    const ratio = this.isPlain ? (this.motion.isMoving ? 1 : 2) : Math.min(window.devicePixelRatio, 2);
+    const ratio = this.isPlain ? (this.motion.isMoving ? this.motion.ratio : 2) : Math.min(window.devicePixelRatio, 2);
     if (ratio !== this.renderer.getPixelRatio()) {
       this.renderer.setPixelRatio(ratio);
     }

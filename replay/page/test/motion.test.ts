@@ -17,6 +17,29 @@ test("what takes long is slow from then on, and is said once", () => {
   assert.deepEqual(counts(), [0, 1]);
 });
 
+test("where leaving layers out is not enough, there are fewer pixels while it moves, down to half each way", () => {
+  const ratios = [4, 9, 14, 40].map((frames) => moved(50, frames).motion.ratio);
+  assert.deepEqual(ratios, [1, 0.75, 0.5, 0.5]);
+  assert.equal(moved(16, 40).motion.ratio, 1);
+});
+
+test("at rest there are all pixels, and more of them the next time it moves when there was time left", () => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const { motion } = moved(50, 40);
+  mock.timers.tick(300);
+  assert.equal(motion.ratio, 1);
+  motion.frame(9000);
+  assert.equal(motion.ratio, 0.5);
+  for (let k = 1; k < 9; ++k) {
+    motion.frame(9000 + 10 * k);
+  }
+  assert.equal(motion.ratio, 0.5, "not before it rests");
+  mock.timers.tick(300);
+  motion.frame(12000);
+  assert.ok(motion.ratio === 0.75 && motion.isSlow);
+  mock.timers.reset();
+});
+
 test("what is fluid is not slow, nor is a single pause", () => {
   const { motion } = moved(16, 30);
   motion.frame(9000);
