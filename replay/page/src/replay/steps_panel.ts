@@ -1,5 +1,7 @@
 /** The list of operations, with a search. */
+import { button } from "../elements.ts";
 import { type Data, stepOf } from "./data.ts";
+import { RowList } from "./row_list.ts";
 
 /** Whether a step is what somebody looks for: each of the words is in its number, its name or its text. */
 export function matches(words: readonly string[], number: number, op: string, text: string): boolean {
@@ -12,66 +14,73 @@ export function wordsOf(search: string): string[] {
 }
 
 export class StepsPanel {
-  private rows: { stop: number; row: HTMLLIElement; button: HTMLButtonElement }[] = [];
-  private current: HTMLButtonElement | null = null;
+  private readonly rows: RowList;
+  private stops: readonly number[] = [0];
+  /** Numbers in `stops` of what is listed: all, or what is searched for. */
+  private listed: number[] = [];
+  private now = 0;
 
   constructor(
-    private readonly list: HTMLOListElement,
+    list: HTMLOListElement,
     private readonly search: HTMLInputElement,
     private readonly found: HTMLElement,
     private readonly data: Data,
     stops: readonly number[],
     private readonly onJump: (steps: number) => void,
   ) {
-    search.addEventListener("input", () => this.filter());
+    this.rows = new RowList(list, (index) => this.rowOf(this.listed[index]));
+    search.addEventListener("input", () => this.filter(0));
     this.setStops(stops);
   }
 
   /** The page stops there now: steps at which it does no longer go from the list, others come. */
   setStops(stops: readonly number[]): void {
-    let same = 0;
-    while (same < this.rows.length && this.rows[same].stop === stops[same + 1]) {
-      ++same;
-    }
-    this.rows.splice(same).forEach(({ row }) => row.remove());
-    for (let k = same + 1; k < stops.length; ++k) {
-      const stop = stops[k];
-      const step = stepOf(this.data.steps[stop - 1]);
-      const row = document.createElement("li");
-      const button = document.createElement("button");
-      const parts: [string, string][] = [
-        ["number", String(stop)],
-        ["op", step.op],
-        ["text", this.summary(stop, stops[k - 1])],
-      ];
-      for (const [name, text] of parts) {
-        const part = document.createElement("span");
-        part.className = name;
-        part.textContent = text;
-        button.append(part);
-      }
-      button.type = "button";
-      button.title = step.text;
-      button.addEventListener("click", () => this.onJump(stop));
-      row.append(button);
-      this.list.append(row);
-      this.rows.push({ stop, row, button });
-    }
-    this.filter();
+    const same = stops.findIndex((stop, k) => stop !== this.stops[k]);
+    this.stops = stops;
+    this.filter(same < 0 ? stops.length : same);
   }
 
   setStep(steps: number): void {
-    this.current?.removeAttribute("aria-current");
-    this.current = this.rows.find(({ stop }) => stop === steps)?.button ?? null;
-    this.current?.setAttribute("aria-current", "step");
-    const list = this.current?.closest("ol");
-    if (this.current && list) {
-      // Only the list scrolls, not the page.
-      const [top, height] = [this.current.parentElement!.offsetTop - list.offsetTop, this.current.offsetHeight];
-      if (top < list.scrollTop || top + height > list.scrollTop + list.clientHeight) {
-        list.scrollTop = top - list.clientHeight / 2;
-      }
+    this.mark(false);
+    this.now = steps;
+    const index = this.indexOf(steps);
+    if (index >= 0) {
+      this.rows.bringIntoSight(index);
     }
+    this.mark(true);
+  }
+
+  private indexOf(steps: number): number {
+    return this.listed.findIndex((k) => this.stops[k] === steps);
+  }
+
+  private mark(isCurrent: boolean): void {
+    const button = this.rows.at(this.indexOf(this.now))?.firstElementChild;
+    isCurrent ? button?.setAttribute("aria-current", "step") : button?.removeAttribute("aria-current");
+  }
+
+  private rowOf(k: number): HTMLElement {
+    const stop = this.stops[k];
+    const step = stepOf(this.data.steps[stop - 1]);
+    const row = document.createElement("li");
+    const parts: [string, string][] = [
+      ["number", String(stop)],
+      ["op", step.op],
+      ["text", this.summary(stop, this.stops[k - 1])],
+    ];
+    const made = button("", () => this.onJump(stop));
+    for (const [name, text] of parts) {
+      const part = document.createElement("span");
+      part.className = name;
+      part.textContent = text;
+      made.append(part);
+    }
+    made.title = step.text;
+    if (stop === this.now) {
+      made.setAttribute("aria-current", "step");
+    }
+    row.append(made);
+    return row;
   }
 
   private summary(stop: number, before: number): string {
@@ -81,14 +90,19 @@ export class StepsPanel {
     return (fields === text && text.startsWith(op) ? text.slice(op.length) : fields) + (more > 0 ? ` (and the ${more} steps before)` : "");
   }
 
-  private filter(): void {
+  /** Lists what is searched for. Stops before this number are those of before. */
+  private filter(same: number): void {
     const words = wordsOf(this.search.value);
-    let count = 0;
-    for (const { stop, row } of this.rows) {
-      const { op, text } = stepOf(this.data.steps[stop - 1]);
-      row.hidden = !matches(words, stop, op, text);
-      count += row.hidden ? 0 : 1;
-    }
-    this.found.textContent = words.length > 0 ? `${count} of ${this.rows.length} steps` : `${this.rows.length} steps`;
+    const isListed = (k: number) => {
+      const { op, text } = stepOf(this.data.steps[this.stops[k] - 1]);
+      return words.length === 0 || matches(words, this.stops[k], op, text);
+    };
+    const before = this.listed.findIndex((k) => k >= same);
+    const kept = same > 0 ? this.listed.slice(0, before < 0 ? this.listed.length : before) : [];
+    const from = same > 0 ? same : 1;
+    this.listed = [...kept, ...Array.from({ length: this.stops.length - from }, (_, k) => from + k).filter(isListed)];
+    this.rows.change(this.listed.length, kept.length);
+    const all = this.stops.length - 1;
+    this.found.textContent = words.length > 0 ? `${this.listed.length} of ${all} steps` : `${all} steps`;
   }
 }

@@ -170,6 +170,41 @@ export const short = {
 };
 
 export const long = {
+  async "of a long list there are the rows in sight, and all others come by keys, by the wheel and by a search"(browser) {
+    const script = browser.file("long.jsonl");
+    const steps = 1500;
+    writeFileSync(script, [{ sesame: 1 }, ...Array.from({ length: steps }, (_, k) => ({ op: "insert", simplex: [k] }))].map((line) => JSON.stringify(line)).join("\n"));
+    const { page, wrong, close } = await opened(browser, script);
+    const buttons = page.locator("#steps button");
+    assert.ok((await buttons.count()) < 200, `${await buttons.count()} rows`);
+    const current = page.locator("#steps [aria-current]");
+    assert.match(await current.textContent(), new RegExp(`^${steps}insert`));
+    const row = page.locator("#steps li:has([aria-current])");
+    assert.deepEqual([await row.getAttribute("aria-posinset"), await row.getAttribute("aria-setsize")], [String(steps), String(steps)]);
+    await page.locator("#slider").fill("700");
+    assert.match(await current.textContent(), /^700insert/);
+    assert.ok(await current.isVisible());
+    await current.focus();
+    for (let k = 0; k < 60; ++k) {
+      await page.keyboard.press("Tab");
+    }
+    await page.keyboard.press("Enter");
+    assert.equal(await now(page), `760 of ${steps}`);
+    const box = await page.locator("#steps").boundingBox();
+    await page.mouse.move(box.x + 20, box.y + 20);
+    await page.mouse.wheel(0, -1e6);
+    await page.locator("#steps .number").filter({ hasText: /^1$/ }).click();
+    assert.equal(await now(page), `1 of ${steps}`);
+    await page.fill("#search", "simplex 1234");
+    assert.equal(await page.locator("#found").textContent(), `2 of ${steps} steps`);
+    await buttons.last().click();
+    assert.equal(await now(page), `1235 of ${steps}`);
+    await page.fill("#search", "");
+    await page.keyboard.press("Tab");
+    assert.match(await current.textContent(), /^1235insert/);
+    assert.deepEqual(wrong, []);
+    await close();
+  },
   async "every step has the groups and cells that the program reports"(browser) {
     for (const name of ["projective_plane", "cutting_a_torus", "product_of_circles"]) {
       await comparesEachStep(browser, name);
