@@ -4,7 +4,6 @@ import {
   BufferGeometry,
   CanvasTexture,
   CylinderGeometry,
-  DoubleSide,
   InstancedMesh,
   LineBasicMaterial,
   LineSegments,
@@ -22,7 +21,11 @@ import {
 } from "three";
 import type { FaceBuffers, LineBuffers } from "./buffers.ts";
 import { flatFaces } from "./flat_faces.ts";
+import { litFaces } from "./lit_faces.ts";
 import type { Vec } from "./vectors.ts";
+
+/** Of more triangles than this that are seen through, back sides are not drawn before front sides: which is in front of which is chance anyway. */
+const mostSortedTriangles = 5000;
 
 /** Points that several parts have: they stay on the graphics card when one of these is forgotten. */
 const shared = new WeakSet<object>();
@@ -49,26 +52,23 @@ export function forget(part: Mesh | LineSegments | Points | InstancedMesh): void
   }
 }
 
-export function surface(opacity: number, pushesBack: boolean): MeshLambertMaterial {
-  return new MeshLambertMaterial({
-    vertexColors: true,
-    side: DoubleSide,
-    transparent: opacity < 1,
-    opacity,
-    depthWrite: opacity >= 1,
-    polygonOffset: true,
-    polygonOffsetFactor: pushesBack ? 1 : -1,
-    polygonOffsetUnits: pushesBack ? 1 : -1,
-  });
-}
-
 /** Faces with a normal and a colour at each corner. */
 export function facesPart({ positions, normals, colours }: FaceBuffers, opacity: number, pushesBack: boolean): Mesh {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(positions, 3));
   geometry.setAttribute("normal", new BufferAttribute(normals, 3));
   geometry.setAttribute("color", new BufferAttribute(colours, 3));
-  return new Mesh(geometry, surface(opacity, pushesBack));
+  return new Mesh(geometry, litFaces(opacity, pushesBack, positions.length > 9 * mostSortedTriangles));
+}
+
+/** Stand for many faces that are seen through, thin edges and vertices: the shaders of these are those of any. */
+export function partsOfLargeObjects(): (Mesh | LineSegments | Points)[] {
+  const none = new Float32Array(9);
+  const geometry = new BufferGeometry();
+  for (const name of ["position", "normal", "color"]) {
+    geometry.setAttribute(name, new BufferAttribute(none, 3));
+  }
+  return [new Mesh(geometry, litFaces(0.5, true, true)), colouredLinesPart({ positions: [...none], colours: [...none], cells: [] }, 0.5), dotsPart(none, 0, 1)];
 }
 
 /** Flat triangles that share their points, by number; `colours` of points, or one for all. */
