@@ -1,5 +1,5 @@
 /** When classes come to their ends, and how that is said. */
-import { type AnyStep, type End, stepOf } from "./data.ts";
+import type { AnyStep, End } from "./data.ts";
 
 const sentences: Record<End, string> = {
   bounds: "Its cycle comes to bound with",
@@ -19,7 +19,11 @@ export class ClassEnds {
   /** To be called when there are more steps. */
   grow(): void {
     for (; this.read < this.steps.length; ++this.read) {
-      for (const [number, how] of stepOf(this.steps[this.read]).ended ?? []) {
+      const step = this.steps[this.read];
+      if (typeof step === "number" || !step.ended) {
+        continue; // as most are in a long history
+      }
+      for (const [number, how] of step.ended) {
         const list = this.ends.get(number) ?? [];
         list.push({ step: this.read, how });
         this.ends.set(number, list);

@@ -71,13 +71,13 @@ export interface Curves {
 
 /** `placeOf`: where a current vertex is; `size`: of the object, by which loops are drawn. */
 export function curvesOf(object: ObjectState, edges: readonly number[], placeOf: (vertex: number) => Vec, size: number): Curves {
-  const classes = new Map<string, number[]>();
+  const classes = new Map<number, number[]>();
   const ends = new Map<number, [number, number]>();
   for (const edge of edges) {
     const head = object.face(edge, 0);
     const tail = object.face(edge, 1);
     if (head && tail) {
-      const key = tail.cell < head.cell ? `${tail.cell},${head.cell}` : `${head.cell},${tail.cell}`;
+      const key = Math.min(tail.cell, head.cell) * 2 ** 26 + Math.max(tail.cell, head.cell); // pages have fewer cells
       ends.set(edge, [tail.cell, head.cell]);
       const known = classes.get(key);
       known ? known.push(edge) : classes.set(key, [edge]);

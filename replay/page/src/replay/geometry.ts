@@ -73,24 +73,22 @@ export function skeletonOf(object: ObjectState, cell: number, into: Set<number> 
 /** The connected components: for each current cell a number, that of the largest component being 0. */
 export function componentsOf(object: ObjectState): Map<number, number> {
   const cells = object.currentCells();
-  const parent = new Map(cells.map((cell) => [cell, cell]));
+  const parent = new Int32Array(cells.length > 0 ? cells[cells.length - 1] + 1 : 0).fill(-1);
+  for (const cell of cells) {
+    parent[cell] = cell;
+  }
   const find = (cell: number): number => {
-    let root = cell;
-    while (parent.get(root) !== root) {
-      root = parent.get(root)!;
+    while (parent[cell] !== cell) {
+      parent[cell] = parent[parent[cell]];
+      cell = parent[cell];
     }
-    while (parent.get(cell) !== root) {
-      const next = parent.get(cell)!;
-      parent.set(cell, root);
-      cell = next;
-    }
-    return root;
+    return cell;
   };
   for (const cell of cells) {
     for (let k = 0; k < object.faceCount(cell); ++k) {
       const face = object.face(cell, k);
-      if (face && parent.has(face.cell)) {
-        parent.set(find(face.cell), find(cell));
+      if (face && parent[face.cell] >= 0) {
+        parent[find(face.cell)] = find(cell);
       }
     }
   }

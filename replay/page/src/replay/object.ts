@@ -199,8 +199,11 @@ export class ObjectState {
   }
 
   private carryOut(k: number): void {
-    this.state.fill(isThere, this.firstMade[k], this.firstMade[k + 1]);
     const step = this.data.steps[k];
+    if (step === 0) {
+      return; // as most steps are of which only cells are told that are not shown
+    }
+    this.state.fill(isThere, this.firstMade[k], this.firstMade[k + 1]);
     if (typeof step === "number") {
       return;
     }
