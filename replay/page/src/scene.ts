@@ -12,8 +12,9 @@ import {
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { ballAround, type ColourOf, faceBuffers, flatPoints, lineBuffers, rgb, segmentsOf } from "./buffers.ts";
+import { ballAround, type ColourOf, type FaceBuffers, faceBuffers, flatPoints, lineBuffers, rgb, segmentsOf } from "./buffers.ts";
 import type { Theme } from "./colours.ts";
+import { Drawing } from "./drawing.ts";
 import type { Drawn } from "./drawn.ts";
 import { turnedTowards } from "./flight.ts";
 import { isDrawnByProcessor, Motion } from "./motion.ts";
@@ -65,22 +66,35 @@ const reaches = { segment: 5, point: 8, chain: 9 };
 /** More edges than this are lines of one pixel: wide ones are drawn as faces, which takes many times as long. */
 const mostWideEdges = 3000;
 
+/** More points than this of a fine layer are not in the first picture, where the processor draws. */
+const mostAtFirst = 20_000;
+
+function targetsOf({ vertices, edges }: Drawn, { positions: triangles, cells: triangleCells }: FaceBuffers): Targets {
+  const { positions: segments, cells: segmentCells } = lineBuffers(edges, () => [0, 0, 0]);
+  return { ...noTargets, points: flatPoints(vertices.map(({ at }) => at)), pointCells: vertices.map(({ cell }) => cell), segments, segmentCells, triangles, triangleCells };
+}
+
 export class Picture {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(40, 1, 0.01, 1000);
   private readonly controls: OrbitControls;
   private readonly layers = new Map<string, Object3D[]>();
-  /** Layers that are left out while the camera moves, where they make that slow. */
-  private readonly fine = new Set<string>();
+  /** Layers that are left out while the camera moves, where they make that slow; and how many points they have. */
+  private readonly fine = new Map<string, number>();
   private readonly isPlain = isDrawnByProcessor();
   private readonly motion: Motion;
-  private targets = noTargets;
+  private targets: () => Targets = () => noTargets;
+  /** The first picture is there, with all that belongs to it. */
+  private isComplete = false;
   private chains: Targets = noTargets;
   private ball: Ball = { middle: [0, 0, 0], radius: 1 };
   private isDue = false;
+  /** Shaders are there as long as something is that has them. */
+  private readonly prepared: Object3D[] = [];
   private hasMoved = false;
   private flight = 0;
+  private readonly drawing: Drawing;
   /** Whether the camera was moved by hand. */
   moved = false;
 
@@ -92,7 +106,12 @@ export class Picture {
       throw new Error("no WebGL");
     }
     this.renderer = new WebGLRenderer({ canvas, context });
-    this.motion = new Motion(() => this.request(), () => this.fine.size > 0 && onSlow());
+    const settle = () => {
+      this.isComplete = true;
+      this.request();
+    };
+    this.motion = new Motion(settle, () => this.fine.size > 0 && onSlow());
+    this.drawing = new Drawing(context, () => this.motion.stir());
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", () => {
       this.hasMoved = true;
@@ -114,6 +133,14 @@ export class Picture {
     this.theme = theme;
     this.scene.background = new Color(theme.background);
     this.request();
+  }
+
+  /** Has the shaders of such parts made, which takes a while, beside all that is done until they are drawn. */
+  prepare(parts: Object3D[]): void {
+    this.scene.add(...parts);
+    this.renderer.compile(this.scene, this.camera);
+    this.scene.remove(...parts);
+    this.prepared.push(...parts);
   }
 
   resize(width: number, height: number): void {
@@ -186,7 +213,8 @@ export class Picture {
 
   /** Replaces what a layer has in it; those of lower order are drawn first. Fine ones may be left out in motion. */
   put(layer: string, parts: Object3D[], order: number, isFine = false): void {
-    isFine && parts.length > 0 ? this.fine.add(layer) : this.fine.delete(layer);
+    const points = (parts as Mesh[]).reduce((sum, { geometry }) => sum + (geometry.index ?? geometry.getAttribute("position")).count, 0);
+    isFine && points > 0 ? this.fine.set(layer, points) : this.fine.delete(layer);
     for (const part of this.layers.get(layer) ?? []) {
       this.scene.remove(part);
       forget(part as Mesh);
@@ -203,7 +231,8 @@ export class Picture {
 
   /** What `cellAt` finds, and `generatorAt`: there, cells are numbers of generators. */
   setTargets(targets: Partial<Targets>): void {
-    this.targets = { ...noTargets, ...targets };
+    const all = { ...noTargets, ...targets };
+    this.targets = () => all;
   }
 
   setChains(chains: Partial<Targets>): void {
@@ -239,7 +268,7 @@ export class Picture {
 
   /** The cell there: a vertex if one is near, else an edge, else a face; none that a face hides. */
   cellAt(x: number, y: number): number | null {
-    const { segments, ends, segmentCells, points, pointCells, triangles, corners, triangleCells } = this.targets;
+    const { segments, ends, segmentCells, points, pointCells, triangles, corners, triangleCells } = this.targets();
     const lens = this.lens();
     const face = triangleAt(projected(lens, triangles), corners, x, y);
     // A face that is seen aslant is nearer at the point than where its vertices are.
@@ -281,8 +310,10 @@ export class Picture {
     }
     this.hasMoved = false;
     const isCoarse = this.motion.isTurning && this.motion.isSlow;
+    // The first picture of something large is there sooner without what follows a moment later.
+    const most = isCoarse ? 0 : this.isPlain && !this.isComplete ? mostAtFirst : Infinity;
     for (const [name, parts] of this.layers) {
-      parts.forEach((part) => (part.visible = !(isCoarse && this.fine.has(name))));
+      parts.forEach((part) => (part.visible = (this.fine.get(name) ?? 0) <= most));
     }
     // Where lines have rough edges, twice as many pixels make them smooth, once everything rests.
     const ratio = this.isPlain ? (this.motion.isMoving ? this.motion.ratio : 2) : Math.min(window.devicePixelRatio, 2);
@@ -294,21 +325,17 @@ export class Picture {
     this.camera.far = this.camera.position.distanceTo(new Vector3(...this.ball.middle)) + 3 * this.ball.radius + distance;
     this.camera.updateProjectionMatrix();
     this.renderer.render(this.scene, this.camera);
+    if (this.motion.isMoving) {
+      this.drawing.begin(); // and at rest it is when this is there: what is drawn finely would wait for it, and all else on the page with that
+    }
   }
 
   private showFaces({ drawn, colourOf, highlighted, opacity }: View): void {
     const bright = rgb(this.theme.highlight);
     const buffers = faceBuffers(drawn.faces, (cell) => (highlighted.has(cell) ? bright : colourOf(cell)));
     this.put("faces", drawn.faces.length > 0 ? [facesPart(buffers, opacity, true)] : [], 0);
-    const { positions: segments, cells: segmentCells } = lineBuffers(drawn.edges, () => [0, 0, 0]);
-    this.setTargets({
-      points: flatPoints(drawn.vertices.map(({ at }) => at)),
-      pointCells: drawn.vertices.map(({ cell }) => cell),
-      segments,
-      segmentCells,
-      triangles: buffers.positions,
-      triangleCells: buffers.cells,
-    });
+    let known: Targets | null = null;
+    this.targets = () => (known ??= targetsOf(drawn, buffers)); // which a click may never ask for
   }
 
   private showEdges({ drawn, highlighted }: View): void {

@@ -12,11 +12,15 @@ import { ObjectState } from "./object.ts";
 import { Player } from "./player.ts";
 import type { Drawn } from "../drawn.ts";
 import { get } from "../elements.ts";
+import { partsOfLargeObjects } from "../parts.ts";
 import { type Overlay, Picture } from "../scene.ts";
 import { cellsText, groupText } from "../text.ts";
 import { StepsPanel } from "./steps_panel.ts";
 import { groupsText, remarksOf, typeText } from "./replay_text.ts";
 import { Timeline } from "./timeline.ts";
+
+/** With more cells than this it takes a while until there is something to draw. */
+const manyCells = 10_000;
 
 export class ReplayPage {
   private numbers: Numbers[];
@@ -34,19 +38,21 @@ export class ReplayPage {
   private chosen: number[] = [];
   private live: LivePanel | null = null;
   private isSlow = false;
-  private drawn: Drawn;
+  private drawn: Drawn = { vertices: [], edges: [], faces: [], size: 1, missing: 0 };
 
   constructor(private readonly data: Data) {
+    const scheme = matchMedia("(prefers-color-scheme: dark)");
+    this.theme = scheme.matches ? dark : light;
+    this.picture = this.makePicture();
+    if (data.cells.type.length > manyCells) {
+      this.picture?.prepare(partsOfLargeObjects());
+    }
     const stops = stopsOf(data.steps.length, data.stride);
     this.numbers = numbersOf(data.steps, stops);
     this.object = new ObjectState(data);
     this.object.goTo(data.steps.length);
     this.places = placesOf(data.places.cells, data.places.points);
-    this.drawn = drawnOf(this.object, this.places);
     this.player = new Player(stops, () => this.update());
-    const scheme = matchMedia("(prefers-color-scheme: dark)");
-    this.theme = scheme.matches ? dark : light;
-    this.picture = this.makePicture();
     scheme.addEventListener("change", () => {
       this.theme = scheme.matches ? dark : light;
       this.picture?.setTheme(this.theme);
