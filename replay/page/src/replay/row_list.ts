@@ -28,6 +28,11 @@ export class RowList {
       space.setAttribute("role", "presentation");
     }
     list.addEventListener("scroll", () => this.update());
+    list.addEventListener("focusin", ({ target }) => {
+      // Browsers scroll, and say so, only after the next key may have been pressed. Where the mouse is nothing may move.
+      const k = (target as Element).matches(":focus-visible") ? this.rows.findIndex((row) => row.contains(target as Element)) : -1;
+      k >= 0 && this.bringIntoSight(this.first + k);
+    });
   }
 
   /** There are so many rows now, of which so many at the beginning are as they were. */

@@ -29,7 +29,10 @@ export class StepsPanel {
     private readonly onJump: (steps: number) => void,
   ) {
     this.rows = new RowList(list, (index) => this.rowOf(this.listed[index]));
-    search.addEventListener("input", () => this.filter(0));
+    search.addEventListener("input", () => {
+      this.filter(0);
+      this.setStep(this.now);
+    });
     this.setStops(stops);
   }
 
