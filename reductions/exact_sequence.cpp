@@ -61,9 +61,28 @@ Result<Equivalence<R>> backward(const ExactSequence<R>& sequence, const Equivale
   return Equivalence<R>{compose(*left, to_object), std::move(*right)};
 }
 
+template <Ring R>
+Equivalence<R> kernel(const ExactSequence<R>& sequence, const Equivalence<R>& eq1, const Equivalence<R>& eq2) {
+  const auto& [big1, object1, f1, g1, h1] = eq1.left;
+  const auto& [big2, object2, f2, g2, h2] = eq2.left;
+  Reduction<R> right = cone_reduction(g2 * sequence.j * f1, eq1.right, eq2.right);
+
+  // In the cone, generators of B1 sit one degree higher, as those of C0 do in what is returned.
+  const R& ring = sequence.c0.ring();
+  GradedMap<R> f = beside((sequence.r * f1).raised(1, 1), (sequence.chi() * f2).raised(0, 1));
+  GradedMap<R> g = stacked((g1 * sequence.i).raised(1, 1),
+                           GradedMap<R>::zero(ring, 1, sequence.c0.sizes(), big2.sizes()).raised(1, 0));
+  GradedMap<R> h = block_map((-h1).raised(1, 1), (g1 * sequence.s * f2).raised(0, 1),
+                             GradedMap<R>::zero(ring, 2, big1.sizes(), big2.sizes()).raised(1, 0), h2);
+  Reduction<R> left{right.big, complex_with((-differential(sequence.c0)).raised(1, 1)), std::move(f), std::move(g),
+                    std::move(h)};
+  return {std::move(left), std::move(right)};
+}
+
 #define SESAME_INSTANTIATE(R)                                                                             \
   template struct ExactSequence<R>;                                                                       \
   template Equivalence<R> forward(const ExactSequence<R>&, const Equivalence<R>&, const Equivalence<R>&); \
+  template Equivalence<R> kernel(const ExactSequence<R>&, const Equivalence<R>&, const Equivalence<R>&);  \
   template Result<Equivalence<R>> backward(const ExactSequence<R>&, const Equivalence<R>&, const Equivalence<R>&);
 SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
 #undef SESAME_INSTANTIATE

@@ -1,5 +1,5 @@
 /// \file
-/// Effective short exact sequences, and the theorem that gives the third equivalence from two.
+/// Effective short exact sequences, and the theorem that gives the third equivalence from two, in its three directions.
 #pragma once
 
 #include "reductions/equivalence.hpp"
@@ -44,5 +44,17 @@ template <Ring R>
 template <Ring R>
 [[nodiscard]] Result<Equivalence<R>> backward(const ExactSequence<R>& sequence, const Equivalence<R>& eq0,
                                               const Equivalence<R>& eq2);
+
+/// An equivalence of C0 from those of C1 and C2 (removing cells), with all degrees raised by one: that is, of the
+/// complex whose degree p + 1 is that of C0's degree p, with the opposite boundary. (The big complex can have
+/// generators in what would be degree -1: those of B2's vertices.)
+///
+/// Requires  the laws of the sequence; eq1 and eq2 are equivalences of its C1 and C2.
+/// Ensures   big and small complex are the cones of g2 j f1 and of fS2 g2 j f1 gS1. With J = g2 j f1, the boundary of
+///           (b1, b2) is (-d b1, J b1 + d b2), and f = (r f1, chi f2), g = (g1 i, 0), h = [[-h1, g1 s f2], [0, h2]].
+/// Source    as above; checked by multiplying out.
+template <Ring R>
+[[nodiscard]] Equivalence<R> kernel(const ExactSequence<R>& sequence, const Equivalence<R>& eq1,
+                                    const Equivalence<R>& eq2);
 
 }  // namespace sesame::reductions

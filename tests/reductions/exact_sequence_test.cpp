@@ -55,6 +55,25 @@ TEMPLATE_TEST_CASE("backward: equivalences of C0 and C2 give one of C1", "[reduc
   }
 }
 
+TEMPLATE_TEST_CASE("kernel: equivalences of C1 and C2 give one of C0, raised", "[reductions][law]", Integers, Z2, Zp) {
+  const auto ring = test_ring<TestType>();
+  for (unsigned seed = 0; seed < 150; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const auto sequence = random_exact_sequence(ring, random);
+    const auto eq1 = random_equivalence(random, sequence.c1);
+    const auto eq2 = random_equivalence(random, sequence.c2);
+    const auto eq0 = kernel(sequence, eq1, eq2);
+    REQUIRE(defect_of(eq0) == "");
+    REQUIRE(differential(eq0.object()) == (-differential(sequence.c0)).raised(1, 1));
+    // On the object itself.
+    REQUIRE(differential(eq0.small()) ==
+            block_map((-differential(eq1.small())).raised(1, 1),
+                      GradedMap<TestType>::zero(ring, -2, eq2.small().sizes(), eq1.small().sizes()).raised(0, 1),
+                      (eq2.F() * sequence.j * eq1.G()).raised(1, 0), differential(eq2.small())));
+  }
+}
+
 TEST_CASE("small complexes of the theorem have the homology of the object", "[reductions]") {
   for (unsigned seed = 0; seed < 40; ++seed) {
     CAPTURE(seed);
