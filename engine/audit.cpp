@@ -1,5 +1,6 @@
 #include "engine/audit.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <unordered_map>
 
@@ -33,13 +34,23 @@ reductions::Equivalence<R> matrices_of(LiveEquivalence<R>& live) {
   Rewriter<R>& rewriter = live.rewriter();
 
   expects(window.families() == 0, "the big complex of lazy cells is not written out");
-  const ops::CellBasis object = ops::cells_at(structure, ops::now(structure));
+  int raised = 0;  // by how much all degrees are, so that none is negative: see Generators
+  for (GeneratorId b = 0; b < big_complex.size(); ++b) {
+    raised = std::max(raised, -big_complex.degree(b));
+  }
+  const ops::CellBasis cells = ops::cells_at(structure, ops::now(structure));
+  ops::CellBasis object;
+  for (std::size_t p = 0; p < cells.generators().size(); ++p) {
+    for (const CellId cell : cells.generators()[p]) {
+      object.add(static_cast<int>(p) + raised, cell);
+    }
+  }
   reductions::Basis<GeneratorId> big;
   for (GeneratorId b = 0; b < big_complex.size(); ++b) {
-    big.add(big_complex.degree(b), b);
+    big.add(big_complex.degree(b) + raised, b);
   }
   reductions::Basis<Symbol> small;
-  rewriter.for_each_small([&](Symbol x) { small.add(rewriter.degree(x), x); });
+  rewriter.for_each_small([&](Symbol x) { small.add(rewriter.degree(x) + raised, x); });
   const ChainComplex<R> c = ops::chain_complex(structure, object, ops::now(structure), ring);
   const ChainComplex<R> b =
       reductions::complex_by_columns(ring, big, [&](GeneratorId x) { return big_complex.boundary().column(x); });

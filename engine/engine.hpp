@@ -142,7 +142,8 @@ class Engine {
   /// The barcode of the spaces after each step that is not undone, and the maps between them; times are the numbers of
   /// the steps among all those of the log, as in their reports.
   ///
-  /// Errors    refused, over Z, and when a step is no map of the object before it to that after it: a de-identification
+  /// Errors    refused, over Z, and when a step is no map of the object before it to that after it: a de-identification,
+  ///           a removal of cells
   ///           or a product; or a cone that is a lazy family; and when not all steps can be undone any more.
   /// Cost      The size of the big complex, times the logarithm of the number of steps.
   [[nodiscard]] Result<Barcode> barcode() const;

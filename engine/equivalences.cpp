@@ -51,8 +51,10 @@ bool Equivalences::extend(std::uint64_t moves) {
   const std::uint64_t splits_allowed = is_done_at_once ? 0 : policy_.least_splits + cells / policy_.cells_per_split;
   const std::uint64_t budget = budget_of(structure_.counts(), policy_);
   const std::uint64_t copies = now().copies();
+  const std::uint64_t deletions = now().deletions();
+  const std::uint64_t deletions_allowed = policy_.least_deletions + cells / policy_.cells_per_deletion;
   const bool is_within_budget = is_done_at_once || now().extend(budget);
-  if (is_within_budget && (copies == 0 || copies < splits_allowed)) {
+  if (is_within_budget && (copies == 0 || copies < splits_allowed) && deletions <= deletions_allowed) {
     return false;
   }
   const auto start = Clock::now();
@@ -65,9 +67,11 @@ bool Equivalences::extend(std::uint64_t moves) {
   if (rebase_log().should_log(level)) {
     const std::chrono::duration<double, std::micro> took = Clock::now() - start;
     rebase_log().log(level, "begun afresh from {} cells, as {}; took {:.1f} us", cells,
-                     is_done_at_once    ? "a split of so few is not worth taking in"
-                     : is_within_budget ? fmt::format("{} cells were split since the last time", copies)
-                                        : fmt::format("the step would have read more than {} terms", budget),
+                     is_done_at_once ? "a split of so few is not worth taking in"
+                     : is_within_budget
+                         ? fmt::format("{} cells were {} since the last time", std::max(copies, deletions),
+                                       copies > deletions ? "split" : "removed")
+                         : fmt::format("the step would have read more than {} terms", budget),
                      took.count());
   }
   return true;

@@ -28,24 +28,30 @@ struct RebasePolicy {
   // present object; the last one always is.
   std::uint64_t least_cells_kept = 500;
   std::uint64_t objects_kept = 8;
+  // After so many deletions since the last time: this many, and one more for so many cells of the object.
+  std::uint64_t least_deletions = 64;
+  std::uint64_t cells_per_deletion = 1;
 
   /// Never: every step is taken in by the equivalence of the whole history, whatever that costs.
-  [[nodiscard]] static RebasePolicy never() { return {UINT64_MAX / 2, 1, 0, 0, UINT64_MAX / 2, 1, 0, 0}; }
+  [[nodiscard]] static RebasePolicy never() {
+    return {UINT64_MAX / 2, 1, 0, 0, UINT64_MAX / 2, 1, 0, 0, UINT64_MAX / 2, 1};
+  }
 };
 
 /// A stack of trackers of one structure: the last describes the present, the others are as they were when the next took
 /// their place, for undo.
 ///
-/// De-identifications make the big complex of a history differ from that of any filtration: it describes cells that are
-/// no more, rules of its right reduction are composed of perturbations of perturbations, and their coefficients grow.
-/// So a *rebase* begins a tracker that knows only the present object:
+/// De-identifications and deletions make the big complex of a history differ from that of any filtration: it describes
+/// cells that are no more, rules of its right reduction are composed of perturbations of perturbations, and their
+/// coefficients grow. So a *rebase* begins a tracker that knows only the present object:
 ///
 ///   when a step would cost more than reducing the object afresh, in terms that are read (its budget);
-///   when there have been so many splits since the last rebase that one more costs little beside them;
+///   when there have been so many splits since the last rebase, or so many deletions, that one more costs little beside
+///   them;
 ///   at each split while the object is small, or not much larger than what the split moves.
 ///
 /// So a step costs at most O(object), and splits cost on average what they would near the beginning of a history. While
-/// there are no splits there is never a rebase.
+/// there are no splits and no deletions there is never a rebase.
 ///
 /// Undoing past a rebase resumes the tracker before it exactly. Of a long history only the last ones are kept; going
 /// back further is a rebase there. So that this costs what the object of that time does, and not a look at all cells

@@ -130,6 +130,8 @@ class HomologyTracker {
   [[nodiscard]] virtual const Window& window() const = 0;
   /// The copies made since the tracker began.
   [[nodiscard]] virtual std::uint32_t copies() const = 0;
+  /// The cells taken away since.
+  [[nodiscard]] virtual std::uint32_t deletions() const = 0;
 
   /// Betti numbers, torsion and sizes, with an entry for each of the first `dimensions` degrees: those that have cells.
   /// Cost O(dimensions), plus a Smith form of the core when that changed.

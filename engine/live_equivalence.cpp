@@ -83,7 +83,7 @@ std::unique_ptr<HomologyTracker> LiveEquivalence<R>::afresh() const {
 template <Ring R>
 bool LiveEquivalence<R>::extend(std::uint64_t budget) {
   classes_.forget_groups();
-  rewriter_.set_budget(window_.has_splits() ? budget : unlimited);
+  rewriter_.set_budget(window_.has_changes() ? budget : unlimited);
   try {
     take_in_step();
   } catch (const OverBudget&) {
@@ -128,6 +128,11 @@ void LiveEquivalence<R>::take_in_step() {
           rewriter_.append(big_.degree(big_.append_removal(link)));
         }
         break;
+      case ops::EventKind::deletion:
+        for (LinkId link{run.first}; link < run.first + run.count; ++link) {
+          take_away(link);
+        }
+        break;
       default:  // nothing that homology knows of
         break;
     }
@@ -144,6 +149,14 @@ void LiveEquivalence<R>::take_in_step() {
       rewriter_.perturb(time, first_copy, changed);
     }
   }
+}
+
+template <Ring R>
+void LiveEquivalence<R>::take_away(LinkId link) {
+  const RuleId time = rewriter_.rules();
+  const GeneratorId generator = big_.append_deletion(link);
+  rewriter_.append(big_.degree(generator));
+  rewriter_.take_away(time, generator, big_.take_away(generator));
 }
 
 template <Ring R>

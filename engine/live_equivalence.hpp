@@ -34,6 +34,7 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] std::unique_ptr<HomologyTracker> afresh() const override;
   [[nodiscard]] std::optional<EliminationRecord> record() const override { return rewriter_.record(); }
   [[nodiscard]] std::uint32_t copies() const override { return window_.copies(); }
+  [[nodiscard]] std::uint32_t deletions() const override { return window_.deletions(); }
 
   [[nodiscard]] Homology homology(std::size_t dimensions) override { return classes_.homology(dimensions); }
   [[nodiscard]] std::uint64_t small_of(ops::BodyId body) const override;
@@ -72,6 +73,7 @@ class LiveEquivalence final : public HomologyTracker {
   [[nodiscard]] static PackedMark packed(const Mark& mark);
   [[nodiscard]] static Mark unpacked(const PackedMark& mark);
   void take_in_step();
+  void take_away(LinkId link);
   void go_back_to(const Mark& mark);
 
   R ring_;

@@ -44,6 +44,8 @@ const char* why_no_map(ops::StepKind kind) {
       return "is a cone over more cells than are written out, whose base's classes are no longer told apart";
     case ops::StepKind::product:
       return "is a product, which consumes the bodies before it";
+    case ops::StepKind::deletion:
+      return "removes cells, and so maps the object after it into the one before";
     case ops::StepKind::nothing:
     case ops::StepKind::addition:
     case ops::StepKind::removal:
@@ -133,6 +135,9 @@ Result<StepReport> LiveObject::construct(const ops::Operation& operation, const 
   switch (report.kind) {
     case ops::StepKind::removal:
       report.sequence = SequenceSizes{ops::Direction::forward, before - after, before, after};
+      break;
+    case ops::StepKind::deletion:
+      report.sequence = SequenceSizes{ops::Direction::kernel, after, before, before - after};
       break;
     case ops::StepKind::split:
       report.sequence = SequenceSizes{ops::Direction::backward, after - before, after, before};

@@ -22,6 +22,7 @@ std::string description(const StepReport& report) {
   };
   add("cells made", "cells gone", EventKind::cell, EventKind::copy);
   add("cells merged or squashed", "cells separate again", EventKind::removal);
+  add("cells removed", "cells there again", EventKind::deletion);
   add("incidences moved", "incidences moved back", EventKind::move);
   add("products and large cones", "products and large cones gone", EventKind::family);
   add("bodies made", "bodies gone", EventKind::body);

@@ -56,14 +56,35 @@ std::uint32_t NameTable::number_of(std::string_view text, std::uint32_t hash) co
 static_assert(sparse::HashIndex::nothing == none);
 
 void NameTable::add(std::string_view text, CellId cell, BodyId body, TypeId standard) {
-  const bool is_new =
-      index_.insert_new(key(hash_of(text)), size(), [&](std::uint32_t each) { return names_[each].text == text; });
-  sparse::expects(is_new, "a plan's new names are free");
   names_.push_back({std::string{text}, cell, body, standard});
+  index_last();
+}
+
+void NameTable::index_last() {
+  Name& last = names_.back();
+  const std::uint32_t number = size() - 1;
+  const std::uint64_t hash = key(hash_of(last.text));
+  const auto is_same = [&](std::uint32_t each) { return names_[each].text == last.text; };
+  if (index_.insert_new(hash, number, is_same)) {
+    return;
+  }
+  const std::uint32_t before = index_.find(hash, is_same);
+  index_.erase(hash, before);
+  index_.insert(hash, number);
+  shadowed_.emplace(number, before);
+  if (last.body == none) {
+    last.body = names_[before].body;
+  }
 }
 
 void NameTable::pop_back() {
-  index_.erase(key(hash_of(names_.back().text)), size() - 1);
+  const std::uint32_t number = size() - 1;
+  const std::uint64_t hash = key(hash_of(names_.back().text));
+  index_.erase(hash, number);
+  if (const auto before = shadowed_.empty() ? shadowed_.end() : shadowed_.find(number); before != shadowed_.end()) {
+    index_.insert(hash, before->second);
+    shadowed_.erase(before);
+  }
   names_.pop_back();
 }
 
@@ -104,14 +125,13 @@ void NameTable::load(sparse::ArchiveReader& from) {
   for (const SavedName& each : saved) {
     Name& name = names_.emplace_back();
     name = {from.get_text_of(each.length), each.cell, each.body, each.standard};
-    const auto is_same = [&](std::uint32_t other) { return names_[other].text == name.text; };
-    if (!from.check((is_plain_name(name.text) || is_name(name.text)) &&
-                        index_.insert_new(key(hash_of(name.text)), size() - 1, is_same),
-                    "each name is given once")) {
+    if (!from.check(is_plain_name(name.text) || is_name(name.text), "names are names")) {
       names_.clear();
       index_ = {};
+      shadowed_.clear();
       return;
     }
+    index_last();
   }
 }
 

@@ -6,6 +6,7 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "ops/ids.hpp"
@@ -55,7 +56,8 @@ class PartHashes {
   std::vector<std::uint64_t> powers_;  // of the multiplier
 };
 
-/// What names denote, in the order in which they were given. The last names can be taken back.
+/// What names denote, in the order in which they were given. The last names can be taken back. A text that is given
+/// again denotes the latest, until that is taken back.
 ///
 /// A lookup that fails, as each new name's does, reads one cache line of the index and no text. It took a fifth of the
 /// time of a replay as a std::unordered_map.
@@ -84,7 +86,7 @@ class NameTable {
   [[nodiscard]] std::uint32_t number_of(std::string_view text) const { return number_of(text, hash_of(text)); }
   /// How often something has been looked up. Only grows.
   [[nodiscard]] std::uint64_t looked_up() const { return looked_up_; }
-  /// Requires: the text is not in the table.
+  /// Requires: the text is not in the table, or what it denotes is no more; a body that it denotes it goes on denoting.
   void add(std::string_view text, CellId cell, BodyId body, TypeId standard = none);
   void pop_back();
 
@@ -95,11 +97,13 @@ class NameTable {
 
  private:
   static std::uint32_t hash_of(std::string_view text);
+  void index_last();
   [[nodiscard]] std::uint32_t number_of(std::string_view text, std::uint32_t hash) const;
   /// As the index takes it, which goes by the upper half.
   static std::uint64_t key(std::uint32_t hash) { return std::uint64_t{hash} << 32U; }
 
   std::deque<Name> names_;
+  std::unordered_map<std::uint32_t, std::uint32_t> shadowed_;  ///< by number: that of the same text before
   mutable std::uint64_t looked_up_ = 0;
   sparse::HashIndex index_;
 };

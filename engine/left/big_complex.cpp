@@ -13,9 +13,10 @@ BigComplex<R>::BigComplex(R ring, const Window& window)
       window_{window},
       structure_{window.structure()},
       generators_{window},
+      deletions_{window},
       shifts_{ring, generators_},
       families_{ring, window, shifts_},
-      maps_{ring, window, generators_, shifts_, families_},
+      maps_{ring, window, generators_, deletions_, shifts_, families_},
       boundary_(ring, 0, 0) {
   generators_.reserve(window_.cells().size());
   boundary_.reserve(window_.cells().size(), 2 * window_.cells().size());
@@ -134,12 +135,20 @@ template <Ring R>
 std::vector<GeneratorId> BigComplex<R>::split(GeneratorId first, ops::MoveRange moves) {
   Changes changes = gains_of_moves(first, moves);
   shift_basis(first, moves, changes);
+  for (const auto& [generator, change] : changes) {
+    for (const sparse::Term<R, GeneratorId>& term : change) {
+      columns_followed_[term.index].push_back(generator);
+    }
+  }
+  return amend(changes);
+}
+
+/// Adds what boundaries gain. Returns the generators of those that do.
+template <Ring R>
+std::vector<GeneratorId> BigComplex<R>::amend(const Changes& changes) {
   std::vector<GeneratorId> changed;
   for (const auto& [generator, change] : changes) {
     if (!change.empty()) {
-      for (const sparse::Term<R, GeneratorId>& term : change) {
-        columns_followed_[term.index].push_back(generator);
-      }
       boundary_.add_to_column(generator, ring_.one(), change);
       entries_appended_ += change.size();
       changed.push_back(generator);
@@ -190,8 +199,34 @@ void BigComplex<R>::add_gains(CellId cell, const Terms<R, GeneratorId>& gain, Ge
       add(generators_.of(node), sign);
     }
     window_.for_each_copy_of(node, [&](CellId copy) { add(generators_.of(copy), -sign); });
+    deletions_.for_each_over(node, [&](GeneratorId u, int coefficient) { add(u, -sign * coefficient); });
   });
 }
+
+// ----------------------------------------------------------------------------------------------------------- deletion
+
+template <Ring R>
+GeneratorId BigComplex<R>::append_deletion(LinkId link) {
+  sparse::expects(link == generators_.links(), "removals are appended in the order in which they happened");
+  begin_column();
+  const GeneratorId generator = generators_.append_deletion(link);
+  deletions_.add(generator, link);
+  append_column(generator);
+  return generator;
+}
+
+/// As if the cell had gained the new generator in its boundary.
+template <Ring R>
+std::vector<GeneratorId> BigComplex<R>::take_away(GeneratorId deletion) {
+  const CellId cell = structure_.forest().removed(generators_.link(deletion));
+  Changes changes;
+  typename Families<R>::Gains of_lazy;
+  add_gains(cell, {{deletion, ring_.one()}}, deletion, changes, of_lazy);
+  families_.add_gains(of_lazy, changes);
+  return amend(changes);
+}
+
+// ---------------------------------------------------------------------------------------------------- changes of basis
 
 /// Changes the basis where that saves changing boundaries.
 template <Ring R>
@@ -299,6 +334,7 @@ void BigComplex<R>::truncate(const Mark& mark) {
     }
   }
   shifts_.truncate(mark.shifts, size);
+  deletions_.truncate(size);
   families_.truncate(mark.families, size);
   boundary_.truncate(size, size);
   generators_.truncate(mark.generators);

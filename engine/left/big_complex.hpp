@@ -23,10 +23,12 @@ namespace sesame::engine {
 ///                                                                           orientation
 ///   a cell x that became degenerate     generator <x> of degree dim x + 1,  boundary -g(x)
 ///   a copy y of a cell x                generator e of degree dim x,        boundary: that of y - x in other copies
+///   a cell z that was taken away        generator u of degree dim z - 1,    boundary 0
 ///
 /// This is the cone of iB: B0 -> B1 of the exact sequence of each step, [[dB1, iB], [0, -dB0]], grown in place: the new
 /// columns are appended, the old block is neither copied nor read. A de-identification is the backward sequence: the
-/// boundaries of old generators gain terms in the e of its copies. For g see LeftMaps.
+/// boundaries of old generators gain terms in the e of its copies. A deletion is the sequence read for its kernel: the
+/// boundary of each old generator b gains u as often as f(b) has z. For g see LeftMaps.
 ///
 /// *Changes of basis.* When all incidences of a node go to a copy, its generators go with them: G becomes G + e. Then
 /// the boundaries of its cofaces need no change, and what has to change is young: the <x> that had glued it. See
@@ -80,6 +82,11 @@ class BigComplex {
   /// The boundaries of old generators gain what the moves of a de-identification give them, in the generators from
   /// `first` on, those of the copies. Returns the generators whose boundaries have changed.
   std::vector<GeneratorId> split(GeneratorId first, ops::MoveRange moves);
+  /// Appends the generator of the next removal, which is a deletion.
+  GeneratorId append_deletion(LinkId link);
+  /// The boundaries of old generators gain what the last one, of a deletion, gives them. Returns those generators.
+  /// Cost: the nodes that the cell stands for.
+  std::vector<GeneratorId> take_away(GeneratorId deletion);
 
   /// Begins to remember the columns that get an entry at the generator of a cell: it may come up where none of those
   /// who have the cell as a face or were removed next to it are appended.
@@ -106,6 +113,7 @@ class BigComplex {
   [[nodiscard]] Changes gains_of_moves(GeneratorId first, ops::MoveRange moves);
   void add_gains(CellId cell, const Terms<R, GeneratorId>& gain, GeneratorId first, Changes& changes,
                  typename Families<R>::Gains& of_lazy) const;
+  std::vector<GeneratorId> amend(const Changes& changes);
   void shift_basis(GeneratorId first, ops::MoveRange moves, Changes& changes);
   [[nodiscard]] bool moves_wholly(CellId node, CellId copy, const MoveSet& moves) const;
   void add_changes_of_shift(CellId node, CellId copy, GeneratorId first, Changes& changes) const;
@@ -115,6 +123,7 @@ class BigComplex {
   const Window& window_;
   const Structure& structure_;
   Generators generators_;
+  Deletions deletions_;
   BasisShifts<R> shifts_;
   Families<R> families_;
   LeftMaps<R> maps_;

@@ -11,8 +11,9 @@
 
 namespace sesame::engine {
 
-/// One generator per cell that a window has seen made (copies are cells), one per removal of a cell, and those of lazy
-/// families. They are numbered in the order in which they were appended, the cells of the window's beginning first.
+/// One generator per cell that a window has seen made (copies are cells), one per removal of a cell and per deletion,
+/// and those of lazy families. That of a deleted vertex has degree -1. They are numbered in the order in which they
+/// were appended, the cells of the window's beginning first.
 ///
 /// Invariants: what a generator stands for never changes; a cell that is lazy, or degenerate from the start, has none.
 /// Every query is O(1), that by a cell of the window's beginning by a hash.
@@ -25,16 +26,19 @@ class Generators {
 
   [[nodiscard]] GeneratorId size() const { return GeneratorId{origin_.size()}; }
   [[nodiscard]] int degree(GeneratorId generator) const {
-    return kind_and_degree_[generator] & ((1U << degree_bits) - 1);
+    // That of a deletion is kept as the dimension of the cell.
+    return (kind_and_degree_[generator] & ((1U << degree_bits) - 1)) - (is_deletion(generator) ? 1 : 0);
   }
-  /// The number of generators of each degree, up to the largest that has one.
+  /// The number of generators of each degree from 0 on, up to the largest that has one.
   [[nodiscard]] const std::vector<std::uint32_t>& counts() const { return counts_; }
   /// The body whose cells a generator belongs to.
   [[nodiscard]] ops::BodyId body_of(GeneratorId generator) const;
 
   [[nodiscard]] bool is_removal(GeneratorId generator) const { return kind(generator) == Kind::removal; }
   [[nodiscard]] bool is_of_family(GeneratorId generator) const { return kind(generator) == Kind::family; }
-  /// The cell that a generator was made for. Requires: it is neither of a removal nor of a family.
+  [[nodiscard]] bool is_deletion(GeneratorId generator) const { return kind(generator) == Kind::deletion; }
+  [[nodiscard]] LinkId link(GeneratorId removal_or_deletion) const { return LinkId{origin_[removal_or_deletion]}; }
+  /// The cell that a generator was made for. Requires: it is not of a removal, a deletion or a family.
   [[nodiscard]] CellId cell(GeneratorId generator) const { return CellId{origin_[generator]}; }
   [[nodiscard]] ops::FamilyId family(GeneratorId generator) const { return ops::FamilyId{origin_[generator]}; }
 
@@ -45,7 +49,8 @@ class Generators {
                                      : of_cell_[node - window_.begin().created];
   }
   [[nodiscard]] GeneratorId of_link(LinkId link) const { return of_link_[link - window_.begin().links]; }
-  /// Calls visit(generator) for what was made for a node in the window: its own generator, that of its removal.
+  /// Calls visit(generator) for what was made for a node in the window: its own generator, that of its removal or
+  /// deletion.
   template <class Visit>
   void for_each_of(CellId node, Visit&& visit) const {
     if (!window_.is_first(node) || window_.is_cell_of_beginning(node)) {
@@ -65,8 +70,8 @@ class Generators {
     origin_.reserve(count);
     kind_and_degree_.reserve(count);
   }
-  /// The next cell of the window's beginning; the next node that a step made; the next removal; a generator of a
-  /// family. All return the generator.
+  /// The next cell of the window's beginning; the next node that a step made; the next removal, or
+  /// deletion; a generator of a family. All return the generator.
   GeneratorId append_first(CellId cell) { return append(Kind::cell, cell, structure_.dimension(cell)); }
   GeneratorId append_cell(CellId cell) {
     of_cell_.push_back(size());
@@ -75,6 +80,10 @@ class Generators {
   GeneratorId append_removal(LinkId link) {
     of_link_.push_back(size());
     return append(Kind::removal, link, structure_.dimension(structure_.forest().removed(link)) + 1);
+  }
+  GeneratorId append_deletion(LinkId link) {
+    of_link_.push_back(size());
+    return append(Kind::deletion, link, structure_.dimension(structure_.forest().removed(link)) - 1);
   }
   GeneratorId append_of_family(ops::FamilyId family, int degree) { return append(Kind::family, family, degree); }
 
@@ -88,7 +97,7 @@ class Generators {
   void truncate(const Mark& mark);
 
  private:
-  enum class Kind : std::uint8_t { cell, removal, family };
+  enum class Kind : std::uint8_t { cell, removal, deletion, family };
   static constexpr int degree_bits = 6;
   static_assert(ops::largest_dimension + 1 < 1 << degree_bits);
 

@@ -52,10 +52,14 @@ void LeftMaps<R>::add_path(CellId x, LinkId links, const Element& factor, RawTer
     if (link >= links) {  // none is more than any: it is current, or degenerate from the start
       return;
     }
+    const CellId parent = structure_.forest().parent(x);
+    if (parent == ops::none && structure_.forest().deletions().contains(link)) {
+      return;
+    }
     ++links_followed_;
     out.push_back({generators_.of_link(link), sign > 0 ? factor : ring_.negate(factor)});
     sign *= structure_.forest().sign_of(link);
-    x = structure_.forest().parent(x);
+    x = parent;
   }
 }
 
@@ -103,6 +107,12 @@ void LeftMaps<R>::add_f(GeneratorId generator, const Element& factor, RawTerms<R
     add_as_now(bounded, out);
   }
   if (generators_.is_removal(generator)) {
+    return;
+  }
+  if (generators_.is_deletion(generator)) {
+    for (const auto& [node, coefficient] : deletions_.boundary(generator)) {
+      add_cell(node, ring_.multiply(factor, ring_.from(-coefficient)), out);
+    }
     return;
   }
   if (generators_.is_of_family(generator)) {
@@ -160,6 +170,9 @@ std::uint64_t LeftMaps<R>::terms_of_f(GeneratorId generator) const {
   if (generators_.is_removal(generator)) {
     return terms;
   }
+  if (generators_.is_deletion(generator)) {
+    return saturating_sum(terms, deletions_.boundary(generator).size());
+  }
   if (generators_.is_of_family(generator)) {
     return saturating_sum(terms, families_.maps(generators_.family(generator)).terms_of_G(generator));
   }
@@ -174,6 +187,11 @@ Terms<R, GeneratorId> LeftMaps<R>::h(GeneratorId generator) const {
   RawTerms<R, GeneratorId> path;
   if (generators_.is_removal(generator)) {
     return {};
+  }
+  if (generators_.is_deletion(generator)) {
+    // What its faces have become since comes in as it does for a cell that is there.
+    add_g_at(structure_.forest().removed(generators_.link(generator)), structure_.now(), ring_.one(), path);
+    return std::move(path).normal(ring_);
   }
   for_each_node_of(
       generator, [&](CellId node, int sign) { add_path(node, structure_.forest().links(), ring_.from(-sign), path); });

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "engine/left/basis_shifts.hpp"
+#include "engine/left/deletions.hpp"
 #include "engine/left/families.hpp"
 #include "engine/left/generators.hpp"
 
@@ -17,11 +18,13 @@ namespace sesame::engine {
 ///   g c   = [c] + sum over faces k of sign_k P(c_k)                   (the identity, plus corrections)
 ///   g y   = e + g x as it was when y was made, plus corrections since
 ///   h [c] = -P(c), h <x> = 0, h e = P(x) - P(y)
+///   f u   = -d z, h u = g z as if z were there still
 ///
-/// for [c], <x> and e the generators of a cell, of a removal and of a copy y of x. P(x) is the sum of the generators
-/// <y> on the path of the forest from x to the cell that x is now, each with the sign with which x had become y; f has
-/// the sign of the whole path. For a face that has moved, P runs along the path of what the face was until then, and
-/// along that of what it is since. So f g = 1 and d h + h d = 1 - g f, f h = 0, h g = 0, h h = 0.
+/// for [c], <x>, e and u the generators of a cell, of a removal, of a copy y of x and of the deletion of a cell z. P(x)
+/// is the sum of the generators <y> on the path of the forest from x to the cell that x is now, each with the sign with
+/// which x had become y; f has the sign of the whole path. For a face that has moved, P runs along the path of what the
+/// face was until then, and along that of what it is since. So f g = 1 and d h + h d = 1 - g f, f h = 0, h g = 0, h h =
+/// 0.
 ///
 /// A lazy cell has no generator of its own: g of it is its F, and f of a generator s of its family is G s, of one
 /// attached to lazy cells z has -K z more. For these f and g are one half of a homological equivalence; see Families.
@@ -36,12 +39,13 @@ class LeftMaps {
   using Element = typename R::Element;
 
   /// All of them must outlive it.
-  LeftMaps(R ring, const Window& window, const Generators& generators, const BasisShifts<R>& shifts,
-           const Families<R>& families)
+  LeftMaps(R ring, const Window& window, const Generators& generators, const Deletions& deletions,
+           const BasisShifts<R>& shifts, const Families<R>& families)
       : ring_{ring},
         window_{window},
         structure_{window.structure()},
         generators_{generators},
+        deletions_{deletions},
         shifts_{shifts},
         families_{families} {}
 
@@ -80,6 +84,7 @@ class LeftMaps {
   const Window& window_;
   const Structure& structure_;
   const Generators& generators_;
+  const Deletions& deletions_;
   const BasisShifts<R>& shifts_;
   const Families<R>& families_;
   mutable std::uint64_t links_followed_ = 0;

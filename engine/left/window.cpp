@@ -6,7 +6,11 @@
 namespace sesame::engine {
 
 Window::Window(const Structure& structure, std::vector<CellId> cells)
-    : structure_{&structure}, begin_{structure.now()}, start_{structure.journal().end()}, cells_{std::move(cells)} {
+    : structure_{&structure},
+      begin_{structure.now()},
+      deletions_before_{structure.forest().deletions().size()},
+      start_{structure.journal().end()},
+      cells_{std::move(cells)} {
   index_cells();
   std::size_t faces_in_all = 0;
   for (const CellId cell : cells_) {

@@ -97,6 +97,9 @@ class Window {
     }
   }
 
+  /// Whether the boundaries of generators have been changed: by copies, moves or deletions.
+  [[nodiscard]] bool has_changes() const { return has_splits() || deletions() > 0; }
+  [[nodiscard]] std::uint32_t deletions() const { return structure_->forest().deletions().size() - deletions_before_; }
   /// Whether there have been copies or moves.
   [[nodiscard]] bool has_splits() const { return copies() > 0 || structure_->splits().moves() > begin_.moves; }
   [[nodiscard]] std::uint32_t copies() const { return structure_->splits().copies() - begin_.copies; }
@@ -144,6 +147,7 @@ class Window {
 
   const Structure* structure_;
   ops::Moment begin_;
+  std::uint32_t deletions_before_ = 0;
   ops::Journal::Position start_ = 0;
   std::vector<CellId> cells_;
   // Places in `cells_`, by cell: for each node that steps had made, when these are not many more; or else by a hash.

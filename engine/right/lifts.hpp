@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -99,6 +101,14 @@ class Lifts {
   [[nodiscard]] Terms<R, GeneratorId> lift(std::span<const TermType> chain_of_s, const Trace<R>& trace = {},
                                            KnownTraces<R>* known = nullptr);
 
+  /// V(x) at the present time, down to lifts of b's of rules that somebody else knows: `take(b, coefficient)` says
+  /// whether it does, and then it is left out. Cost: likewise.
+  template <class Take>
+  [[nodiscard]] Terms<R, GeneratorId> lift_down_to(Symbol x, Take take) {
+    const TermType itself{x, ring_.one()};
+    return run_lift({&itself, 1}, {}, nullptr, take);
+  }
+
   /// delta(V_time(x)) of the perturbations with new symbols from `first` on, in these; in normal form.
   /// Cost: the rules under x are brought up to date, else that of the lift.
   [[nodiscard]] Terms<R, Symbol> gain(Symbol x, RuleId time, Symbol first);
@@ -123,6 +133,9 @@ class Lifts {
   template <class Add, class AddRule>
   void expand(RuleId time, Symbol x, const Element& coefficient, RawTerms<R, GeneratorId>& generators, Add add,
               AddRule add_rule, KnownTraces<R>* known = nullptr);
+  template <class Take>
+  [[nodiscard]] Terms<R, GeneratorId> run_lift(std::span<const TermType> chain_of_s, const Trace<R>& trace,
+                                               KnownTraces<R>* known, Take take);
   [[nodiscard]] Expansion expansion(Symbol x, RuleId time);
   [[nodiscard]] Terms<R, Symbol> gain_of(const Expansion& v, Symbol first);
 
@@ -137,5 +150,69 @@ class Lifts {
   std::size_t traces_running_ = 0;
   sparse::DescendingSum<R> pending_;  ///< of a lift: the b's of rules that are still to be expanded
 };
+
+// ------------------------------------------------------------------------------------------------------------ bodies
+
+/// One step of writing a * V_time(x) in generators of B and in lifts of earlier times: `add(time, y, coefficient)` is
+/// told of those of a combination, `add_rule(rule, factor, coefficient)` of those of the symbols b of rules, a product.
+template <Ring R>
+template <class Add, class AddRule>
+void Lifts<R>::expand(RuleId time, Symbol x, const Element& a, RawTerms<R, GeneratorId>& generators, Add add,
+                      AddRule add_rule, KnownTraces<R>* known) {
+  if (const auto* combination = rules_.combination(x)) {
+    add(combination->rule, combination->x, a);
+    add(combination->rule, combination->y, ring_.negate(ring_.multiply(a, combination->q)));
+  } else {
+    generators.push_back({rules_.generator_in(x), a});
+  }
+  const Element minus = ring_.negate(a);
+  Trace<R> made;
+  for (const auto& [rule, factor] : find_trace(x, time, known, made)) {
+    add_rule(rule, minus, factor);
+  }
+}
+
+template <Ring R>
+template <class Take>
+Terms<R, GeneratorId> Lifts<R>::run_lift(std::span<const TermType> chain_of_s, const Trace<R>& trace,
+                                         KnownTraces<R>* known, Take take) {
+  // What is still to be expanded, V_t(x) with its coefficient, the latest t first: the b's of rules in `pending_`, the
+  // others, which are few, here. Expanding one leads to earlier ones only, so equal ones have been added up by the time
+  // their turn comes. No b of a rule has the time of another one.
+  std::map<std::pair<RuleId, Symbol>, Element, std::greater<>> others;
+  const auto add = [&](RuleId time, Symbol x, const Element& coefficient) {
+    ring_.add_product(others.try_emplace({time, x}, ring_.zero()).first->second, coefficient, ring_.one());
+  };
+  const auto add_rule = [&](RuleId rule, const Element& factor, const Element& coefficient) {
+    pending_.add_product(rule, factor, coefficient);
+  };
+  for (const TermType& term : chain_of_s) {
+    add(rules_.size(), term.index, term.coefficient);
+  }
+  for (const auto& [rule, coefficient] : trace) {
+    add_rule(rule, ring_.one(), coefficient);
+  }
+  RawTerms<R, GeneratorId> chain;
+  while (true) {
+    const std::optional<sparse::Term<R>> next = pending_.take();
+    const RuleId rule{next ? next->index : 0};
+    if (!others.empty() && others.begin()->first.first >= rule) {
+      if (next) {
+        add_rule(rule, ring_.one(), next->coefficient);
+      }
+      const auto node = others.extract(others.begin());
+      if (!ring_.is_zero(node.mapped())) {
+        expand(node.key().first, node.key().second, node.mapped(), chain, add, add_rule, known);
+      }
+      continue;
+    }
+    if (!next) {
+      return std::move(chain).normal(ring_);
+    }
+    if (!take(rules_[rule].b, next->coefficient)) {
+      expand(rule, rules_[rule].b, next->coefficient, chain, add, add_rule, known);
+    }
+  }
+}
 
 }  // namespace sesame::engine

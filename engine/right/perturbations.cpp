@@ -63,6 +63,14 @@ typename Perturbations<R>::Concerned Perturbations<R>::record(RuleId time, Symbo
   return concerned;
 }
 
+template <Ring R>
+void Perturbations<R>::last_is_not_felt() {
+  for (const int degree : steps_.back().degrees) {
+    auto& all = of_degree_[static_cast<std::size_t>(degree)];
+    all.back().last_felt = all.size() > 1 ? all[all.size() - 2].last_felt : 0;
+  }
+}
+
 /// How many perturbations of generators of a degree there had been at a time.
 template <Ring R>
 std::size_t Perturbations<R>::until(std::size_t degree, RuleId time) const {

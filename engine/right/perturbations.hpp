@@ -49,11 +49,14 @@ class Perturbations {
   /// Grows with each `record`.
   [[nodiscard]] std::uint64_t version() const { return recorded_; }
 
-  /// The serial number of the last perturbation that concerns a rule, made before or after it; 0: none.
+  /// The serial number of the last perturbation that concerns a rule and is felt, made before or after it; 0: none.
   [[nodiscard]] std::uint64_t last(RuleId rule) const {
     const std::size_t q = degree_of_b(rule);
-    return q < of_degree_.size() && !of_degree_[q].empty() ? of_degree_[q].back().serial : 0;
+    return q < of_degree_.size() && !of_degree_[q].empty() ? of_degree_[q].back().last_felt : 0;
   }
+  /// The new symbols of the last perturbation are rewritten to 0: so it changes no image, and results from before it
+  /// stand.
+  void last_is_not_felt();
   /// How many perturbations there had been at a time of the degree that concerns a rule.
   [[nodiscard]] std::size_t until(RuleId rule, RuleId time) const {
     return of_degree_.empty() ? 0 : until(degree_of_b(rule), time);
@@ -111,9 +114,9 @@ class Perturbations {
   /// A perturbation as one degree of changed generators sees it.
   struct Perturbation {
     RuleId time;
-    RuleId since;  ///< rules made before cannot depend on a changed generator
-    Symbol first;  ///< of the new symbols
-    std::uint64_t serial;
+    RuleId since;             ///< rules made before cannot depend on a changed generator
+    Symbol first;             ///< of the new symbols
+    std::uint64_t last_felt;  ///< the serial number of the last one until this that is felt
   };
   /// A perturbation, for undo.
   struct Step {

@@ -1,5 +1,6 @@
 #include "engine/right/rewriter.hpp"
 
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
 #include <utility>
@@ -17,6 +18,7 @@ Rewriter<R>::Rewriter(R ring, const sparse::ColumnStore<R, GeneratorId>& boundar
       perturbations_{ring, rules_},
       dependents_{boundary, rules_, perturbations_},
       lifts_{ring, boundary, rules_, perturbations_, dependents_, effort_},
+      known_lifts_{ring},
       memos_{ring, rules_, perturbations_, lifts_, effort_},
       settling_{ring, rules_, effort_} {}
 
@@ -193,11 +195,12 @@ typename Perturbations<R>::Reached Rewriter<R>::lifts_with(std::span<const Gener
   return dependents_.lifts_with(changed, terms_of_a_lift * (candidates + 1));
 }
 
+/// Takes note of a perturbation. What it does to the columns of combinations is done.
 template <Ring R>
-void Rewriter<R>::perturb(RuleId time, GeneratorId first, std::span<const GeneratorId> changed) {
+typename Perturbations<R>::Concerned Rewriter<R>::record_perturbation(RuleId time, Symbol first_symbol,
+                                                                      std::span<const GeneratorId> changed) {
   ++breaks_;
-  const Symbol first_symbol = rules_.symbol_of(first);
-  const auto concerned = perturbations_.record(time, first_symbol, changed, lifts_with(changed, first_symbol));
+  auto concerned = perturbations_.record(time, first_symbol, changed, lifts_with(changed, first_symbol));
   for (const std::size_t k : concerned.combinations) {
     const auto& combination = rules_.combinations()[k];
     const Terms<R, Symbol> gain = lifts_.gain(combination.made, combination.rule + 1, first_symbol);
@@ -206,28 +209,134 @@ void Rewriter<R>::perturb(RuleId time, GeneratorId first, std::span<const Genera
       dependents_.gain_boundary(term.index, combination.made);
     }
   }
-  for (const Symbol x : concerned.small) {
-    if (rules_.removed_by(x) != no_rule) {
-      continue;  // since: another one was eliminated with it
-    }
-    const Terms<R, Symbol> gain = lifts_.gain(x, rules_.size(), first_symbol);
-    memos_.rewrite(
-        [&gain](auto visit) {
-          for (const TermType& term : gain) {
-            visit(term.index, term.coefficient);
-          }
-        },
-        column_);
-    if (!column_.empty()) {
-      settling_.extend(x, std::move(column_));
+  return concerned;
+}
+
+/// The boundary of a small symbol has this more.
+template <Ring R>
+void Rewriter<R>::extend_column_of(Symbol x, const Terms<R, Symbol>& gain) {
+  memos_.rewrite(
+      [&gain](auto visit) {
+        for (const TermType& term : gain) {
+          visit(term.index, term.coefficient);
+        }
+      },
+      column_);
+  if (!column_.empty()) {
+    settling_.extend(x, std::move(column_));
+  }
+}
+
+template <Ring R>
+void Rewriter<R>::perturb(RuleId time, GeneratorId first, std::span<const GeneratorId> changed) {
+  known_lifts_.clear();
+  const Symbol first_symbol = rules_.symbol_of(first);
+  for (const Symbol x : record_perturbation(time, first_symbol, changed).small) {
+    if (rules_.removed_by(x) == no_rule) {  // else another one was eliminated with it since
+      extend_column_of(x, lifts_.gain(x, rules_.size(), first_symbol));
     }
   }
   settling_.settle();
 }
 
 template <Ring R>
+void Rewriter<R>::take_away(RuleId time, GeneratorId deletion, std::span<const GeneratorId> changed) {
+  const Symbol e = rules_.symbol_of(deletion);
+  const auto concerned = record_perturbation(time, e, changed);
+  const RuleId since = rules_.size();
+  std::vector<TermType> gained;  // symbols that were small, with the coefficient of e in what they gain
+  for (const Symbol x : concerned.small) {
+    if (x == e || rules_.removed_by(x) != no_rule) {
+      continue;
+    }
+    const Terms<R, Symbol> gain = gain_of_deletion(x, deletion, changed);
+    if (!gain.empty()) {
+      gained.push_back({x, gain.front().coefficient});
+      extend_column_of(x, gain);
+    }
+  }
+  settling_.settle();
+  follow_known_lifts(e, since, gained);
+  if (rules_.is_rewritten(e) && rules_.value(rules_.removed_by(e)).empty()) {
+    perturbations_.last_is_not_felt();
+  }
+}
+
+/// delta(V x), a multiple of e: by what is known of the lift of x, or is then.
+template <Ring R>
+Terms<R, Symbol> Rewriter<R>::gain_of_deletion(Symbol x, GeneratorId deletion, std::span<const GeneratorId> changed) {
+  const R& ring = memos_.ring();
+  const Terms<R, GeneratorId> lift = known_lifts_.is_known(x) ? Terms<R, GeneratorId>{} : learn_lift(x);
+  typename R::Element sum = ring.zero();
+  for (const GeneratorId generator : changed) {
+    const TermOfB* term = sparse::find_term<R>(lift, generator);
+    const typename R::Element coefficient = term != nullptr            ? term->coefficient
+                                            : known_lifts_.is_known(x) ? known_lifts_.coefficient(x, generator)
+                                                                       : ring.zero();
+    ring.add_product(sum, coefficient, boundary_.entry(deletion, generator));
+  }
+  effort_.spend(changed.size());
+  effort_.check();
+  return ring.is_zero(sum) ? Terms<R, Symbol>{} : Terms<R, Symbol>{{rules_.symbol_of(deletion), sum}};
+}
+
+/// Works the lift of a small symbol out, and keeps it if it is long and does not change by rules to come. Returns it
+/// when it is not kept.
+template <Ring R>
+Terms<R, GeneratorId> Rewriter<R>::learn_lift(Symbol x) {
+  Terms<R, Symbol> known;  // b's of rules, with coefficients
+  Terms<R, GeneratorId> lift = lifts_.lift_down_to(x, [&](Symbol b, const typename R::Element& coefficient) {
+    const bool is_known = known_lifts_.is_known(b);
+    if (is_known) {
+      known.push_back({b, coefficient});
+    }
+    return is_known;
+  });
+  const bool is_cycle = core().find(x) == nullptr;
+  if (known.size() == 1 && is_cycle) {
+    known_lifts_.keep(x, known.front().index, known.front().coefficient, std::move(lift));
+    return known_lifts_.is_known(x) ? Terms<R, GeneratorId>{} : learn_lift(x);
+  }
+  for (const TermType& term : known) {
+    sparse::add_multiple<R>(memos_.ring(), lift, term.coefficient, known_lifts_.written_out(term.index));
+  }
+  if (is_cycle) {
+    known_lifts_.keep(x, lift);
+  }
+  return lift;
+}
+
+/// What the elimination of e has done to the lifts of those that have gained a multiple of it: the one that was
+/// eliminated with it is subtracted from the others.
+template <Ring R>
+void Rewriter<R>::follow_known_lifts(Symbol e, RuleId since, std::span<const TermType> gained) {
+  if (known_lifts_.empty() || gained.empty()) {
+    return;
+  }
+  if (rules_.size() != since + 1 || rules_[since].a != e) {
+    known_lifts_.clear();
+    return;
+  }
+  const R& ring = memos_.ring();
+  const Symbol eliminated = rules_[since].b;
+  const auto own = std::find_if(gained.begin(), gained.end(), [=](const TermType& g) { return g.index == eliminated; });
+  for (const auto& [x, coefficient] : gained) {
+    if (x == eliminated) {
+      continue;
+    }
+    if (own != gained.end() && known_lifts_.is_known(x) && known_lifts_.is_known(eliminated)) {
+      const auto factor = ring.multiply(coefficient, ring.inverse(own->coefficient));
+      known_lifts_.add(x, ring.negate(factor), eliminated);
+    } else {
+      known_lifts_.forget(x);
+    }
+  }
+}
+
+template <Ring R>
 void Rewriter<R>::consume(std::span<const Symbol> symbols) {
   ++breaks_;
+  known_lifts_.clear();
   for (const Symbol x : symbols) {
     settling_.consume(x);
   }
@@ -262,6 +371,7 @@ typename Rewriter<R>::Mark Rewriter<R>::mark() {
 template <Ring R>
 void Rewriter<R>::undo(const Mark& mark) {
   ++breaks_;
+  known_lifts_.clear();
   perturbations_.undo(mark.perturbations, mark.rules.rules);
   settling_.undo(mark.core);
   rules_.undo(mark.rules);

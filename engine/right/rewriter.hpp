@@ -9,6 +9,7 @@
 #include "engine/right/dependents.hpp"
 #include "engine/right/effort.hpp"
 #include "engine/right/elimination_record.hpp"
+#include "engine/right/known_lifts.hpp"
 #include "engine/right/lifts.hpp"
 #include "engine/right/memos.hpp"
 #include "engine/right/perturbations.hpp"
@@ -60,6 +61,9 @@ class Rewriter {
   /// Cost: when the changed generators are in no rule, their number. Else that of the lifts of the small generators
   /// that may have one of them, as far as rules made after the oldest changed one are concerned, and of finding these.
   void perturb(RuleId time, GeneratorId first, std::span<const GeneratorId> changed);
+  /// The same of a deletion, whose only new generator is `deletion`, with boundary 0. Lifts that were worked out
+  /// for one deletion are known to the next as long as there are only these and new generators.
+  void take_away(RuleId time, GeneratorId deletion, std::span<const GeneratorId> changed);
   /// Takes small generators out of S, with their boundaries: what they generate is no longer part of the object. They
   /// stay what chains of B that have them are rewritten to.
   void consume(std::span<const Symbol> symbols);
@@ -135,6 +139,12 @@ class Rewriter {
 
  private:
   [[nodiscard]] typename Perturbations<R>::Reached lifts_with(std::span<const GeneratorId> changed, Symbol first);
+  typename Perturbations<R>::Concerned record_perturbation(RuleId time, Symbol first,
+                                                           std::span<const GeneratorId> changed);
+  void extend_column_of(Symbol x, const Terms<R, Symbol>& gain);
+  [[nodiscard]] Terms<R, Symbol> gain_of_deletion(Symbol x, GeneratorId deletion, std::span<const GeneratorId> changed);
+  [[nodiscard]] Terms<R, GeneratorId> learn_lift(Symbol x);
+  void follow_known_lifts(Symbol e, RuleId since, std::span<const TermType> gained);
 
   const sparse::ColumnStore<R, GeneratorId>& boundary_;
   Effort effort_;
@@ -142,6 +152,7 @@ class Rewriter {
   Perturbations<R> perturbations_;
   Dependents<R> dependents_;
   Lifts<R> lifts_;
+  KnownLifts<R> known_lifts_;
   Memos<R> memos_;
   Settling<R> settling_;
   std::uint64_t looked_at_ = 0;  ///< small symbols, for want of `dependents_`

@@ -16,7 +16,7 @@ void Rules<R>::reserve(std::size_t generators) {
   symbol_of_.reserve(generators);
   rules_.reserve(generators / 2);
   values_.reserve(generators);
-  constexpr std::size_t usual_degrees = 4;
+  constexpr std::size_t usual_degrees = 5;
   first_.reserve(usual_degrees);
   last_.reserve(usual_degrees);
   small_counts_.reserve(usual_degrees);
@@ -33,17 +33,17 @@ Symbol Rules<R>::append_generator(int degree) {
 template <Ring R>
 Symbol Rules<R>::add_symbol(int degree, std::uint32_t generator) {
   const Symbol x = next_symbol();
-  const auto p = static_cast<std::size_t>(degree);
-  if (p >= first_.size()) {
-    first_.resize(p + 1, no_symbol);
-    last_.resize(p + 1, no_symbol);
-    small_counts_.resize(p + 1, 0);
+  const std::size_t list = list_of_degree(degree);
+  if (list >= first_.size()) {
+    first_.resize(list + 1, no_symbol);
+    last_.resize(list + 1, no_symbol);
+    small_counts_.resize(list, 0);
   }
   removed_by_.push_back(no_rule);
-  degree_.push_back(static_cast<std::uint8_t>(degree));
+  degree_.push_back(static_cast<std::int8_t>(degree));
   generator_.push_back(generator);
   born_.push_back(size());
-  neighbours_.push_back({last_[p], no_symbol});
+  neighbours_.push_back({last_[list], no_symbol});
   relink(x);
   return x;
 }
@@ -65,22 +65,29 @@ void Rules<R>::drop_last_symbol() {
 }
 
 template <Ring R>
+void Rules<R>::count_small(Symbol x, int change) {
+  if (degree_[x] >= 0) {
+    small_counts_[static_cast<std::size_t>(degree_[x])] += static_cast<std::uint32_t>(change);
+  }
+}
+
+template <Ring R>
 void Rules<R>::unlink(Symbol x) {
-  const auto p = static_cast<std::size_t>(degree_[x]);
+  const std::size_t p = list_of(x);
   const auto [before, after] = neighbours_[x];
   (before == no_symbol ? first_[p] : neighbours_[before].after) = after;
   (after == no_symbol ? last_[p] : neighbours_[after].before) = before;
-  --small_counts_[p];
+  count_small(x, -1);
 }
 
 /// Undoes the unlink of x, when everything that was linked or unlinked since has been undone.
 template <Ring R>
 void Rules<R>::relink(Symbol x) {
-  const auto p = static_cast<std::size_t>(degree_[x]);
+  const std::size_t p = list_of(x);
   const auto [before, after] = neighbours_[x];
   (before == no_symbol ? first_[p] : neighbours_[before].after) = x;
   (after == no_symbol ? last_[p] : neighbours_[after].before) = x;
-  ++small_counts_[p];
+  count_small(x, 1);
 }
 
 template <Ring R>
@@ -106,8 +113,8 @@ Symbol Rules<R>::small_of(GeneratorId generator) const {
 template <Ring R>
 std::vector<Symbol> Rules<R>::small(int degree) const {
   std::vector<Symbol> symbols;
-  if (degree >= 0 && static_cast<std::size_t>(degree) < first_.size()) {
-    for (Symbol x = first_[static_cast<std::size_t>(degree)]; x != no_symbol; x = neighbours_[x].after) {
+  if (degree >= 0 && list_of_degree(degree) < first_.size()) {
+    for (Symbol x = first_[list_of_degree(degree)]; x != no_symbol; x = neighbours_[x].after) {
       symbols.push_back(x);
     }
   }

@@ -43,6 +43,8 @@ namespace sesame::engine {
 ///
 /// A symbol is *small* as long as no rule removes it: the small symbols of a degree are the generators of S.
 ///
+/// Degrees begin at -1: that of what a vertex leaves when it is taken away, which is always eliminated.
+///
 /// Invariants: a symbol is removed by at most one rule; the symbols of a value are small when the rule is made. Undo
 /// takes back rules and symbols in reverse order, so it restores every order and every list.
 template <Ring R>
@@ -95,8 +97,7 @@ class Rules {
   /// Whether it is a generator of S.
   [[nodiscard]] bool is_small(Symbol x) const {
     const Symbol before = neighbours_[x].before;
-    return removed_by_[x] == no_rule &&
-           (before == no_symbol ? first_[static_cast<std::size_t>(degree_[x])] : neighbours_[before].after) == x;
+    return removed_by_[x] == no_rule && (before == no_symbol ? first_[list_of(x)] : neighbours_[before].after) == x;
   }
   /// The time at which a symbol was made.
   [[nodiscard]] RuleId born(Symbol x) const { return born_[x]; }
@@ -118,7 +119,7 @@ class Rules {
 
   /// The small symbols of a degree, oldest first.
   [[nodiscard]] std::vector<Symbol> small(int degree) const;
-  /// The number of small symbols of each degree.
+  /// The number of small symbols of each degree from 0 on.
   [[nodiscard]] const std::vector<std::uint32_t>& small_counts() const { return small_counts_; }
   /// Calls visit(a, b) for each elimination, with the two generators of B. Requires: there is no change of basis.
   template <class Visit>
@@ -146,6 +147,9 @@ class Rules {
   };
 
   [[nodiscard]] bool is_combination(Symbol x) const { return (generator_[x] & combination_bit) != 0; }
+  [[nodiscard]] static std::size_t list_of_degree(int degree) { return static_cast<std::size_t>(degree + 1); }
+  [[nodiscard]] std::size_t list_of(Symbol x) const { return list_of_degree(degree_[x]); }
+  void count_small(Symbol x, int change);
   Symbol add_symbol(int degree, std::uint32_t generator);
   void drop_last_symbol();
   void unlink(Symbol x);
@@ -156,14 +160,13 @@ class Rules {
   R ring_;
   // Per symbol.
   sparse::GrowingArray<RuleId> removed_by_;
-  sparse::GrowingArray<std::uint8_t> degree_;
+  sparse::GrowingArray<std::int8_t> degree_;
   sparse::GrowingArray<std::uint32_t> generator_;  ///< of B, or combination_bit | index in combinations_
   sparse::GrowingArray<RuleId> born_;
   sparse::GrowingArray<Neighbours>
-      neighbours_;  ///< small symbols of a degree: a doubly linked list, undone in reverse order
-  // Per degree.
-  std::vector<Symbol> first_, last_;
-  std::vector<std::uint32_t> small_counts_;
+      neighbours_;                    ///< small symbols of a degree: a doubly linked list, undone in reverse order
+  std::vector<Symbol> first_, last_;  ///< per degree, from -1 on
+  std::vector<std::uint32_t> small_counts_;  ///< per degree, from 0 on
 
   sparse::GrowingArray<Symbol> symbol_of_;  ///< per generator of B
   std::vector<Combination> combinations_;

@@ -167,9 +167,11 @@ void CofaceIndex::on_undo_of_removal(CellId current) {
   }
   const Removal removal = removals_.back();
   removals_.pop_back();
-  List& of = list(removal.becomes);
-  while (of.times_tidied == removal.times_tidied && of.size > removal.size) {
-    pop(of);
+  if (removal.becomes != none) {
+    List& of = list(removal.becomes);
+    while (of.times_tidied == removal.times_tidied && of.size > removal.size) {
+      pop(of);
+    }
   }
   add_cell(current);
 }

@@ -55,7 +55,13 @@ class CofaceIndex {
   void on_undo_of_cell(CellId node);
   /// Before a removal. `becomes`: the current cell that it will be, or be degenerate over.
   void before_removal(CellId removed, CellId becomes);
-  /// After the removal of a cell is undone.
+  /// Before a cell is taken away.
+  void before_deletion() {
+    if (is_made_) {
+      removals_.push_back({0, 0, none});
+    }
+  }
+  /// After the removal of a cell is undone, or its deletion.
   void on_undo_of_removal(CellId current);
   /// A cell has got a node as a face, by a move or because one is undone.
   void on_new_face(CellId cell, CellId face) {
@@ -80,7 +86,7 @@ class CofaceIndex {
 
     [[nodiscard]] bool is_overfull() const { return size >= 2 * size_when_tidy + most_entries_unread; }
   };
-  /// The list that a removal added to, as it was.
+  /// The list that a removal added to, as it was; of a deletion there is none.
   struct Removal {
     std::uint32_t size, times_tidied;
     CellId becomes;

@@ -107,8 +107,14 @@ void Forest::link(CellId removed, CellId survivor, OrderId order, int sign, Cell
 }
 
 void Forest::link_squashed(CellId removed, const Value& becomes) {
+  if (becomes.cell == none) {
+    deletions_.links_.push_back(links());
+    parent_[removed] = none;
+  }
   add_link({removed, none, none}, same_order, 1);
-  squash(removed, becomes);
+  if (becomes.cell != none) {
+    squash(removed, becomes);
+  }
 }
 
 CellId Forest::undo_last_link() {
@@ -118,7 +124,10 @@ CellId Forest::undo_last_link() {
   reversals_ -= reverses_.back() ? 1 : 0;
   reverses_.pop_back();
   const CellId survivor = parent_[link.removed];
-  if (survivor == none) {
+  if (deletions_.size() > 0 && deletions_.links_.back() == links()) {
+    deletions_.links_.pop_back();
+    parent_[link.removed] = link.removed;
+  } else if (survivor == none) {
     unsquash(link.removed);
   } else {
     size_[survivor] -= size_[link.removed];
@@ -171,6 +180,7 @@ void Forest::save(sparse::ArchiveWriter& to) const {
   to.put_list(is_theirs);
   to.put_map(orders_);
   to.put_list(first_links_);
+  to.put_list(deletions_.links_);
   std::vector<CellId> over;
   for (const auto& [cell, nodes] : squashed_onto_) {
     if (!nodes.empty()) {
@@ -209,6 +219,7 @@ void Forest::load(sparse::ArchiveReader& from, const CellStore& cells, const Ver
                  first_links_.empty() == links_.empty() &&
                  (links_.empty() || (first_links_[0] == 0 && first_links_.back() < links())),
              "each removal belongs to a step");
+  load_deletions(from);
   load_squashed(from, cells, maps);
 }
 
@@ -244,13 +255,22 @@ void Forest::load_links(sparse::ArchiveReader& from, const CellStore& cells, con
   from.check(orders.size() == orders_.size(), "the orders are those of removals");
 }
 
+void Forest::load_deletions(sparse::ArchiveReader& from) {
+  auto& deletions = deletions_.links_;
+  deletions = from.get_list<sparse::GrowingArray<LinkId>>();
+  from.check(std::is_sorted(deletions.begin(), deletions.end(), std::less_equal<>{}) &&
+                 std::all_of(deletions.begin(), deletions.end(),
+                             [this](LinkId link) { return link < links() && parent_[removed(link)] == none; }),
+             "what is taken away has become nothing else");
+}
+
 void Forest::load_squashed(sparse::ArchiveReader& from, const CellStore& cells, const VertexMaps& maps) {
   const auto squashes = from.get_list<sparse::GrowingArray<SavedSquash>>();
   for (const SavedSquash& each : squashes) {
     const Value value{each.over, each.type, each.collapsed, each.order};
     const bool is_sound = parent_.contains(each.node) && parent_.contains(each.over) && value.is_degenerate() &&
                           value.type == cells.type_id(each.node) && maps.is_value_of(value, cells.type_id(each.over)) &&
-                          !squashed_.contains(each.node) &&
+                          !squashed_.contains(each.node) && !is_deleted(*this, each.node) &&
                           (parent_[each.node] == none ||
                            (is_current(each.node) && is_asked_for(each.node) && cells.lazy(each.node) == none));
     if (!from.check(is_sound, "what is degenerate is so over a cell")) {
@@ -261,7 +281,7 @@ void Forest::load_squashed(sparse::ArchiveReader& from, const CellStore& cells, 
   bool is_told_of_all = true;
   cells.for_each_node([&](CellId node) {
     const bool must_be = parent_[node] == none || (is_asked_for(node) && cells.lazy(node) == none);
-    is_told_of_all = is_told_of_all && (!must_be || squashed_.contains(node));
+    is_told_of_all = is_told_of_all && (!must_be || squashed_.contains(node) || is_deleted(*this, node));
   });
   from.check(is_told_of_all, "what has become degenerate is so over a cell");
 }

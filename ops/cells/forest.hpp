@@ -2,6 +2,7 @@
 /// What nodes have become: the signed union-find of identifications, and what degenerate nodes are.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -21,15 +22,27 @@ struct OrientedCell {
   int sign;
 };
 
+/// Links that are deletions. Cost of every query: the logarithm of their number.
+class DeletionLinks {
+ public:
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(links_.size()); }
+  [[nodiscard]] bool contains(LinkId link) const { return std::binary_search(links_.begin(), links_.end(), link); }
+
+ private:
+  friend class Forest;
+  sparse::GrowingArray<LinkId> links_;  ///< in order
+};
+
 /// One *link* per removed cell, to the cell that it became; each tree is at most log2(nodes) deep, as the planner has
-/// the larger class survive. A node is *current*, or has a parent, or has become degenerate: then it has a value.
+/// the larger class survive. A node is *current*, or has a parent, or has become degenerate: then it has a value; or it
+/// is *deleted*, taken out of the object with all that it stood for. That is a link as well, to nothing.
 /// Cost of what is not said: O(log nodes).
 class Forest {
  public:
-  /// Parents are marked with `none` when the node is degenerate.
+  /// `none` when the node is degenerate or deleted.
   [[nodiscard]] CellId parent(CellId c) const { return parent_[c]; }
   [[nodiscard]] bool is_current(CellId c) const { return parent_[c] == c; }
-  /// The current cell that c is now, or none when it is degenerate.
+  /// The current cell that c is now, or none when it is degenerate or deleted.
   [[nodiscard]] CellId find(CellId c) const {
     while (c != none && parent_[c] != c) {
       c = parent_[c];
@@ -40,7 +53,7 @@ class Forest {
   [[nodiscard]] CellId find_at(CellId c, LinkId links) const;
   [[nodiscard]] OrientedCell find_oriented(CellId c) const { return find_oriented_at(c, links()); }
   [[nodiscard]] OrientedCell find_oriented_at(CellId c, LinkId links) const;
-  /// The cell that c is now, or was last before it became degenerate.
+  /// The cell that c is now, or was last before it became degenerate or was deleted.
   [[nodiscard]] CellId last_root(CellId c) const;
 
   /// The number of nodes that a current cell stands for.
@@ -75,8 +88,11 @@ class Forest {
   /// The number of removals before the step in which one was made.
   [[nodiscard]] LinkId links_before_step(LinkId link) const;
 
+  /// Those removals that are deletions.
+  [[nodiscard]] const DeletionLinks& deletions() const { return deletions_; }
+
   // ---- degenerate nodes
-  /// What a node became that is degenerate. Requires: parent(node) == none.
+  /// What a node became that is degenerate. Requires: parent(node) == none, and it is not deleted.
   [[nodiscard]] const Value& squashed(CellId node) const { return squashed_.at(node); }
   /// The nodes that became degenerate over a node itself.
   [[nodiscard]] std::span<const CellId> squashed_onto(CellId node) const;
@@ -94,7 +110,7 @@ class Forest {
   /// `removed`, of two current cells, becomes the other one; its vertices change their order by one of a sign. `oldest`
   /// is the older one of the oldest members of the two.
   void link(CellId removed, CellId survivor, OrderId order, int sign, CellId oldest);
-  /// A current cell becomes degenerate.
+  /// A current cell becomes degenerate, or, with a value of no cell, is taken out of the object.
   void link_squashed(CellId removed, const Value& becomes);
   /// Takes the last removal back. Returns the cell that is current again.
   CellId undo_last_link();
@@ -110,6 +126,7 @@ class Forest {
   };
   void add_link(const Link& link, OrderId order, int sign);
   void load_links(sparse::ArchiveReader& from, const CellStore& cells, const VertexMaps& maps);
+  void load_deletions(sparse::ArchiveReader& from);
   void load_squashed(sparse::ArchiveReader& from, const CellStore& cells, const VertexMaps& maps);
 
   PerNode<CellId> parent_, oldest_;
@@ -121,9 +138,16 @@ class Forest {
   std::uint32_t reversals_ = 0;                 ///< links that do
   std::unordered_map<LinkId, OrderId> orders_;  ///< of links in another order
   sparse::GrowingArray<LinkId> first_links_;    ///< of the steps that made some
+  DeletionLinks deletions_;
   std::unordered_map<CellId, Value> squashed_;  ///< what a node that became degenerate is
   std::unordered_map<CellId, std::vector<CellId>> squashed_onto_;
 };
+
+/// Whether a node itself was taken out of the object.
+[[nodiscard]] inline bool is_deleted(const Forest& forest, CellId node) {
+  return forest.deletions().size() > 0 && forest.parent(node) == none &&
+         forest.deletions().contains(forest.link_of(node));
+}
 
 template <class Visit>
 void Forest::for_each_member(CellId current, Visit&& visit) const {

@@ -19,6 +19,7 @@ enum class EventKind : std::uint8_t {
   lazy,        ///< a node: a cell of a lazy family was asked for
   expansion,   ///< the faces of one were asked for
   removal,     ///< a cell became another one, or degenerate
+  deletion,    ///< a cell was taken away; numbered among the removals
   move,        ///< an incidence went to a copy
   family,      ///< bodies became a product or a lazy cone
   cone,        ///< a cone was written out
@@ -28,7 +29,7 @@ enum class EventKind : std::uint8_t {
   body_kind,   ///< a body became less of an abstract complex than it was
   simplicial,  ///< a change in the abstract simplicial complexes
 };
-inline constexpr std::size_t event_kinds = 14;
+inline constexpr std::size_t event_kinds = 15;
 
 /// How many events there were, by kind.
 struct EventCounts {

@@ -12,6 +12,9 @@ bool differ_in_order_only(const Value& one, const Value& other) {
 }  // namespace
 
 Instant Lineage::end_of(CellId node) const {
+  if (is_deleted(structure_.forest(), node)) {
+    return never;
+  }
   if (structure_.forest().parent(node) != node) {
     const LinkId link = structure_.forest().link_of(node);
     return link == none ? 0 : instant_after(link);  // 0: degenerate from the start

@@ -8,7 +8,8 @@
 
 namespace sesame::ops {
 
-/// A moment of the history: how many cells had been created and removed, incidences moved, copies and lazy families
+/// A moment of the history: how many cells had been created and removed (taken away ones
+/// among these), incidences moved, copies and lazy families
 /// made, and how many nodes been asked for.
 struct Moment {
   CellId created = 0;

@@ -10,6 +10,7 @@ void Plan::clear() {
   names.clear();
   standard = none;
   merges.clear();
+  deletions.clear();
   degenerate.clear();
   sources.clear();
   name_orders.clear();
@@ -29,6 +30,9 @@ StepKind Plan::kind() const {
   }
   if (!merges.empty()) {
     return StepKind::removal;
+  }
+  if (!deletions.empty()) {
+    return StepKind::deletion;
   }
   if (!sources.empty()) {
     return StepKind::split;

@@ -38,7 +38,7 @@ struct Move {
   OrderId order;
 };
 
-/// What an insertion or a collapse changes in the abstract simplicial complexes.
+/// What an insertion, a collapse or a removal of cells changes in the abstract simplicial complexes.
 struct AbstractChange {
   struct Collapse {
     LabelId from, to;
@@ -48,7 +48,8 @@ struct AbstractChange {
   /// The vertices of the new cells in their orders, one cell after the other.
   std::vector<VertexId> vertices;
   std::optional<Collapse> collapse;
-  std::vector<CellId> renamed;  ///< cells that have the vertex `gone` and will have `kept` in its place
+  std::vector<CellId> renamed;   ///< cells that have the vertex `gone` and will have `kept` in its place
+  std::vector<CellId> excluded;  ///< simplices that are taken away
 };
 
 /// What a step is to the object.
@@ -56,6 +57,7 @@ enum class StepKind : std::uint8_t {
   nothing,    ///< no cell has changed
   addition,   ///< cells were made
   removal,    ///< cells became others, or degenerate: an identification, a degeneracy, a collapse
+  deletion,   ///< cells were taken away
   split,      ///< cells got copies, and incidences moved to them: a de-identification
   product,    ///< bodies became a product
   lazy_cone,  ///< bodies went under a cone that is not written out
@@ -78,6 +80,8 @@ struct Plan {
   /// by `names`. See Directory::add_standard.
   TypeId standard = none;
   std::vector<Merge> merges;  ///< by dimension, so that boundaries agree when their turn comes
+  /// Current cells that are taken away, each after those that have it as a face.
+  std::vector<CellId> deletions;
   /// Degenerate nodes to be asked for before new cells, by the position of these. Nobody has asked for them yet.
   std::vector<std::pair<std::uint32_t, Value>> degenerate;
   std::vector<CellId> sources;  ///< empty, or per new cell: the cell that it is a copy of
@@ -98,7 +102,7 @@ struct Plan {
   std::uint64_t already = 0;  ///< simplices of an insertion that are there, or stand in its list more than once
 
   void clear();
-  [[nodiscard]] bool changes_nothing() const { return cells.empty() && merges.empty() && !family; }
+  [[nodiscard]] bool changes_nothing() const { return cells.empty() && merges.empty() && deletions.empty() && !family; }
   [[nodiscard]] StepKind kind() const;
 };
 

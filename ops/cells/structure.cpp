@@ -11,7 +11,7 @@ std::optional<Incidence> Structure::denoted(std::string_view name) const {
   }
   Incidence found =
       named->is_degenerate() ? values_.incidence_of(values_.normal_form(*named)) : Incidence{named->cell, named->order};
-  while (lazy_.is_consumed(found.node)) {
+  while (lazy_.is_consumed(found.node) && !is_deleted(forest_, values_.of(found.node).cell)) {
     const FamilyId family = lazy_.consumed_by(found.node);
     if (lazy_.family(family).kind != FamilyKind::cone) {
       break;

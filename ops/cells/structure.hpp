@@ -34,7 +34,7 @@ namespace sesame::ops {
 /// The cells of all bodies.
 ///
 /// A *node* is a cell as it was created; the *current cell* that it is now is `find(node)`, or none when it has become
-/// degenerate; its *value* is its normal form in either case. Everything is append-only but for undo, which takes
+/// degenerate or was taken away; its *value* is its normal form. Everything is append-only but for undo, which takes
 /// events of the journal back, the last one first.
 ///
 /// Each part says what it knows. Some of them make nodes when they are asked, of lazy and of degenerate cells: that is
@@ -123,6 +123,7 @@ class Structure {
   void add_cells(const Plan& plan, BodyId new_body);
   void add_family(const NewFamily& family, BodyId body);
   void link(const Merge& merge);
+  void take_away(CellId cell);
   void make_move(const Move& move);
   void join_bodies(BodyId a, BodyId b);
   void change_abstract(const Plan& plan, CellId first);

@@ -35,8 +35,11 @@ bool keep_to_bodies(const Structure& structure) {
     }
   }
   cells.for_each_node([&](CellId c) {
-    const CellId parent = structure.forest().parent(c);
-    tie(c, parent == none ? structure.forest().squashed(c).cell : parent);
+    if (const CellId parent = structure.forest().parent(c); parent != none) {
+      tie(c, parent);
+    } else if (!is_deleted(structure.forest(), c)) {
+      tie(c, structure.forest().squashed(c).cell);
+    }
     if (const SplitHistory::Copy* copy = structure.splits().copy(c)) {
       tie(c, copy->source);
     }

@@ -36,8 +36,11 @@ void Structure::apply(const Plan& plan) {
   for (const Move& move : plan.moves) {
     make_move(move);
   }
-  if (!plan.merges.empty()) {
+  if (!plan.merges.empty() || !plan.deletions.empty()) {
     forest_.begin_step();
+  }
+  for (const CellId cell : plan.deletions) {
+    take_away(cell);
   }
   for (const Merge& merge : plan.merges) {
     link(merge);
@@ -89,6 +92,9 @@ void Structure::change_abstract(const Plan& plan, CellId first) {
     const auto size = static_cast<std::size_t>(dimension(c)) + 1;
     abstract_.include(c, vertices.first(size));
     vertices = vertices.subspan(size);
+  }
+  for (const CellId cell : change.excluded) {
+    abstract_.exclude(cell);
   }
   if (const auto& collapse = change.collapse) {
     for (const Merge& merge : plan.merges) {
@@ -218,6 +224,14 @@ void Structure::link(const Merge& merge) {
   const CellId theirs = forest_.oldest(removed);
   const CellId ours = forest_.oldest(survivor);
   forest_.link(removed, survivor, order, maps().sign(order), lazy_.is_older(theirs, ours) ? theirs : ours);
+}
+
+void Structure::take_away(CellId cell) {
+  expects(is_current(cell), "only a current cell can be taken away");
+  note(EventKind::deletion, forest_.links());
+  count(cell, -1);
+  coface_index_.before_deletion();
+  forest_.link_squashed(cell, {});
 }
 
 void Structure::make_move(const Move& move) {

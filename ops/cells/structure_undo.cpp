@@ -63,6 +63,7 @@ void Structure::undo_last_event() {
     case EventKind::expansion:
       return lazy_.undo_last_expansion();
     case EventKind::removal:
+    case EventKind::deletion:
       return undo_last_removal();
     case EventKind::move:
       return undo_last_move();

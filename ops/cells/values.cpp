@@ -18,7 +18,7 @@ void Values::advance_to_root(Value& v) const {
 
 Value Values::normal_form(Value v) const {
   advance_to_root(v);
-  while (forest_.parent(v.cell) == none) {
+  while (forest_.parent(v.cell) == none && !is_deleted(forest_, v.cell)) {
     v = maps_.compose(v, forest_.squashed(v.cell));
     advance_to_root(v);
   }

@@ -27,7 +27,8 @@ class Values {
   [[nodiscard]] Value plain(CellId c) const { return {c, cells_.type_id(c), 0}; }
   /// The normal form of what c is now.
   [[nodiscard]] Value of(CellId c) const { return normal_form(plain(c)); }
-  /// The same for a value whose cell is any node.
+  /// The same for a value whose cell is any node. What is deleted, or degenerate over that, stays a value of the
+  /// deleted cell.
   [[nodiscard]] Value normal_form(Value v) const;
   /// Face k of a value in normal form, in normal form. Cost O(dimension), amortised.
   [[nodiscard]] Value face(const Value& v, std::uint32_t k) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ops/plan/operation_plans.hpp"
@@ -109,6 +110,11 @@ Status plan_collapse(const Collapse& operation, const Structure& structure, Plan
   const AbstractComplex& complex = structure.abstract();
   VertexId gone = complex.vertex(*from);
   VertexId kept = complex.vertex(*to);
+  for (const auto& [vertex, text] : {std::pair{gone, operation.from}, std::pair{kept, operation.to}}) {
+    if (complex.star_size(vertex) == 0) {
+      return Error{Errc::refused, fmt::format("the vertex {} was removed", sparse::quoted(text))};
+    }
+  }
   if (complex.star_size(gone) > complex.star_size(kept)) {
     std::swap(gone, kept);
   }

@@ -39,6 +39,10 @@ Result<std::optional<std::vector<BodyId>>> coned_bodies(const ConeBase& over, co
     bodies = std::vector<BodyId>{*body};
   } else if (std::holds_alternative<std::monostate>(over)) {
     bodies = structure.bodies().current();
+    std::erase_if(*bodies, [&](BodyId body) {  // all cells of which were removed
+      const auto counts = structure.bodies().counts(body);
+      return std::all_of(counts.begin(), counts.end(), [](std::uint64_t count) { return count == 0; });
+    });
   }
   return bodies;
 }

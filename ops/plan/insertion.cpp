@@ -37,7 +37,7 @@ std::span<const VertexId> as_span(const PerVertex<VertexId>& vertices) { return 
 struct Label {
   std::string_view text;
   VertexId vertex;  ///< or the number that it will have
-  BodyId body;      ///< of a vertex that is there
+  BodyId body;      ///< of a vertex that is there, or was and has been removed
 };
 
 /// Works out which of some simplices and of their faces are missing, and lays them out.
@@ -118,7 +118,7 @@ class InsertPlanner {
               fmt::format("the name \"{}\", which a new cell would have, is in use: choose other labels", own)};
         }
         add_cell(type, first_face, plan);
-        if (p == 0) {
+        if (p == 0 && is_new(labels_[simplex[0]].vertex)) {
           change.labels.emplace_back(labels_[simplex[0]].text);
         }
       }
@@ -158,10 +158,14 @@ class InsertPlanner {
     out += '}';
   }
   /// Whether a missing simplex cannot have its name. Without a star and a point that is read as one that was given, or
-  /// as this simplex.
+  /// as this simplex. A simplex that was removed may come again.
   [[nodiscard]] bool is_taken(std::string_view name) const {
-    return name.find_first_of("*.") == std::string_view::npos ? structure_.directory().names().find(name) != nullptr
-                                                              : structure_.is_name_taken(name);
+    const NameTable::Name* given = structure_.directory().names().find(name);
+    if (given != nullptr && given->cell != none && structure_.abstract().contains(given->cell) &&
+        is_deleted(structure_.forest(), structure_.values().of(given->cell).cell)) {
+      return false;
+    }
+    return given != nullptr || (name.find_first_of("*.") != std::string_view::npos && structure_.is_name_taken(name));
   }
   [[nodiscard]] bool is_new(VertexId vertex) const { return vertex >= structure_.abstract().labels(); }
 

@@ -24,4 +24,7 @@ Status plan_insertion(const Insert& operation, const Structure& structure, const
 // collapse.cpp
 Status plan_collapse(const Collapse& operation, const Structure& structure, Plan& plan);
 
+// removal.cpp
+Status plan_removal(const Remove& operation, const Structure& structure, const Limits& limits, Plan& plan);
+
 }  // namespace sesame::ops

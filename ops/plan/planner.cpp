@@ -60,6 +60,10 @@ Status Planner::plan(const Collapse& operation, Plan& plan) {
   return plan_collapse(operation, structure_, cleared(plan));
 }
 
+Status Planner::plan(const Remove& operation, Plan& plan) {
+  return plan_removal(operation, structure_, limits_, cleared(plan));
+}
+
 Status Planner::plan_equations(Result<std::vector<Equation>> equations, Plan& plan) {
   if (!equations) {
     return equations.error();

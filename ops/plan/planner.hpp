@@ -36,6 +36,8 @@ class Planner {
   Status plan(const Insert& operation, Plan& plan);
   /// Cost: the smaller of the two stars, times the square of the dimension.
   Status plan(const Collapse& operation, Plan& plan);
+  /// Cost: the cells that go, and their cofaces.
+  Status plan(const Remove& operation, Plan& plan);
 
   [[nodiscard]] const Limits& limits() const { return limits_; }
   /// What a name denotes, of a cell of the object, in normal form: its vertices in the order in which the name stands

@@ -46,6 +46,11 @@ Result<Value> resolve_cell(const std::string& name, const Structure& structure) 
         fmt::format("the cell \"{}\" went into the product \"{}\", whose cells have names such as \"{}.(a|b)\"", name,
                     product.name, product.name)};
   }
+  if (is_deleted(structure.forest(), named->cell)) {
+    const std::string own = structure.name(named->cell);
+    return Error{Errc::unknown_name, fmt::format("the cell {} was removed{}: undo that, or name another cell",
+                                                 quoted(name), own == name ? "" : fmt::format(", as {}", quoted(own)))};
+  }
   return *named;
 }
 
@@ -70,7 +75,11 @@ Result<BodyId> abstract_body(LabelId label, const Structure& structure) {
     return Error{Errc::refused, fmt::format("\"{}\" was collapsed into another vertex: write \"{}\"",
                                             complex.text(label), complex.text(complex.label_of(vertex)))};
   }
-  const BodyId body = structure.body_of(complex.find({&vertex, 1}));
+  CellId cell = complex.find({&vertex, 1});
+  if (cell == none) {  // it was removed, and is known by its name
+    cell = structure.lookup(fmt::format("{{{}}}", complex.text(label))).value();
+  }
+  const BodyId body = structure.body_of(cell);
   if (!structure.bodies().kind(body).is_abstract) {
     return Error{Errc::refused,
                  fmt::format("the body \"{}\" of the vertex \"{}\" was changed by another operation: insert and "

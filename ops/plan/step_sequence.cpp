@@ -114,6 +114,31 @@ StepSequence<R> removed_cells(const Structure& structure, Moment before, Moment 
   return differences(structure, ring, Direction::forward, removed, all, before, kept, after, i_of, became, minus_one);
 }
 
+/// The object after the step is what is left of the one before it modulo the cells that went: a subcomplex.
+template <Ring R>
+StepSequence<R> deleted_cells(const Structure& structure, Moment before, Moment after, const R& ring) {
+  CellBasis kept = cells_at(structure, after);
+  CellBasis all = kept;
+  CellBasis deleted;
+  for (LinkId link = before.links; link < after.links; ++link) {
+    const CellId c = structure.forest().removed(link);
+    all.add(structure.dimension(c), c);
+    deleted.add(structure.dimension(c), c);
+  }
+  const CellBasis none_stored;
+  const auto itself = [&ring](CellId c) { return unit(ring, c); };
+  auto i = map_by_columns(ring, kept, all, Rest::identity, none_stored, itself);
+  auto r = map_by_columns(ring, all, kept, Rest::identity, none_stored, itself);
+  auto j = map_by_columns(ring, all, deleted, Rest::zero, deleted, itself);
+  auto s = map_by_columns(ring, deleted, all, Rest::zero, deleted, itself);
+  return {Direction::kernel,
+          {chain_complex(structure, kept, after, ring), chain_complex(structure, all, before, ring),
+           chain_complex(structure, deleted, before, ring), std::move(i), std::move(j), std::move(r), std::move(s)},
+          std::move(kept),
+          std::move(all),
+          std::move(deleted)};
+}
+
 template <Ring R>
 StepSequence<R> split_cells(const Structure& structure, Moment before, Moment after, const R& ring) {
   CellBasis old_cells = cells_at(structure, before);
@@ -208,6 +233,8 @@ std::optional<StepSequence<R>> step_sequence(const Structure& structure, StepKin
     case StepKind::removal:
       sparse::expects(before.created == after.created, "a step adds cells or removes cells, not both");
       return removed_cells(structure, before, after, ring);
+    case StepKind::deletion:
+      return deleted_cells(structure, before, after, ring);
     case StepKind::split:
       return split_cells(structure, before, after, ring);
     case StepKind::addition:

@@ -34,6 +34,7 @@ template <sparse::Ring R>
 enum class Direction : std::uint8_t {
   forward,   ///< C2 from C0 and C1: identification, degeneracy
   backward,  ///< C1 from C0 and C2: adding cells, cones, de-identification
+  kernel,    ///< C0 from C1 and C2: removing cells
 };
 
 /// A step as an effective short exact sequence 0 -> C0 -i-> C1 -j-> C2 -> 0 with retractions r and s.
@@ -48,6 +49,9 @@ enum class Direction : std::uint8_t {
 ///
 /// De-identification (backward): C2 is the object before, C1 after, C0 is spanned by the copies as differences; for a
 /// copy y of x: i(y) = y - x, r(y) = y, j(y) = x, s the identity of the old cells, d0 = r d1 i.
+///
+/// Removing cells (kernel): C1 is the object before, C0 after, C2 = the cells that go, modulo those that stay; i and r
+/// are implicit identities, and only the cells that go have stored columns.
 ///
 /// Source: S. Peltier's habilitation (2023), section 3.3.3; W. Rharbaoui's thesis (2022).
 template <sparse::Ring R>

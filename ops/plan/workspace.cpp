@@ -44,7 +44,7 @@ Moment Workspace::before(std::size_t step) const {
   };
   const Moment at_end = structure_.now();
   return {less(at_end.created, EventKind::cell, EventKind::copy),
-          less(at_end.links, EventKind::removal),
+          less(at_end.links, EventKind::removal, EventKind::deletion),
           less(at_end.moves, EventKind::move),
           less(at_end.families, EventKind::family),
           less(at_end.copies, EventKind::copy),

@@ -250,10 +250,6 @@ void AbstractComplex::load(sparse::ArchiveReader& from, const std::function<bool
       place_[cell] = {static_cast<SimplexIndex::Slot>(slot), static_cast<std::uint8_t>(dimension)};
     }
   }
-  for (LabelId label = 0; label < labels() && from.is_good(); ++label) {
-    const VertexId denoted = vertex(label);
-    from.check(find({&denoted, 1}) != none, "the vertices that labels denote are simplices");
-  }
 }
 
 /// Parents have at least twice as many labels below them: so one comes to an end, and soon.

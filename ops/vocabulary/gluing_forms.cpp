@@ -1,4 +1,4 @@
-// The text form of the operations that glue cells, squash them and take them apart.
+// The text form of the operations that glue cells, squash them, take them apart and take them away.
 #include <nlohmann/json.hpp>
 
 #include "ops/vocabulary/operation_form.hpp"
@@ -128,10 +128,27 @@ void write_deidentify(const Deidentify& op, JsonText& out) {
   out.end_list();
 }
 
+Remove read_remove(Fields& in) {
+  Remove op;
+  op.cells = in.texts("cells", in.need("cells"), "a list of cells");
+  if (const Json* cofaces = in.find("cofaces")) {
+    op.cofaces = in.truth("cofaces", *cofaces);
+  }
+  return op;
+}
+
+void write_remove(const Remove& op, JsonText& out) {
+  out.field("cells", op.cells);
+  if (op.cofaces) {
+    out.field("cofaces", true);
+  }
+}
+
 }  // namespace
 
 constinit const Form<Identify> identify_form{"identify", read_identify, write_identify};
 constinit const Form<Degenerate> degenerate_form{"degenerate", read_degenerate, write_degenerate};
 constinit const Form<Deidentify> deidentify_form{"deidentify", read_deidentify, write_deidentify};
+constinit const Form<Remove> remove_form{"remove", read_remove, write_remove};
 
 }  // namespace sesame::ops

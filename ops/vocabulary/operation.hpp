@@ -100,6 +100,12 @@ struct Collapse {
   std::string from, to;
 };
 
+/// Takes cells out of the object: those that nothing else has as a face, or whole open stars.
+struct Remove {
+  std::vector<std::string> cells;
+  bool cofaces = false;  ///< also takes all that has one of them as a face
+};
+
 /// What the state should be; a field that is absent is not looked at.
 struct Expect {
   std::optional<std::vector<Integer>> betti;
@@ -123,7 +129,7 @@ struct Note {
 };
 
 using Operation = std::variant<MakeSimplex, MakeSimploid, MakeComplex, MakeCone, MakeSuspension, MakeProduct, Identify,
-                               Degenerate, Deidentify, Insert, Collapse, Expect, AskClass, Undo, Note>;
+                               Degenerate, Deidentify, Insert, Collapse, Remove, Expect, AskClass, Undo, Note>;
 
 /// The word that stands for an operation in a log: "simplex", "identify", ...
 [[nodiscard]] std::string_view keyword(const Operation& operation);

@@ -30,6 +30,7 @@ extern const Form<MakeProduct> product_form;
 extern const Form<Identify> identify_form;
 extern const Form<Degenerate> degenerate_form;
 extern const Form<Deidentify> deidentify_form;
+extern const Form<Remove> remove_form;
 // simplicial_forms.cpp
 extern const Form<Insert> insert_form;
 extern const Form<Collapse> collapse_form;

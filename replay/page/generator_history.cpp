@@ -37,6 +37,13 @@ bool is_consumed(const ops::Structure& structure, const CellChain& chain) {
                              [&](const auto& term) { return structure.lazy().is_consumed(term.generator); });
 }
 
+bool is_removed(const ops::Structure& structure, const CellChain& chain) {
+  const ops::Forest& forest = structure.forest();
+  return forest.deletions().size() > 0 && std::ranges::any_of(chain.terms, [&](const auto& term) {
+           return is_deleted(forest, forest.last_root(term.generator));
+         });
+}
+
 template <sparse::Ring R>
 std::vector<typename R::Element> in_ring(const R& ring, const std::vector<Rational>& numbers) {
   std::vector<typename R::Element> elements;
@@ -142,6 +149,9 @@ void GeneratorHistory::forget_undone(std::span<const std::uint32_t> undone, Page
 std::optional<ClassEnd> GeneratorHistory::end_of(engine::Engine& engine, Followed& each) {
   if (is_consumed(engine.structure(), each.now)) {
     return ClassEnd::consumed;
+  }
+  if (is_removed(engine.structure(), each.cycle)) {
+    return ClassEnd::removed;
   }
   if (each.now.terms.empty()) {
     return ClassEnd::bounds;

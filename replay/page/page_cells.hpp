@@ -85,6 +85,7 @@ struct PageClass {
 enum class ClassEnd : std::uint8_t {
   bounds,    ///< its cycle became a boundary
   cut,       ///< what its cycle goes through was split, so that it is a cycle no more
+  removed,   ///< a cell that its cycle goes through was removed
   consumed,  ///< its cells became those of a factor of a product
   undone,    ///< the step behind which its cycle was written was taken back
 };

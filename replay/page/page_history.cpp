@@ -227,6 +227,10 @@ void PageHistory::add_removals(const Structure& structure, PageStep& step) {
     if (cell == ops::none) {
       continue;
     }
+    if (forest.deletions().contains(links_)) {  // it is not shown from now on, as what became a factor is not
+      step.consumed.push_back(cell);
+      continue;
+    }
     const ops::OrientedCell became = forest.find_oriented_at(removed, links_ + 1);
     const CellId onto = became.cell != ops::none ? became.cell : forest.squashed(removed).cell;
     const std::uint32_t other = number(onto);

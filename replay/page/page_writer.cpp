@@ -125,6 +125,8 @@ const char* name_of(ClassEnd how) {
       return "bounds";
     case ClassEnd::cut:
       return "cut";
+    case ClassEnd::removed:
+      return "removed";
     case ClassEnd::consumed:
       return "consumed";
     default:

@@ -292,8 +292,8 @@ class Run {
 
   /// Only then it is worth to ask.
   static bool may_end_barcode(const engine::StepReport& report) {
-    return report.kind == ops::StepKind::split || report.kind == ops::StepKind::product ||
-           report.kind == ops::StepKind::lazy_cone;
+    return report.kind == ops::StepKind::split || report.kind == ops::StepKind::deletion ||
+           report.kind == ops::StepKind::product || report.kind == ops::StepKind::lazy_cone;
   }
 
   /// Drops from an expectation what holds over another ring only. Betti numbers are those of the characteristic.

@@ -142,6 +142,10 @@ TEMPLATE_TEST_CASE("every step of a random stream of all operations is an exact 
     if (equates) {
       REQUIRE(step.sequence.c1.sizes() == before.sizes());
       REQUIRE(step.sequence.c2 == after);
+    } else if (std::holds_alternative<Remove>(op)) {
+      REQUIRE(step.direction == Direction::kernel);
+      REQUIRE(step.sequence.c0 == after);
+      REQUIRE(step.sequence.c1.sizes() == before.sizes());
     } else if (std::holds_alternative<Deidentify>(op)) {
       REQUIRE(step.sequence.c2 == before);
       REQUIRE(step.sequence.c1.sizes() == after.sizes());

@@ -8,7 +8,7 @@ Replays a script and prints one JSON object a step with the keys step, op, cells
 of the effective complexes. It shares no idea with the engine: a step copies the whole state, and homology is computed
 from scratch with a Smith form on Python's integers. Where both agree, they agree for different reasons.
 
-Covered: simplex, simploid, complex, cone, suspend, identify, degenerate, deidentify, product, insert, collapse, expect, class,
+Covered: simplex, simploid, complex, cone, suspend, identify, degenerate, deidentify, product, insert, collapse, remove, expect, class,
 undo, note.
 Exit status as `sesame replay`: 0 done, 1 wrong usage or unreadable file, 2 the script is wrong, 3 an expect failed.
 
@@ -355,6 +355,7 @@ class State:
         self.body_merged_into = []
         self.consumed = set()  # numbers of bodies
         self.labels = {}  # of a vertex of an abstract complex, as inserted -> the label that the vertex has now
+        self.gone = {}  # label of a vertex that was removed -> number of its body
         self.orders = {}  # frozenset of labels -> tuple of them; a simplex is a name as well: its frozenset
         self.standard = {}  # name of a simplex or simploid -> its type
         self.cones = {}  # apex -> Cone
@@ -371,6 +372,7 @@ class State:
         other.body_merged_into = list(self.body_merged_into)
         other.consumed = set(self.consumed)
         other.labels = dict(self.labels)
+        other.gone = dict(self.gone)
         other.orders = dict(self.orders)
         other.standard = dict(self.standard)
         other.cones = dict(self.cones)
@@ -1185,8 +1187,11 @@ def usable_body(state, label):
     """The body of a vertex that insert or collapse may change."""
     if state.labels[label] != label:
         raise ScriptError(f'"{label}" was collapsed into "{state.labels[label]}"')
-    vertex = state.names[frozenset([label])]
-    body = None if vertex is None else state.body_root(state.cells[vertex[0]].body)
+    if frozenset([label]) in state.names:
+        vertex = state.names[frozenset([label])]
+        body = None if vertex is None else state.body_root(state.cells[vertex[0]].body)
+    else:
+        body = state.body_root(state.gone[label])
     if body not in state.abstract:
         raise ScriptError(f'the body of "{label}" is no abstract complex any more')
     return body
@@ -1237,7 +1242,12 @@ def op_insert(state, step, _prime):
         body = state.new_body(first)
         state.abstract.add(body)
     for face in missing:
-        number = state.add("{" + ",".join(face) + "}", (len(face) - 1,) if len(face) > 1 else (), (), body, first)
+        name = "{" + ",".join(face) + "}"
+        own = first
+        if name in state.names and state.names[name] is None:  # it was removed, and comes again
+            del state.names[name]
+            own = name
+        number = state.add(name, (len(face) - 1,) if len(face) > 1 else (), (), body, own)
         state.orders[frozenset(face)] = face
         state.names[frozenset(face)] = state.plain(number)
         for k in range(len(face) if len(face) > 1 else 0):
@@ -1257,6 +1267,9 @@ def op_collapse(state, step, _prime):
     bodies = [usable_body(state, label) for label in (u, v)]
     if u == v:
         raise ScriptError("a vertex cannot be collapsed into itself")
+    for label in (u, v):
+        if frozenset([label]) not in state.names:
+            raise ScriptError(f'the vertex "{label}" was removed')
     state.merge_bodies(*bodies)
     body = state.body_root(bodies[0])
     became = {}  # number of a cell that goes -> value
@@ -1292,6 +1305,35 @@ def op_collapse(state, step, _prime):
         del state.cells[number]
     state.labels = {label: v if at == u else at for label, at in state.labels.items()}
     refresh_faces(state, body)
+
+
+def op_remove(state, step, _prime):
+    fields(step, ("cells",), ("cofaces",))
+    if not isinstance(step["cells"], list):
+        raise ScriptError("cells must be a list of cells")
+    with_cofaces = step.get("cofaces", False)
+    if not isinstance(with_cofaces, bool):
+        raise ScriptError("cofaces must be true or false")
+    gone = {state.find(name) for name in step["cells"]}
+    is_growing = True
+    while is_growing:
+        above = {c for c in state.alive() if c not in gone and any(face[0] in gone for face in state.faces(c))}
+        if above and not with_cofaces:
+            raise ScriptError(f'"{state.cells[min(above)].name}" would stay without a face of it')
+        gone |= above
+        is_growing = bool(above)
+    for key, value in list(state.names.items()):
+        if value is None or value[0] not in gone:
+            continue
+        if isinstance(key, frozenset):
+            if len(key) == 1:
+                state.gone[min(key)] = state.cells[value[0]].body
+            del state.names[key]
+            del state.orders[key]
+        else:
+            state.names[key] = None
+    for number in gone:
+        del state.cells[number]
 
 
 def leave_abstract(before, after):
@@ -1354,6 +1396,7 @@ OPERATIONS = {
     "product": op_product,
     "insert": op_insert,
     "collapse": op_collapse,
+    "remove": op_remove,
     "expect": op_expect,
     "class": op_class,
     "note": op_note,
@@ -1365,7 +1408,7 @@ def carried_out(state, step, prime):
     after = state.copy()
     answer = OPERATIONS[step["op"]](after, step, prime)
     after.names_meet()
-    if step["op"] not in ("insert", "collapse"):
+    if step["op"] not in ("insert", "collapse", "remove"):
         leave_abstract(state, after)
     return after, answer
 

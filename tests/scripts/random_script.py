@@ -323,7 +323,7 @@ class WriterOfAll(Writer):
     weights = {
         "simplex": 5, "simploid": 4, "moore": 1, "loops": 1, "cone": 4, "product": 6,
         "identify": 12, "identify_degenerate": 2, "degenerate": 5, "isolate": 2, "tear_out": 2, "split": 5, "unglue": 4,
-        "query": 6, "expect": 2, "note": 1, "undo": 3,
+        "remove": 4, "query": 6, "expect": 2, "note": 1, "undo": 3,
     }
     growing = ("simplex", "simploid", "moore", "loops", "cone", "product")
 
@@ -436,6 +436,22 @@ class WriterOfAll(Writer):
         if len(kind) == 1 and self.random.random() < 0.8:
             along = along[1]
         return self.attempt({"op": "degenerate", "cell": self.name_of(cell), "along": along})
+
+    def remove(self):
+        """Open stars, or cells with all their cofaces by name; now and then nothing."""
+        state = self.oracle.state
+        cells = state.alive()
+        if not cells:
+            return False
+        chosen = set(self.random.choices(cells, [4 ** state.dim(c) for c in cells], k=self.random.choice([0, 1, 1, 1, 2])))
+        step = {"op": "remove", "cells": [self.another(self.name_of(c)) for c in sorted(chosen)]}
+        if self.random.random() < 0.5:
+            return self.attempt({**step, "cofaces": True})
+        for c in cells:  # younger cells are no faces of older ones, but after gluings
+            if c not in chosen and any(face[0] in chosen for face in state.faces(c)):
+                chosen.add(c)
+                step["cells"].append(self.name_of(c))
+        return self.attempt(step)
 
     def deidentify(self, split):
         """The step, with any names of the cells and in any order."""
@@ -583,6 +599,7 @@ class WriterOfAbstract(WriterOfAll):
         **{name: 0 for name in WriterOfAll.weights},
         "insert": 20, "insert_many": 5, "collapse": 12, "query": 8, "expect": 2, "note": 1, "undo": 4,
         "simplex": 1, "identify": 1, "degenerate": 1, "cone": 1, "product": 1, "isolate": 1, "split": 1, "unglue": 1,
+        "remove": 5,
     }
     growing = ("insert", "insert_many", "simplex", "cone", "product")
     pool = [*range(9), "10", "a", "b", "B", "é", "u*v", "w.(x|y)", "z^0"]

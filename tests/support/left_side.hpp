@@ -87,7 +87,11 @@ class LeftSide {
           if (run.kind == ops::EventKind::move) {
             moves.push_back(number);
           }
+          const engine::RuleId before = rewriter_.rules();
           append(run.kind, number);
+          if (run.kind == ops::EventKind::deletion) {
+            rewriter_.take_away(before, big_.size() - 1, big_.take_away(big_.size() - 1));
+          }
         }
       });
     }
@@ -147,6 +151,9 @@ class LeftSide {
         break;
       case ops::EventKind::removal:
         generator = big_.append_removal(ops::LinkId{number});
+        break;
+      case ops::EventKind::deletion:
+        generator = big_.append_deletion(ops::LinkId{number});
         break;
       case ops::EventKind::family:
         engine::append_family(ops::FamilyId{number}, structure(), frozen_, big_, rewriter_);

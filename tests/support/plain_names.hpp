@@ -37,7 +37,8 @@ class PlainReader {
                                                     const std::vector<ops::BodyId>& bodies) const {
     const auto node = node_of(name);
     for (auto v = node ? std::optional{structure_.values().of(*node)} : std::nullopt; v; v = base_above(*v)) {
-      if (std::find(bodies.begin(), bodies.end(), structure_.body_of(v->cell)) != bodies.end()) {
+      if (!is_deleted(structure_.forest(), v->cell) &&
+          std::find(bodies.begin(), bodies.end(), structure_.body_of(v->cell)) != bodies.end()) {
         return v;
       }
     }
@@ -47,7 +48,8 @@ class PlainReader {
  private:
   [[nodiscard]] std::optional<ops::Value> base_above(const ops::Value& v) const {
     const ops::FamilyId family = structure_.bodies().consumed_by(structure_.body_of(v.cell));
-    if (family == ops::none || structure_.lazy().family(family).kind != ops::FamilyKind::cone) {
+    if (family == ops::none || is_deleted(structure_.forest(), v.cell) ||
+        structure_.lazy().family(family).kind != ops::FamilyKind::cone) {
       return std::nullopt;
     }
     return structure_.values().of(structure_.lazy().cell(family, ops::LazyPart::base, v));

@@ -26,6 +26,7 @@ struct StreamShape {
   bool splits = false;
   bool products = false;
   bool pyramids = false;  ///< cones over cells that are no simplices, and over whole bodies
+  bool removals = false;  ///< of cells without cofaces, and of open stars
 };
 
 /// A stream of all operations.
@@ -36,7 +37,8 @@ inline StreamShape everything(std::size_t most_cells) {
           .degeneracies = true,
           .splits = true,
           .products = true,
-          .pyramids = true};
+          .pyramids = true,
+          .removals = true};
 }
 
 /// The current cells of the object, all lazy ones too, oldest first: without lazy families by increasing id.
@@ -164,7 +166,7 @@ class DrawnSteps {
   }
 
   [[nodiscard]] bool has_more_than_gluings() const {
-    return shape_.degeneracies || shape_.splits || shape_.products || shape_.pyramids;
+    return shape_.degeneracies || shape_.splits || shape_.products || shape_.pyramids || shape_.removals;
   }
 
   static bool is_legal(const ops::Structure& structure, const ops::Operation& op) {
@@ -184,8 +186,10 @@ class DrawnSteps {
   /// One of the steps that only some streams have, or nothing when the one drawn is not legal.
   std::optional<ops::Operation> other_step(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
     std::optional<ops::Operation> op;
-    const int kind = random_.in(1, 10);
-    if (kind <= 2 && shape_.degeneracies) {
+    const int kind = random_.in(1, shape_.removals ? 13 : 10);
+    if (kind > 10) {
+      op = removal(structure, cells);
+    } else if (kind <= 2 && shape_.degeneracies) {
       op = degeneration(structure, cells);
     } else if (kind <= 4 && shape_.degeneracies) {
       op = gluing_to_degenerate(structure, cells);
@@ -313,6 +317,27 @@ class DrawnSteps {
           return std::nullopt;
         }
         op.splits[static_cast<std::size_t>(at) - 1].moves.emplace_back(names[k], slot);
+      }
+    }
+    return op;
+  }
+
+  /// Of an open star, or of cells that are nobody's face, or of some and all their cofaces by name.
+  ops::Operation removal(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
+    ops::Remove op{{}, random_.one_in(3)};
+    for (int wanted = random_.one_in(3) ? random_.in(2, 3) : 1; wanted > 0; --wanted) {
+      const ops::CellId c = pick(cells);
+      op.cells.push_back(structure.name(c));
+      if (!op.cofaces) {
+        std::vector<ops::CellId> above = cofaces(structure, c);
+        for (std::size_t k = 0; k < above.size(); ++k) {
+          op.cells.push_back(structure.name(above[k]));
+          for (const ops::CellId coface : cofaces(structure, above[k])) {
+            if (std::find(above.begin(), above.end(), coface) == above.end()) {
+              above.push_back(coface);
+            }
+          }
+        }
       }
     }
     return op;

@@ -113,7 +113,7 @@ inline ops::StepKind kind_between(const ops::Structure& structure, const ops::Mo
     return is_cone ? ops::StepKind::lazy_cone : ops::StepKind::product;
   }
   if (after.links > before.links) {
-    return ops::StepKind::removal;
+    return structure.forest().deletions().contains(before.links) ? ops::StepKind::deletion : ops::StepKind::removal;
   }
   if (after.copies > before.copies) {
     return ops::StepKind::split;

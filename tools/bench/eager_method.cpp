@@ -74,6 +74,9 @@ Status EagerMethod<R>::check() const {
   if (kind == ops::StepKind::product || kind == ops::StepKind::lazy_cone) {
     return Error{Errc::refused, "the eager method makes no products: they are no exact sequences"};
   }
+  if (kind == ops::StepKind::deletion) {
+    return Error{Errc::refused, "the eager method takes no cells away"};
+  }
   if (keep_ == Keep::small_only && kind == ops::StepKind::split) {
     return Error{Errc::refused, "splitting cells needs the maps gS and hS, which are not kept"};
   }

@@ -116,6 +116,12 @@ std::optional<ops::Operation> SoakSteps::degeneration() {
                          static_cast<int>(draws_.below(static_cast<std::uint64_t>(type[component])))};
 }
 
+/// Of an open star.
+std::optional<ops::Operation> SoakSteps::removal() {
+  const CellId cell = pick();
+  return cell == ops::none ? std::nullopt : std::optional<ops::Operation>{ops::Remove{{structure().name(cell)}, true}};
+}
+
 /// A cell of which some incidences go to a copy: those that the face laws tie to one of them.
 std::optional<ops::Operation> SoakSteps::split() {
   constexpr std::size_t most_incidences = 60;

@@ -142,7 +142,7 @@ void SoakSteps::follow(const ops::Moment& before) {
   for (ops::LinkId link = before.links; link < structure().forest().links(); ++link) {
     const CellId removed = structure().forest().removed(link);
     remove(removed);
-    if (!ops::is_asked_for(removed)) {
+    if (!ops::is_asked_for(removed) && !structure().forest().deletions().contains(link)) {
       removed_[patch_] = {structure().directory().own_name(removed), accepted_};
     }
   }
@@ -276,7 +276,12 @@ std::optional<ops::Operation> SoakSteps::growth() {
   return cone(kind == 19);
 }
 
-std::optional<ops::Operation> SoakSteps::reduction() { return one_in(3) ? degeneration() : identification(); }
+std::optional<ops::Operation> SoakSteps::reduction() {
+  if (one_in(8)) {
+    return removal();
+  }
+  return one_in(3) ? degeneration() : identification();
+}
 
 /// A vertex, loops, and triangles on loops drawn at random, any three: its H1 is a random group, often with torsion.
 ops::MakeComplex SoakSteps::listed() {

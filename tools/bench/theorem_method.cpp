@@ -63,6 +63,9 @@ Status TheoremMethod<R>::apply(const ops::Operation& operation) {
   if (kind == ops::StepKind::product || kind == ops::StepKind::lazy_cone) {
     return Error{Errc::refused, "the theorem makes no products: they are no exact sequences"};
   }
+  if (kind == ops::StepKind::deletion) {
+    return Error{Errc::refused, "this method follows the theorem in two of its directions: it removes no cells"};
+  }
   object_.carry_out();
   const std::size_t last = object_.steps().size() - 1;
   const auto step = ops::step_sequence(object_.structure(), kind, object_.before(last), object_.after(last), ring_);

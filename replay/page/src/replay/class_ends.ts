@@ -4,6 +4,7 @@ import type { AnyStep, End } from "./data.ts";
 const sentences: Record<End, string> = {
   bounds: "Its cycle comes to bound with",
   cut: "What its cycle goes through is split by",
+  removed: "A cell of its cycle is removed by",
   consumed: "Its cells become a factor of a product with",
   undone: "The step that wrote its cycle is taken back by",
 };

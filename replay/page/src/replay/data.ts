@@ -19,7 +19,7 @@ export interface Answer {
 }
 
 /** How a class came to its end: see generator_history.hpp. */
-export type End = "bounds" | "cut" | "consumed" | "undone";
+export type End = "bounds" | "cut" | "removed" | "consumed" | "undone";
 
 /** A class that was a generator after some step; its chains have the cells of that time. */
 export interface Generator {

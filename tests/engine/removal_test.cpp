@@ -1,0 +1,196 @@
+// Taking cells away: the third direction of the theorem, alone and mixed with all other steps.
+#include <string>
+#include <vector>
+
+#include "tests/support/engines.hpp"
+#include "tests/support/random_steps.hpp"
+
+using namespace sesame;
+using namespace sesame::tests;
+
+namespace {
+
+using engine::RebasePolicy;
+
+ops::Operation removal(std::vector<std::string> cells, bool cofaces = false) {
+  return ops::Remove{std::move(cells), cofaces};
+}
+
+std::string why_not(Engine& engine, const ops::Operation& op) {
+  const std::string before = dump(engine);
+  const auto report = engine.apply(op);
+  CHECK(dump(engine) == before);
+  return report ? "" : report.error().what;
+}
+
+std::vector<std::int64_t> betti(Engine& engine) { return engine.homology().betti; }
+
+/// The torus as a square whose edges are glued.
+const std::vector<std::string> torus_of_two{
+    R"({"op":"simplex","name":"a","dim":2})", R"({"op":"simplex","name":"b","dim":2})",
+    R"({"op":"identify","pairs":[["a.0-2","b.0-2"],["a.0-1","b.1-2"],["a.1-2","b.0-1"]]})"};
+
+/// The projective plane: two triangles.
+const std::vector<std::string> plane_of_two{
+    R"({"op":"complex","name":"P","cells":[{"id":"v"},{"id":"w"},{"id":"a","faces":["w","v"]},{"id":"b","faces":["w","v"]},)"
+    R"({"id":"c","faces":["v","v"]},{"id":"s","faces":["b","a","c"]},{"id":"t","faces":["a","b","c"]}]})"};
+
+}  // namespace
+
+TEST_CASE("a torus taken apart, cell by cell, has the groups that it should", "[engine][removal]") {
+  Engine engine(ring_named(GENERATE("Z", "Z/2", "Z/3", "Q")), {}, GENERATE(RebasePolicy{}, RebasePolicy::never()));
+  build(engine, torus_of_two);
+  REQUIRE(betti(engine) == std::vector<std::int64_t>{1, 2, 1});
+  const auto report = carry_out(engine, removal({"b"}));
+  CHECK(report.kind == ops::StepKind::deletion);
+  CHECK(report.sequence->direction == ops::Direction::kernel);
+  CHECK(betti(engine) == std::vector<std::int64_t>{1, 2, 0});
+  CHECK(engine.first_defect().value_or("") == "");
+  carry_out(engine, removal({"a"}));
+  CHECK(betti(engine) == std::vector<std::int64_t>{1, 3});
+  carry_out(engine, removal({"a.0-1"}));
+  CHECK(betti(engine) == std::vector<std::int64_t>{1, 2});
+  CHECK(engine.first_defect().value_or("") == "");
+  carry_out(engine, removal({"a.0"}, true));
+  CHECK(betti(engine).empty());
+  CHECK(engine.first_defect().value_or("") == "");
+  CHECK(engine.undo(4));
+  CHECK(betti(engine) == std::vector<std::int64_t>{1, 2, 1});
+  CHECK(engine.first_defect().value_or("") == "");
+}
+
+TEST_CASE("without a triangle the projective plane is a Moebius strip, and it comes back", "[engine][removal]") {
+  Engine engine(ring_named("Z"), {}, GENERATE(RebasePolicy{}, RebasePolicy::never()));
+  build(engine, plane_of_two);
+  REQUIRE(engine.homology().torsion[1] == std::vector<Integer>{Integer{2}});
+  carry_out(engine, removal({"P.t"}));
+  CHECK(betti(engine) == std::vector<std::int64_t>{1, 1, 0});
+  CHECK(engine.homology().torsion[1].empty());
+  CHECK(engine.first_defect().value_or("") == "");
+}
+
+TEST_CASE("isolated vertices go, and the last one too", "[engine][removal]") {
+  const std::string ring = GENERATE("Z", "Z/2", "Z/3", "Q");
+  Engine engine(ring_named(ring), {}, RebasePolicy::never());
+  build(engine, {R"({"op":"simplex","name":"e","dim":1})", R"({"op":"simplex","name":"f","dim":1})",
+                 R"({"op":"identify","pairs":[["e.0","f.0"],["e.1","f.1"]]})"});
+  carry_out(engine, removal({"e", "f"}));
+  CHECK(betti(engine) == std::vector<std::int64_t>{2});
+  carry_out(engine, removal({"f.0"}));
+  CHECK(betti(engine) == std::vector<std::int64_t>{1});
+  CHECK(engine.first_defect().value_or("") == "");
+  carry_out(engine, removal({"f.1"}));
+  CHECK(betti(engine).empty());
+  CHECK(engine.first_defect().value_or("") == "");
+  carry_out(engine, R"({"op":"simplex","name":"g","dim":2})");
+  CHECK(betti(engine) == std::vector<std::int64_t>{1, 0, 0});
+  CHECK(engine.first_defect().value_or("") == "");
+}
+
+TEST_CASE("a body without cells is a body still", "[engine][removal]") {
+  Engine engine(ring_named("Z"));
+  build(engine, {R"({"op":"simplex","name":"e","dim":1})", R"({"op":"simplex","name":"t","dim":2})"});
+  carry_out(engine, removal({"e.0", "e.1"}, true));
+  CHECK(engine.first_defect().value_or("") == "");
+  carry_out(engine, R"({"op":"product","name":"p","left":"e","right":"t"})");
+  CHECK(betti(engine).empty());
+  carry_out(engine, R"({"op":"cone","apex":"v","over":"p"})");
+  CHECK(betti(engine) == std::vector<std::int64_t>{1});
+  CHECK(engine.first_defect().value_or("") == "");
+  carry_out(engine, removal({}));
+  CHECK(betti(engine) == std::vector<std::int64_t>{1});
+}
+
+TEST_CASE("what cannot be removed is refused, with the reason", "[engine][removal]") {
+  Engine engine(ring_named("Z"));
+  build(engine, {R"({"op":"simplex","name":"t","dim":2})", R"({"op":"simplex","name":"s","dim":2})",
+                 R"({"op":"identify","pairs":[["t.0-1","s.0-1"]]})"});
+  CHECK(why_not(engine, removal({"s.0-1"})) ==
+        "\"t.0-1\" is a face of \"t\", which would stay: remove that too, or say \"cofaces\":true");
+  CHECK(why_not(engine, removal({"t", "t.0-1"})) ==
+        "\"t.0-1\" is a face of \"s\", which would stay: remove that too, or say \"cofaces\":true");
+  CHECK(why_not(engine, removal({"u"})) == "there is no cell \"u\"");
+  carry_out(engine, removal({"t", "s", "s.0-1"}));
+  CHECK(why_not(engine, removal({"t"})) == "the cell \"t\" was removed: undo that, or name another cell");
+  CHECK(why_not(engine, removal({"s.0-1"})) ==
+        "the cell \"s.0-1\" was removed, as \"t.0-1\": undo that, or name another cell");
+  CHECK(why_not(engine, operation(R"({"op":"simplex","name":"t","dim":0})")) ==
+        "the name \"t\" is in use: names are unique, choose another");
+  CHECK(why_not(engine, operation(R"({"op":"class","chain":[[1,"t.0-1"]]})")) ==
+        "the cell \"t.0-1\" was removed: undo that, or name another cell");
+  carry_out(engine, R"({"op":"degenerate","cell":"t.1-2","along":0})");
+  CHECK(
+      why_not(engine, removal({"t.1-2"})) ==
+      "\"t.1-2\" is degenerate, and no cell of its own: it goes when \"t.1\" is removed, which it is degenerate over");
+  CHECK(why_not(engine, removal({"t.1"})) ==
+        "\"t.1\" is a face of \"t.0-2\", which would stay: remove that too, or say \"cofaces\":true");
+}
+
+TEST_CASE("simplices of abstract complexes go and come again", "[engine][removal][abstract]") {
+  const std::string ring = GENERATE("Z", "Z/2");
+  Engine engine(ring_named(ring), {}, GENERATE(RebasePolicy{}, RebasePolicy::never()));
+  carry_out(engine, R"({"op":"insert","simplices":[["a","b","c"],["b","c","d"]]})");
+  CHECK(why_not(engine, removal({"{b,c}"})).starts_with("\"{b,c}\" is a face of \"{a,b,c}\""));
+  carry_out(engine, removal({"{c,b}"}, true));
+  CHECK(betti(engine) == std::vector<std::int64_t>{1, 1});
+  CHECK(why_not(engine, removal({"{a,c,b}"})).find("there is no cell") == 0);
+  CHECK(why_not(engine, removal({"{a,b,c}"})) == "the cell \"{a,b,c}\" was removed: undo that, or name another cell");
+  carry_out(engine, R"({"op":"insert","simplex":["a","b","c"]})");
+  CHECK(betti(engine) == std::vector<std::int64_t>{1, 1, 0});
+  CHECK(engine.first_defect().value_or("") == "");
+  carry_out(engine, removal({"{a}"}, true));
+  CHECK(betti(engine) == std::vector<std::int64_t>{1, 1});
+  CHECK(why_not(engine, operation(R"({"op":"collapse","from":"a","to":"b"})")) == "the vertex \"a\" was removed");
+  CHECK(engine.first_defect().value_or("") == "");
+  carry_out(engine, R"({"op":"insert","simplex":["a","d"]})");
+  CHECK(betti(engine) == std::vector<std::int64_t>{1, 1});
+  carry_out(engine, R"({"op":"insert","simplex":["b","c","d"]})");
+  CHECK(betti(engine) == std::vector<std::int64_t>{1, 0, 0});
+  CHECK(engine.first_defect().value_or("") == "");
+  carry_out(engine, R"({"op":"collapse","from":"a","to":"d"})");
+  CHECK(betti(engine) == std::vector<std::int64_t>{1, 0, 0});
+  CHECK(engine.undo(6));
+  CHECK(engine.first_defect().value_or("") == "");
+  CHECK(engine.structure().name(engine.structure().lookup("{b,c,d}").value()) == "{b,c,d}");
+}
+
+TEST_CASE("a cell of a product goes", "[engine][removal]") {
+  Engine engine(ring_named(GENERATE("Z", "Z/2")), {}, GENERATE(RebasePolicy{}, RebasePolicy::never()));
+  build(engine, {R"({"op":"simplex","name":"e","dim":1})", R"({"op":"identify","pairs":[["e.0","e.1"]]})",
+                 R"({"op":"product","name":"P","left":"e","right":"e"})"});
+  REQUIRE(betti(engine) == std::vector<std::int64_t>{1, 2, 1});
+  carry_out(engine, removal({"P.(e|e)"}));
+  CHECK(betti(engine) == std::vector<std::int64_t>{1, 2});
+  CHECK(engine.first_defect().value_or("") == "");
+  carry_out(engine, removal({"P.(e|e.0)"}));
+  CHECK(betti(engine) == std::vector<std::int64_t>{1, 1});
+  CHECK(engine.first_defect().value_or("") == "");
+  const auto again = engine.apply(removal({"P.(e|e.1)"}));
+  REQUIRE(!again);
+  CHECK(again.error().what == "the cell \"P.(e|e.1)\" was removed, as \"P.(e|e.0)\": undo that, or name another cell");
+}
+
+TEST_CASE("every law holds after every step of streams with removals", "[engine][removal][stream]") {
+  const std::string ring = GENERATE("Z", "Z/2", "Z/3");
+  const RebasePolicy policy = GENERATE(RebasePolicy{}, taking_splits_in, RebasePolicy::never());
+  const unsigned seed = GENERATE(range(0U, 20U));
+  CAPTURE(ring, policy.least_splits, policy.cells_begun_at_once, seed);
+  Engine engine(ring_named(ring), {}, policy);
+  StreamShape shape = everything(30);
+  shape.products = shape.pyramids = seed % 2 == 0;
+  RandomSteps random(seed, shape);
+  int removals = 0;
+  for (int k = 0; k < 40; ++k) {
+    const ops::Operation op = random.next(engine.structure());
+    CAPTURE(k, ops::to_text(op));
+    removals += std::holds_alternative<ops::Remove>(op) ? 1 : 0;
+    carry_out(engine, op);
+    REQUIRE(engine.first_defect().value_or("") == "");
+    if (random.random().one_in(6)) {
+      const std::uint64_t steps = static_cast<std::uint64_t>(random.random().in(1, 4));
+      if (engine.undo(std::min(steps, engine.undoable()))) {
+        REQUIRE(engine.first_defect().value_or("") == "");
+      }
+    }
+  }
+}
