@@ -93,7 +93,7 @@ void SimplexIndex::drop_last_slot(std::size_t dimension) {
 
 // ---- stars
 
-void SimplexIndex::build_stars() {
+void SimplexIndex::build_stars(std::span<const std::vector<Slot>> gone) {
   if (has_stars_) {
     return;
   }
@@ -102,8 +102,18 @@ void SimplexIndex::build_stars() {
     Layer& layer = layers_[dimension];
     layer.next.resize(layer.vertices.size());
     layer.previous.resize(layer.vertices.size());
+    std::vector<bool> is_gone(slots(dimension), false);
+    if (dimension < gone.size()) {
+      for (const Slot slot : gone[dimension]) {
+        if (slot < is_gone.size()) {  // vertices are often the matter of somebody else
+          is_gone[slot] = true;
+        }
+      }
+    }
     for (Slot slot = 0; slot < slots(dimension); ++slot) {
-      link(dimension, slot);
+      if (!is_gone[slot]) {
+        link(dimension, slot);
+      }
     }
   }
 }

@@ -77,8 +77,9 @@ class SimplexIndex {
   [[nodiscard]] std::uint64_t touched() const { return touched_; }
 
   // ---- change
-  /// From now on there are stars. Requires: no simplex is gone yet. Cost, at the first call: the simplices.
-  void build_stars();
+  /// From now on there are stars. `gone`: slots, per dimension, of simplices that are gone. Cost, at the first call:
+  /// the simplices.
+  void build_stars(std::span<const std::vector<Slot>> gone = {});
   /// Requires: no simplex has these vertices; the slot is the next one of the dimension, or that of one that is gone.
   void include(const Key& key, Slot slot);
   /// The simplex is gone. Its slot keeps the vertices.

@@ -125,7 +125,7 @@ Result<const TowerComplex::Changes*> TowerComplex::plan_contraction(Label u, Lab
   if (from == nothing || to == nothing || from == to) {
     return rules().check_contraction(u, v).error();
   }
-  simplices_.build_stars();
+  simplices_.build_stars(free_);
   moved_ = from;
   kept_ = to;
   if (simplices_.star_size(moved_) > simplices_.star_size(kept_)) {
@@ -164,13 +164,58 @@ void TowerComplex::contract() {
   }
   vertices_of_labels_.erase(sparse::spread_bits(label_of_[moved_]), moved_);
   if (label_of_[kept_] != merged_label_) {
-    vertices_of_labels_.erase(sparse::spread_bits(label_of_[kept_]), kept_);
-    label_of_[kept_] = merged_label_;
-    vertices_of_labels_.insert(sparse::spread_bits(merged_label_), kept_);
+    set_label(kept_, merged_label_);
   }
   free_slot(0, moved_);
   moved_ = none;
 }
+
+void TowerComplex::set_label(Vertex vertex, Label label) {
+  vertices_of_labels_.erase(sparse::spread_bits(label_of_[vertex]), vertex);
+  label_of_[vertex] = label;
+  vertices_of_labels_.insert(sparse::spread_bits(label), vertex);
+}
+
+// ---- of zigzags
+
+std::optional<TowerComplex::Slot> TowerComplex::find(std::span<const Label> labels) {
+  if (labels.size() == 1) {
+    const Vertex v = find_vertex(labels[0]);
+    return v == nothing ? std::nullopt : std::optional{Slot{v}};
+  }
+  const std::optional<SimplexIndex::Key> key = find_vertices(labels);
+  const Slot slot = key ? simplices_.find(*key) : nothing;
+  return slot == nothing ? std::nullopt : std::optional{slot};
+}
+
+void TowerComplex::exclude(int dimension, Slot slot) {
+  if (dimension == 0) {
+    vertices_of_labels_.erase(sparse::spread_bits(label_of_[slot]), slot);
+  } else {
+    simplices_.exclude(static_cast<std::size_t>(dimension), slot);
+  }
+  free_slot(static_cast<std::size_t>(dimension), slot);
+}
+
+std::size_t TowerComplex::star_size(Label label) {
+  simplices_.build_stars(free_);
+  return std::size_t{1} + simplices_.star_size(find_vertex(label));
+}
+
+std::vector<std::vector<Label>> TowerComplex::link(Label label) {
+  simplices_.build_stars(free_);
+  std::vector<std::vector<Label>> found;
+  simplices_.for_each_in_star(find_vertex(label), [&](std::size_t dimension, Slot slot) {
+    std::vector<Label>& others = found.emplace_back(labels(static_cast<int>(dimension), slot));
+    std::erase(others, label);
+    std::ranges::sort(others);
+  });
+  std::ranges::sort(found,
+                    [](const auto& x, const auto& y) { return x.size() != y.size() ? x.size() < y.size() : x < y; });
+  return found;
+}
+
+void TowerComplex::relabel(Label label, Label into) { set_label(find_vertex(label), into); }
 
 // ---- questions
 

@@ -1,6 +1,7 @@
 /// \file
 /// An abstract simplicial complex that changes along a tower of simplicial maps: simplices are included, vertices
-/// contracted. It keeps the present only: its size is that of the current complex, however long the tower.
+/// contracted; and simplices are taken out, along a zigzag. It keeps the present only: its size is that of the current
+/// complex, however long the tower.
 #pragma once
 
 #include <array>
@@ -53,6 +54,17 @@ class TowerComplex {
   /// Carries out the contraction worked out last; the merged vertex is called v.
   void contract();
 
+  /// The slot of the simplex with these labels, in any order, when it is there. Cost: O(dimension^2).
+  [[nodiscard]] std::optional<Slot> find(std::span<const Label> labels);
+  /// Takes a simplex out. Requires: it is there, and is no face of another one.
+  void exclude(int dimension, Slot slot);
+  /// The number of simplices that have a vertex, itself among them. Requires: it is there.
+  [[nodiscard]] std::size_t star_size(Label label);
+  /// The simplices that have a vertex, by the labels of the others, which ascend; by dimension. The same.
+  [[nodiscard]] std::vector<std::vector<Label>> link(Label label);
+  /// Calls a vertex by another label. Requires: the vertex is there, and none is called so.
+  void relabel(Label label, Label into);
+
   /// Which simplices are there, and what is wrong with an operation, by labels. Not longer than the complex.
   [[nodiscard]] TowerRules rules() const {
     return {simplices_, [this](Label label) { return find_vertex(label); }};
@@ -83,6 +95,7 @@ class TowerComplex {
   bool find_facets(const SimplexIndex::Key& key);
   [[nodiscard]] Change change_of(std::size_t dimension, Slot slot);
   void carry_out(std::size_t dimension, const Change& change);
+  void set_label(Vertex vertex, Label label);
   [[nodiscard]] Slot take_slot(std::size_t dimension);
   void free_slot(std::size_t dimension, Slot slot);
 
