@@ -13,8 +13,8 @@ ORDER = ["sparse", "reductions", "ops", "engine", "replay", "tools", "tests"]
 # The rooms of a folder; "" are the files that lie in none.
 ROOMS = {
     "ops": ["", "simplicial", "cells", "vocabulary", "plan"],
-    "engine": ["right", "left", "towers", "durable", ""],
-    "replay": ["text", "script", "barcode", "tower", "distance", "picture", "export", "page", ""],
+    "engine": ["right", "left", "towers", "zigzag", "durable", ""],
+    "replay": ["text", "script", "barcode", "tower", "zigzag", "distance", "picture", "export", "page", ""],
     "tools": ["mesh", "bench", "live", "commands", ""],
 }
 GENERATED = {"sesame/version.hpp": "sparse"}
