@@ -67,6 +67,7 @@ class Tracker final : public BarcodeTracker {
       refs[slot] = bear(d, time);
     } else {
       kill(d - 1, time, UINT32_MAX);
+      report_ended();
     }
   }
 
@@ -87,6 +88,7 @@ class Tracker final : public BarcodeTracker {
         apply(complex, d, change, time, static_cast<std::uint32_t>(nodes_before_[d]));
       }
     }
+    report_ended();
     for (std::size_t d = 0; d < levels_.size(); ++d) {
       Level& level = levels_[d];
       if (level.space.nodes() > 2 * (level.space.alive() + level.refs.size()) + most_idle) {
@@ -196,7 +198,16 @@ class Tracker final : public BarcodeTracker {
     if (birth == time) {
       ++hidden_;
     } else {
-      on_bar_({static_cast<int>(dimension), birth, time});
+      ended_.push_back({static_cast<int>(dimension), birth, time});
+    }
+  }
+
+  /// Reports the bars that an operation has ended, in an order that is a matter of the bars alone.
+  void report_ended() {
+    if (!ended_.empty()) {
+      std::ranges::sort(ended_);
+      std::ranges::for_each(ended_, on_bar_);
+      ended_.clear();
     }
   }
 
@@ -263,6 +274,7 @@ class Tracker final : public BarcodeTracker {
   Dimensions dimensions_;
   std::vector<Level> levels_;
   std::uint64_t hidden_ = 0;
+  std::vector<Bar> ended_;                 ///< by the operation at hand
   std::vector<ClassRef> facet_refs_;       ///< of the cell that is being included
   std::vector<std::size_t> nodes_before_;  ///< the contraction that is being made, by dimension
   ContractionShifts shifts_;

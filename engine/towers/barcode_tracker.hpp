@@ -26,7 +26,8 @@ namespace sesame::engine {
 /// Its memory grows with the number of operations and the lengths of the reduced boundaries.
 class BarcodeTracker : public TowerTracker {
  public:
-  /// Called when a class dies: its dimension, birth and death. Those with birth = death are counted, not reported.
+  /// Called when a class dies: its dimension, birth and death. Those with birth = death are counted, not reported;
+  /// those that one contraction ends come sorted.
   using OnBar = std::function<void(const Bar&)>;
 
   /// The number of classes alive, per dimension, up to the largest that ever had one.
