@@ -95,6 +95,31 @@ class LiveComplex {
     }
   }
 
+  /// A simplex that is no face of another, the given one or one over it.
+  [[nodiscard]] Corners maximal_over(Corners corners) const {
+    for (bool climbs = true; climbs;) {
+      climbs = false;
+      for (const auto& [id, size, birth] : stars_.at(corners[0]).entries) {
+        const Corners& other = cells_[id].corners;
+        if (cells_[id].birth == birth && size > size_of(corners) &&
+            std::includes(other.begin(), other.begin() + size, corners.begin(), corners.begin() + size_of(corners))) {
+          corners = other;
+          climbs = true;
+          break;
+        }
+      }
+    }
+    return corners;
+  }
+
+  /// Requires: it is no face of another one.
+  void erase(const Corners& corners) {
+    remove(ids_.find(hash_of(corners), [&](CellId id) { return cells_[id].corners == corners; }));
+    if (size_of(corners) == 1) {
+      stars_.erase(corners[0]);
+    }
+  }
+
   /// The vertices by which a simplex, of one vertex or more, can be extended.
   [[nodiscard]] std::vector<Label> extensions(const Corners& simplex) const {
     std::vector<Label> found;
@@ -191,7 +216,16 @@ class RandomTower {
 
   /// Does one operation; false when there is none left to do.
   bool step() {
-    const bool contract_first = draws_.unit() < options_.contraction_probability;
+    const double draw = draws_.unit();
+    const bool is_down = options_.half_wave > 0 && operations_++ / options_.half_wave % 2 == 1;
+    const double deletions = is_down ? 1 - options_.deletion_probability : options_.deletion_probability;
+    if (options_.deletion_probability > 0 && draw < deletions) {
+      return erase() || insert();
+    }
+    if (options_.deletion_probability > 0) {
+      return insert() || erase();
+    }
+    const bool contract_first = draw < options_.contraction_probability;
     return contract_first ? contract() || insert() : insert() || contract();
   }
 
@@ -217,6 +251,21 @@ class RandomTower {
     }
     complex_.contract(pair[0], pair[1]);
     write('c', {pair.data(), 2});
+    return true;
+  }
+
+  bool erase() {
+    std::size_t dimensions = 0;
+    while (dimensions < most_corners && complex_.count(dimensions) > 0) {
+      ++dimensions;
+    }
+    if (dimensions == 0) {
+      return false;
+    }
+    const std::size_t dimension = draws_.below(dimensions);
+    const Corners corners = complex_.maximal_over(complex_.simplex(dimension, draws_.below(complex_.count(dimension))));
+    complex_.erase(corners);
+    write('d', {corners.data(), size_of(corners)});
     return true;
   }
 
@@ -283,6 +332,7 @@ class RandomTower {
   Draws draws_;
   LiveComplex complex_;
   Label next_label_ = 0;
+  std::uint64_t operations_ = 0;
 };
 
 }  // namespace

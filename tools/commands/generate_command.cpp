@@ -7,6 +7,7 @@
 #include "replay/script/replay.hpp"
 #include "tools/bench/filtrations.hpp"
 #include "tools/bench/towers.hpp"
+#include "tools/bench/zigzags.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
 #include "tools/commands/output_file.hpp"
@@ -32,7 +33,11 @@ struct FiltrationWorkload {
 struct TowerWorkload {
   TowerOptions options;  ///< the size is the number of operations
 };
-using Workload = std::variant<FiltrationWorkload, TowerWorkload>;
+struct ZigzagWorkload {
+  std::uint64_t size, smallest, largest;
+  std::function<void(std::ostream& out, std::uint64_t size, std::uint64_t seed)> write;
+};
+using Workload = std::variant<FiltrationWorkload, TowerWorkload, ZigzagWorkload>;
 
 const std::map<std::string, Workload>& workloads() {
   const auto torus = [](std::uint32_t n, std::uint64_t) { return torus_filtration(n); };
@@ -40,6 +45,12 @@ const std::map<std::string, Workload>& workloads() {
   const auto random = [](std::uint32_t n, std::uint64_t seed) { return cubical_filtration(n, 0, seed); };
   const auto smooth = [](std::uint32_t n, std::uint64_t seed) { return cubical_filtration(n, 4, seed); };
   const auto triangles = [](std::uint32_t n, std::uint64_t seed) { return random_two_complex(n, 100'000, seed); };
+  const auto network = [](std::ostream& out, std::uint64_t operations, std::uint64_t seed) {
+    write_temporal_network(out, operations, 500, 1000, seed);
+  };
+  const auto oscillating_rips = [](std::ostream& out, std::uint64_t points, std::uint64_t seed) {
+    write_oscillating_rips(out, static_cast<std::uint32_t>(points), 1.6, 2, seed);
+  };
   static const std::map<std::string, Workload> all{
       {"torus", FiltrationWorkload{700, 3, 5000, torus}},
       {"torus-300", FiltrationWorkload{300, 3, 5000, torus}},
@@ -52,6 +63,11 @@ const std::map<std::string, Workload>& workloads() {
       {"tower-C", TowerWorkload{{20'000, 300, 3, 0.05, false, 0}}},
       {"tower-D", TowerWorkload{{200'000, 300, 3, 0.05, true, 0}}},
       {"tower-stream", TowerWorkload{{10'000'000, 900, 3, 0.05, true, 0}}},
+      {"zigzag-growing", TowerWorkload{{200'000, 5'000, 3, 0, true, 0, 0.3, 0}}},
+      {"zigzag-oscillating", TowerWorkload{{200'000, 300, 3, 0, true, 0, 0.25, 10'000}}},
+      {"zigzag-stream", TowerWorkload{{10'000'000, 4'000, 3, 0, true, 0, 0.25, 7'500}}},
+      {"temporal-network", ZigzagWorkload{300'000, 1, UINT64_MAX, network}},
+      {"oscillating-rips", ZigzagWorkload{1'000, 1, 65'535, oscillating_rips}},
   };
   return all;
 }
@@ -84,6 +100,18 @@ std::string objection(const Arguments& arguments, const FiltrationWorkload& work
 
 std::string objection(const Arguments& arguments, const TowerWorkload&) {
   return arguments.format.empty() || arguments.format == "tower" ? "" : "a tower has the format tower only";
+}
+
+std::string objection(const Arguments& arguments, const ZigzagWorkload& workload) {
+  if (arguments.size.value_or(workload.size) < workload.smallest || arguments.size > workload.largest) {
+    return "--size of " + arguments.name + " goes from " + std::to_string(workload.smallest) + " to " +
+           std::to_string(workload.largest);
+  }
+  return arguments.format.empty() || arguments.format == "tower" ? "" : "a zigzag has the format of towers only";
+}
+
+void write(std::ostream& out, const Arguments& arguments, const ZigzagWorkload& workload) {
+  workload.write(out, arguments.size.value_or(workload.size), arguments.seed);
 }
 
 void write(std::ostream& out, const Arguments& arguments, const FiltrationWorkload& workload) {
@@ -130,7 +158,7 @@ int run_generate(const Arguments& arguments) {
 }  // namespace
 
 void add_generate_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("generate", "Make a filtration or a random tower to measure with");
+  CLI::App* command = app.add_subcommand("generate", "Make a filtration, a random tower or a zigzag to measure with");
   auto arguments = std::make_shared<Arguments>();
   const std::vector<std::string> formats{"phat-binary", "phat", "gudhi", "tower"};
   command->add_option("NAME", arguments->name, "One of " + names())->required();
@@ -144,8 +172,10 @@ void add_generate_command(CLI::App& app, int& status) {
       ->check(from_zero_on())
       ->capture_default_str();
   command
-      ->add_option("--size", arguments->size,
-                   "Vertices a side of torus and grid, points, vertices of the complete graph, operations of a tower")
+      ->add_option(
+          "--size", arguments->size,
+          "Vertices a side of torus and grid, points, vertices of the complete graph, operations of a tower, zigzag or "
+          "network")
       ->check(from_one_on());
   command->footer(
       "The same name, size and seed give the same bytes on every machine.\n"
