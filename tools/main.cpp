@@ -149,6 +149,7 @@ int run(int argc, char** argv, sesame::tools::ProgramLog& log) {
   sesame::tools::add_mesh_command(app, status);
   sesame::tools::add_generate_command(app, status);
   sesame::tools::add_tower_command(app, status);
+  sesame::tools::add_zigzag_command(app, status);
   sesame::tools::add_distance_command(app, status);
   sesame::tools::add_bench_command(app, status);
   for (CLI::App* command : app.get_subcommands({})) {

@@ -26,8 +26,9 @@ constexpr std::array formats{
     NamedFormat{TowerFormat::gudhi, "gudhi", "a list of simplices and values, as GUDHI writes it"},
     NamedFormat{TowerFormat::facets, "facets", "a list of facets"},
     NamedFormat{TowerFormat::script, "script", "a script"},
+    NamedFormat{TowerFormat::zigzag, "zigzag", "a zigzag"},
 };
-static_assert(formats.size() == static_cast<std::size_t>(TowerFormat::script) + 1);
+static_assert(formats.size() == static_cast<std::size_t>(TowerFormat::zigzag) + 1);
 
 const NamedFormat& named(TowerFormat format) { return *std::ranges::find(formats, format, &NamedFormat::format); }
 

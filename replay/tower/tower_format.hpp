@@ -26,6 +26,7 @@ enum class TowerFormat {
   gudhi,        ///< lines `dim v0 ... vd value`
   facets,       ///< a list of simplices, which a FacetParser reads
   script,       ///< a construction script (JSON Lines), which a ScriptReader reads
+  zigzag,       ///< lines of a tower, and `[t] d v0 ... vd` or `[t] r v0 ... vd`; never found out from the content
 };
 
 /// What options and JSON call it: "phat-binary".
@@ -35,6 +36,10 @@ enum class TowerFormat {
 
 /// Whether a word, the first of a line or the one after a time, is an operation of a tower.
 [[nodiscard]] constexpr bool is_tower_operation(std::string_view word) { return word == "i" || word == "c"; }
+/// The same for a zigzag.
+[[nodiscard]] constexpr bool is_zigzag_operation(std::string_view word) {
+  return is_tower_operation(word) || word == "d" || word == "r";
+}
 
 /// Finds out what a text is from its first lines, as many as it takes until only one format is possible.
 ///

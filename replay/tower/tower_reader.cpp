@@ -15,6 +15,13 @@ namespace {
 
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
+/// What a line of a tower or a zigzag may be.
+constexpr std::string_view operations_of(TowerFormat format) {
+  return format == TowerFormat::zigzag
+             ? "i (a simplex is included), d or r (one is deleted) or c (a vertex is contracted)"
+             : "i (a simplex is included) or c (a vertex is contracted)";
+}
+
 }  // namespace
 
 Result<std::unique_ptr<TowerReader>> TowerReader::open(const std::string& path, TowerFormat format,
@@ -71,6 +78,7 @@ Result<bool> TowerReader::next(TowerOperation& into) {
 Result<bool> TowerReader::read_operation(TowerOperation& into) {
   switch (format_) {
     case TowerFormat::tower:
+    case TowerFormat::zigzag:
       return read_tower_line(into);
     case TowerFormat::phat:
       return read_phat_line(into);
@@ -153,14 +161,16 @@ Status TowerReader::read_time(LineWords& words, std::string_view what) {
 
 /// The time of an operation in a tower, given or not.
 Status TowerReader::read_optional_time(LineWords& words) {
-  const bool is_timed = !is_tower_operation(words.word());
+  if (format_ == TowerFormat::tower && !is_operation(words.word()) && is_zigzag_operation(words.word())) {
+    return error(fmt::format("{} deletes a simplex, which a tower cannot; sesame zigzag can", shown(words.word())));
+  }
+  const bool is_timed = !is_operation(words.word());
   if (operations_ == 0) {
     is_timed_ = is_timed;
     first_line_ = line_;
   }
   if (is_timed) {
-    Status read = read_time(
-        words, "i (a simplex is included) or c (a vertex is contracted), perhaps after a time, a finite number");
+    Status read = read_time(words, std::string{operations_of(format_)} + ", perhaps after a time, a finite number");
     if (!read) {
       return read;
     }
@@ -184,9 +194,8 @@ Result<bool> TowerReader::read_tower_line(TowerOperation& into) {
     return read.error();
   }
   const std::string_view operation = words.take();
-  if (!is_tower_operation(operation)) {
-    return error(fmt::format("after the time, {} should be i (a simplex is included) or c (a vertex is contracted)",
-                             shown(operation)));
+  if (!is_operation(operation)) {
+    return error(fmt::format("after the time, {} should be {}", shown(operation), operations_of(format_)));
   }
   if (Status read = read_labels(words, no_limit, "a vertex"); !read) {
     return read.error();
@@ -194,8 +203,9 @@ Result<bool> TowerReader::read_tower_line(TowerOperation& into) {
   if (labels_.empty()) {
     return error(fmt::format("{} should be followed by vertices", operation));
   }
-  if (operation == "i") {
-    into = {TowerOperation::Kind::insert, time_, static_cast<int>(labels_.size() - 1), labels_};
+  if (operation != "c") {
+    into = {operation == "i" ? TowerOperation::Kind::insert : TowerOperation::Kind::remove, time_,
+            static_cast<int>(labels_.size() - 1), labels_};
     return true;
   }
   if (labels_.size() != 2) {

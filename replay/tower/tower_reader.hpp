@@ -25,12 +25,13 @@ namespace sesame::replay {
 struct TowerOperation {
   enum class Kind {
     insert,    ///< the simplex with these vertices
+    remove,    ///< the simplex with these vertices; in a zigzag only
     contract,  ///< labels are u and v: u becomes v
     column,    ///< of a boundary matrix; labels are its rows, ascending, none twice, all less than its own index
   };
   Kind kind;
   engine::Time time;
-  int dimension;                          ///< 0 for a contraction
+  int dimension;                          ///< of the simplex; 0 for a contraction
   std::span<const std::uint64_t> labels;  ///< valid until the next operation is read
   /// Of a binary input, what follows it as far as it is in memory: rows of later columns among other numbers, of which
   /// some will be asked for soon.
@@ -99,6 +100,9 @@ class TowerReader {
   Status read_labels(LineWords& words, std::size_t count, const char* what);
   Status read_time(LineWords& words, std::string_view what);
   Status read_optional_time(LineWords& words);
+  [[nodiscard]] bool is_operation(std::string_view word) const {
+    return format_ == TowerFormat::zigzag ? is_zigzag_operation(word) : is_tower_operation(word);
+  }
   Status check_rows(std::span<const std::uint64_t>& rows);
   [[nodiscard]] bool is_stopped() const { return source_.is_stopped(); }
   [[nodiscard]] Error error(const std::string& what) const { return {Errc::bad_input, place() + what}; }

@@ -52,6 +52,8 @@ Status TowerReplay::apply(const TowerOperation& operation) {
       }
       break;
     }
+    case TowerOperation::Kind::remove:
+      return told({Errc::bad_input, "a tower has no deletions; sesame zigzag takes them"});
     case TowerOperation::Kind::column: {
       prefetch(operation);
       const Result<std::uint32_t> slot = columns_.include(operation.dimension, operation.labels);

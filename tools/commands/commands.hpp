@@ -12,6 +12,7 @@ void add_export_command(CLI::App& app, int& status);
 void add_mesh_command(CLI::App& app, int& status);
 void add_generate_command(CLI::App& app, int& status);
 void add_tower_command(CLI::App& app, int& status);
+void add_zigzag_command(CLI::App& app, int& status);
 void add_distance_command(CLI::App& app, int& status);
 void add_verify_command(CLI::App& app, int& status);
 void add_info_command(CLI::App& app, int& status);

@@ -14,6 +14,7 @@
 namespace sesame::tools {
 
 struct TowerArguments {
+  std::string command = "tower";  ///< whose arguments these are
   std::string file;
   replay::TowerFormat format = replay::TowerFormat::automatic;
   std::string ring;
@@ -26,6 +27,7 @@ struct TowerArguments {
   std::size_t longest_line = replay::longest_line;
   std::optional<replay::GeneratorOptions> generators;
   bool json = false, add_faces = false, all_bars = false, partial = false, quiet = false;
+  bool verifies = false;  ///< of a zigzag: the barcode is computed in two ways
 };
 
 }  // namespace sesame::tools

@@ -47,23 +47,12 @@ Trackers trackers_of(const TowerRun& run, replay::PersWriter* pers) {
 /// With --every: cells and Betti numbers now and then.
 void report_state(const TowerRun& run, const TowerOperation& operation, const replay::TowerReplay& tower,
                   std::span<const std::unique_ptr<engine::BarcodeTracker>> trackers) {
-  const TowerArguments& arguments = run.arguments();
-  if (arguments.every == 0 || run.operations() % arguments.every != 0 || !(run.prints() || arguments.json)) {
-    return;
-  }
-  for (const auto& tracker : trackers) {
-    if (arguments.json) {
-      std::cout << fmt::format(R"({{"ops":{},"time":{},"ring":"{}","cells":[{}],"betti":[{}]}})", run.operations(),
-                               replay::json_number_text(operation.time), sparse::ring_name(tracker->ring()),
-                               fmt::join(tower.cells(), ","), fmt::join(tracker->betti(), ","))
-                << '\n';
-    } else {
-      std::cout << fmt::format("{:>10}  {:<24}  Betti numbers over {}: {}\n", run.operations(),
-                               fmt::format("{} cells", fmt::join(tower.cells(), " ")),
-                               sparse::ring_name(tracker->ring()), fmt::join(tracker->betti(), " "));
+  if (run.reports_state()) {
+    for (const auto& tracker : trackers) {
+      run.write_state(operation.time, tower.cells(), tracker->ring(), tracker->betti());
     }
+    std::cout << std::flush;  // somebody may be waiting at the end of a pipe
   }
-  std::cout << std::flush;  // somebody may be waiting at the end of a pipe
 }
 
 }  // namespace

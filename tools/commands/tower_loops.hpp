@@ -1,5 +1,5 @@
 /// \file
-/// What `sesame tower` does with an input, one loop for each kind of input and of what is asked for.
+/// What `sesame tower` and `sesame zigzag` do with an input, one loop for each kind of input and of what is asked for.
 #pragma once
 
 #include "tools/commands/tower_run.hpp"
@@ -14,5 +14,7 @@ replay::Outcome run_barcodes(TowerRun& run);
 replay::Outcome run_groups(TowerRun& run);
 /// The barcode of a script, or over Z its groups.
 replay::Outcome run_script_as_tower(TowerRun& run);
+/// The barcode of a zigzag over a field.
+replay::Outcome run_zigzag(TowerRun& run);
 
 }  // namespace sesame::tools

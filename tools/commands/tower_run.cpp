@@ -1,5 +1,7 @@
 #include "tools/commands/tower_run.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,14 +17,10 @@ using replay::TowerFormat;
 using replay::TowerReader;
 using replay::TowerResult;
 
-namespace {
-
-Outcome wrong_usage(const Error& error) {
-  std::cerr << "sesame tower: " << error.what << '\n';
+Outcome TowerRun::wrong_usage(const Error& error) const {
+  std::cerr << "sesame " << arguments_.command << ": " << error.what << '\n';
   return Outcome::wrong_usage;
 }
-
-}  // namespace
 
 Outcome TowerRun::open() {
   if (const Status rings = read_rings(); !rings) {
@@ -97,6 +95,9 @@ Status TowerRun::check_arguments() const {
   const bool is_z2 = std::ranges::all_of(rings_, [](const auto& r) { return std::holds_alternative<sparse::Z2>(r); });
   const bool has_files =
       !arguments_.pers.empty() || !arguments_.csv.empty() || !arguments_.svg.empty() || !arguments_.html.empty();
+  if (format == TowerFormat::zigzag && is_integral()) {
+    return Error{Errc::refused, "the barcode of a zigzag is one over a field: --ring takes Z/p and Q"};
+  }
   if (is_matrix() && !is_z2) {
     return Error{Errc::refused, "a boundary matrix of PHAT has no signs, so only Z/2 is possible"};
   }
@@ -264,6 +265,20 @@ void TowerRun::write(std::span<const TowerResult> results, const replay::CycleRe
   }
   if (cycles != nullptr) {
     cycles->write_table(std::cout);
+  }
+}
+
+void TowerRun::write_state(engine::Time time, std::span<const std::uint64_t> cells, const sparse::AnyRing& ring,
+                           std::span<const std::uint64_t> betti) const {
+  if (arguments_.json) {
+    std::cout << fmt::format(R"({{"ops":{},"time":{},"ring":"{}","cells":[{}],"betti":[{}]}})", operations_,
+                             replay::json_number_text(time), sparse::ring_name(ring), fmt::join(cells, ","),
+                             fmt::join(betti, ","))
+              << '\n';
+  } else {
+    std::cout << fmt::format("{:>10}  {:<24}  Betti numbers over {}: {}\n", operations_,
+                             fmt::format("{} cells", fmt::join(cells, " ")), sparse::ring_name(ring),
+                             fmt::join(betti, " "));
   }
 }
 

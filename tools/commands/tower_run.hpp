@@ -1,5 +1,6 @@
 /// \file
-/// One run of `sesame tower`: what barcodes over fields, groups over Z and scripts have in common.
+/// One run of `sesame tower` or `sesame zigzag`: what barcodes over fields, groups over Z, scripts and zigzags have in
+/// common.
 #pragma once
 
 #include <chrono>
@@ -92,6 +93,12 @@ class TowerRun {
   /// Writes a result for each ring, into files, as JSON or as tables.
   void write(std::span<const replay::TowerResult> results, const replay::CycleReport* cycles, const Drawn& drawn) const;
   void write_groups(replay::GroupSequence& groups, std::uint64_t operations) const;
+  /// With --every: whether cells and Betti numbers are to be said after this operation.
+  [[nodiscard]] bool reports_state() const {
+    return arguments_.every != 0 && operations_ % arguments_.every == 0 && (prints() || arguments_.json);
+  }
+  void write_state(engine::Time time, std::span<const std::uint64_t> cells, const sparse::AnyRing& ring,
+                   std::span<const std::uint64_t> betti) const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -103,6 +110,7 @@ class TowerRun {
   Status open_outputs();
   Status read_points();
   void say_format();
+  [[nodiscard]] replay::Outcome wrong_usage(const Error& error) const;
   replay::Outcome fail(const Error& error);
   [[nodiscard]] replay::DrawingOptions drawing(const Drawn& drawn) const;
 

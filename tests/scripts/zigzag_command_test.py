@@ -1,0 +1,243 @@
+#!/usr/bin/env python3
+"""What `sesame zigzag` promises on its command line: that without deletions it says the same as `sesame tower`, byte for byte;
+its outputs, errors with their place, exit statuses; files, gzip data and pipes alike.
+
+Usage: zigzag_command_test.py SESAME EXAMPLES
+"""
+
+import gzip
+import json
+import pathlib
+import random
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+import random_tower
+
+SESAME = sys.argv[1] if len(sys.argv) > 1 else "sesame"
+EXAMPLES = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else "replay/examples")
+# A circle that is filled, opened again by another way, and cut.
+CIRCLE = "i 0\ni 1\ni 2\ni 0 1\ni 1 2\ni 0 2\ni 0 1 2\nd 2 1 0\nr 0 1\n"
+CIRCLE_BARS = [[0, 0, None], [0, 1, 3], [0, 2, 4], [1, 5, 6], [1, 7, 8]]
+
+
+def without_seconds(text):
+    return re.sub(r'"seconds":[^}]*', "", text)
+
+
+def random_text(seed, operations=80):
+    done = subprocess.run([sys.executable, random_tower.__file__, "--seed", str(seed), "--operations", str(operations),
+                           "--vertices", "9", "--contract", "0.2", *(["--any-two"] if seed % 2 else [])],
+                          capture_output=True, text=True, check=True)
+    return done.stdout
+
+
+def random_zigzag(seed, operations, labels=12):
+    """Insertions and deletions without contractions, to tetrahedra."""
+    draw = random.Random(seed)
+    there, lines = set(), []
+    while len(lines) < operations:
+        if there and draw.random() < 0.4:
+            simplex = draw.choice(sorted(there))
+            while over := [s for s in there if len(s) == len(simplex) + 1 and set(simplex) < set(s)]:
+                simplex = draw.choice(sorted(over))
+            there.remove(simplex)
+            lines.append("d " + " ".join(map(str, draw.sample(simplex, len(simplex)))))
+            continue
+        simplex = tuple(sorted(draw.sample(range(labels), draw.randint(1, 4))))
+        while missing := [f for k in range(len(simplex)) if (f := simplex[:k] + simplex[k + 1:]) and f not in there]:
+            simplex = draw.choice(missing)
+        if simplex not in there:
+            there.add(simplex)
+            lines.append("i " + " ".join(map(str, simplex)))
+    return "".join(line + "\n" for line in lines)
+
+
+class Zigzag(unittest.TestCase):
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.folder = pathlib.Path(directory.name)
+
+    def run_sesame(self, *arguments, stdin=None):
+        return subprocess.run([SESAME, *map(str, arguments)], input=stdin, capture_output=True)
+
+    def file(self, text, name="input.zigzag"):
+        path = self.folder / name
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return path
+
+    def json_of(self, text, *options):
+        done = self.run_sesame("zigzag", self.file(text), "--json", *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def assert_error(self, text, line, message, *options):
+        done = self.run_sesame("zigzag", self.file(text), "--json", *options)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(done.stdout, b"")
+        self.assertRegex(done.stderr.decode(), f"input.zigzag:{line}: .*{message}")
+
+    # ------------------------------------------------------------------------------------------------ bars
+
+    def test_a_circle_that_is_filled_opened_and_cut(self):
+        done = self.json_of(CIRCLE)
+        self.assertEqual(done["bars"], CIRCLE_BARS)
+        self.assertEqual((done["ring"], done["ops"], done["hidden"]), ("Z/2", 9, 0))
+
+    def test_a_simplex_may_come_again(self):
+        self.assertEqual(self.json_of("i 7\nd 7\ni 7\nd 7\n")["bars"], [[0, 0, 1], [0, 2, 3]])
+
+    def test_a_class_that_is_born_by_a_deletion_may_end_by_one(self):
+        # A sphere of which one triangle goes, and then the opposite vertex with its star.
+        faces = "i 0\ni 1\ni 2\ni 0 1\ni 1 2\ni 0 2\ni 0 1 2\ni 3\ni 0 3\ni 1 3\ni 2 3\ni 0 1 3\ni 0 2 3\ni 1 2 3\n"
+        self.assertEqual([b for b in self.json_of(faces + "d 0 1 2\nd 0 1 3\nd 0 1\n")["bars"] if b[1] >= 13],
+                         [[1, 15, 16], [2, 13, 14]])
+
+    def test_operations_at_one_time_count_as_one(self):
+        done = self.json_of("1 i 0\n1 i 1\n2 i 0 1\n2 d 0 1\n2.5 i 0 1\n")
+        self.assertEqual(done["bars"], [[0, 1, None], [0, 1, 2.5]])
+        self.assertEqual(done["hidden"], 0)
+        done = self.json_of("1 i 0\n2 i 1\n2 d 1\n")
+        self.assertEqual((done["bars"], done["hidden"]), ([[0, 1, None]], 1))
+
+    def test_both_ways_of_computing_agree_whatever_the_input(self):
+        for seed in range(12):
+            text = random_zigzag(seed, 400)
+            for ring in ("Z/2", "Z/3", "Q"):
+                with self.subTest(seed=seed, ring=ring):
+                    file = self.json_of(text, "--ring", ring, "--verify")
+                    piped = self.run_sesame("zigzag", "-", "--json", "--ring", ring, stdin=text.encode())
+                    alone = self.json_of(text, "--ring", ring)
+                    self.assertEqual(file["bars"], alone["bars"])
+                    self.assertEqual(json.loads(piped.stdout)["bars"], alone["bars"])
+                    self.assertGreater(len(alone["bars"]), 50)
+
+    # ------------------------------------------------------------------------------------------------ as tower
+
+    def assert_same_as_tower(self, path, *options):
+        outputs = {}
+        for command in ("tower", "zigzag"):
+            files = [self.folder / f"{command}.{kind}" for kind in ("pers", "svg", "csv")]
+            done = self.run_sesame(command, path, "--json", *options,
+                                   *(f"--{f.suffix[1:]}={f}" for f in files))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            outputs[command] = [without_seconds(done.stdout.decode()), *(f.read_bytes() for f in files)]
+        self.assertEqual(outputs["tower"], outputs["zigzag"])
+
+    def test_towers_have_the_output_of_tower_byte_for_byte(self):
+        towers = sorted(EXAMPLES.glob("*.tower"))
+        self.assertGreaterEqual(len(towers), 5)
+        for path in towers:
+            for ring in ("Z/2", "Z/3", "Q"):
+                with self.subTest(path=path.name, ring=ring):
+                    self.assert_same_as_tower(path, "--ring", ring)
+
+    def test_random_towers_too(self):
+        for seed in range(40):
+            path = self.file(random_text(seed))
+            with self.subTest(seed=seed):
+                self.assert_same_as_tower(path)
+                self.assert_same_as_tower(path, "--max-dim", "1", "--until", "50", "--min-length", "2")
+
+    def test_tables_and_progress_reports_are_those_of_tower(self):
+        path = self.file(random_text(3))
+        for options in ((), ("--every", "7"), ("--every", "7", "--json", "--quiet"), ("--pers", "-")):
+            outputs = [without_seconds(self.run_sesame(command, path, *options).stdout.decode())
+                       for command in ("tower", "zigzag")]
+            with self.subTest(options=options):
+                self.assertEqual(*outputs)
+                self.assertTrue(outputs[0])
+
+    # ------------------------------------------------------------------------------------------------ inputs
+
+    def test_files_gzip_data_and_pipes_are_read_alike(self):
+        text = random_zigzag(5, 300)
+        expected = self.json_of(text)["bars"]
+        packed = self.run_sesame("zigzag", self.file(gzip.compress(text.encode()), "input.gz"), "--json")
+        self.assertEqual(json.loads(packed.stdout)["bars"], expected)
+        piped = self.run_sesame("zigzag", "-", "--json", stdin=gzip.compress(text.encode()))
+        self.assertEqual(json.loads(piped.stdout)["bars"], expected)
+        windows = "# a comment\r\n\r\n" + text.replace("\n", " # here\r\n")
+        self.assertEqual(self.json_of(windows)["bars"], expected)
+
+    def test_until_has_the_bars_of_that_moment(self):
+        self.assertEqual(self.json_of(CIRCLE, "--until", "6")["bars"],
+                         [[0, 0, None], [0, 1, 3], [0, 2, 4], [1, 5, None]])
+        self.assertEqual(self.json_of(CIRCLE, "--until", "100")["bars"], CIRCLE_BARS)
+
+    def test_an_empty_file_is_an_empty_zigzag(self):
+        for text in ("", "# nothing\n", "\n\n"):
+            done = self.json_of(text)
+            self.assertEqual((done["bars"], done["ops"], done["hidden"]), ([], 0, 0))
+
+    def test_labels_and_times_go_to_the_ends_of_their_ranges(self):
+        big = 2**64 - 1
+        self.assertEqual(self.json_of(f"i {big}\ni 0\ni {big} 0\nd 0 {big}\n")["bars"],
+                         [[0, 0, None], [0, 1, 2], [0, 3, None]])
+        times = self.json_of(f"-9223372036854775808 i 1\n{big} d 1\n")["bars"]
+        self.assertEqual(times, [[0, "-9223372036854775808", str(big)]])
+
+    def test_states_on_the_way_are_those_of_the_moment(self):
+        done = self.run_sesame("zigzag", self.file(CIRCLE), "--json", "--every", "1")
+        states = [json.loads(line) for line in done.stdout.splitlines()][:-1]
+        self.assertEqual([s["betti"] for s in states],
+                         [[1], [2], [3], [2], [1], [1, 1], [1, 0], [1, 1], [1, 0]])
+        self.assertEqual(states[-1]["cells"], [3, 2])
+
+    def test_a_page_is_written(self):
+        page = self.folder / "page.html"
+        done = self.run_sesame("zigzag", self.file(CIRCLE), "--quiet", "--html", page)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("are not on this page", page.read_text(encoding="utf-8"))
+
+    # ------------------------------------------------------------------------------------------------ errors
+
+    def test_what_cannot_be_done_is_said_with_its_place(self):
+        edge = "i 0\ni 1\ni 0 1\n"
+        self.assert_error("d 5\n", 1, r"simplex \{5\} is not there")
+        self.assert_error(edge + "d 0 1\nd 1 0\n", 5, r"simplex \{1 0\} is not there")
+        self.assert_error(edge + "d 1\n", 4, r"simplex \{1\} is a face of \{0 1\}, which should be deleted before it")
+        self.assert_error(edge + "i 0 1\n", 4, r"\{0 1\} is there already")
+        self.assert_error(edge + "i 2\ni 0 2\ni 0 1 2\n", 6, r"\{1 2\} of \{0 1 2\} is not there.*--add-faces")
+        self.assert_error(edge + "d 0 0\n", 4, r"simplex \{0 0\} is not there")
+        self.assert_error(edge + "c 0 0\n", 4, "cannot be contracted into itself")
+        self.assert_error(edge + "c 0 9\n", 4, "vertex 9 is not there")
+        self.assert_error(edge + "c 0\n", 4, "c should be followed by 2 vertices, not 1")
+        self.assert_error(edge + "d\n", 4, "d should be followed by vertices")
+        self.assert_error(edge + "d -1\n", 4, "should be a vertex, a whole number")
+        self.assert_error(edge + f"d {2**64}\n", 4, "should be a vertex, a whole number")
+        self.assert_error(edge + "x 0 1\n", 4, r"should be i \(a simplex is included\), d or r")
+        self.assert_error(edge + "3 d 0 1\n", 4, "with a time")
+        self.assert_error("2 i 0\n1 d 0\n", 2, "times should not decrease")
+        self.assert_error("i " + " ".join(map(str, range(65))) + "\n", 1, "from 1 to 64 vertices")
+        self.assert_error("d " + " ".join(map(str, range(65))) + "\n", 1, "is not there")
+        self.assert_error("i 0\nx\n", 2, "should be", "--verify")
+
+    def test_wrong_usage_is_told_from_wrong_input(self):
+        for options, message in ((("--ring", "Z"), "over a field"), (("--ring", "Z/4"), "prime"),
+                                 (("--json", "--pers", "-"), "standard output")):
+            done = self.run_sesame("zigzag", self.file(CIRCLE), *options)
+            self.assertEqual(done.returncode, 1, options)
+            self.assertIn(message, done.stderr.decode())
+        self.assertEqual(self.run_sesame("zigzag", self.folder / "nothing").returncode, 1)
+
+    def test_an_error_leaves_older_outputs_alone(self):
+        out = self.file("old", "out.pers")
+        self.assertEqual(self.run_sesame("zigzag", self.file("i 0\nd 1\n"), "--pers", out).returncode, 2)
+        self.assertEqual(out.read_text(), "old")
+        self.assertEqual(self.run_sesame("zigzag", self.file("i 0\nd 1\n"), "--pers", out, "--partial").returncode, 2)
+        self.assertIn("0 0 inf", out.read_text())
+
+    def test_tower_says_that_deletions_are_for_zigzag(self):
+        done = self.run_sesame("tower", self.file("i 0\nd 0\n"))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("sesame zigzag", done.stderr.decode())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
