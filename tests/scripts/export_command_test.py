@@ -226,7 +226,7 @@ class Facets(Folder):
         self.assertGreater(sum(self.check_facets(script) for script in SOME_SCRIPTS), 10 if IS_HEAVY else 2)
 
     def test_facets_have_the_groups_of_random_scripts_that_make_simplicial_complexes(self):
-        self.assertGreater(sum(self.check_facets(script) for _, script in random_scripts()), 8 if IS_HEAVY else 2)
+        self.assertGreater(sum(self.check_facets(script) for _, script in random_scripts()), 8 if IS_HEAVY else 1)
 
     def test_labels_that_are_integers_are_kept_and_other_names_are_comments(self):
         inserted = HEADER + '{"op":"insert","simplices":[[10,3],[3,7,18446744073709551615],[5]]}\n'
@@ -387,7 +387,7 @@ class Drawings(Folder):
                     if degree > 0 and expected["ring"] == "Z":
                         self.assert_cycle(matrices[degree - 1], chain)
                 count += 1
-        self.assertGreater(count, 20)
+        self.assertGreater(count, 20 if IS_HEAVY else 5)
 
     def test_a_generator_mod_p_has_coefficients_from_0_on_and_degrees_can_be_chosen(self):
         data = self.read_vtu(self.export(EXAMPLES / "projective_plane.jsonl", "vtu", "--ring", "Z/2"))[2]
@@ -459,7 +459,7 @@ class Drawings(Folder):
                     self.assertEqual(sorted(edge[2 + k] for edge in edges if edge[2 + k]),
                                      sorted(float(coefficient) for coefficient, _ in chain))
                 count += 1
-        self.assertGreater(count, 20)
+        self.assertGreater(count, 20 if IS_HEAVY else 5)
 
     def test_a_mesh_that_is_exported_can_be_imported_again(self):
         for form in ("obj", "ply"):
