@@ -1,0 +1,107 @@
+// Lifts that are known as versions of one another, beside plain maps.
+#include "engine/right/known_lifts.hpp"
+
+#include <map>
+#include <vector>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/random_complexes.hpp"
+
+using namespace sesame;
+using namespace sesame::tests;
+using engine::GeneratorId;
+using engine::KnownLifts;
+using engine::Symbol;
+
+namespace {
+
+template <sparse::Ring R>
+using Plain = std::map<GeneratorId, typename R::Element>;
+
+template <sparse::Ring R>
+sparse::Terms<R, GeneratorId> terms_of(const R& ring, const Plain<R>& plain) {
+  sparse::RawTerms<R, GeneratorId> terms;
+  for (const auto& [generator, coefficient] : plain) {
+    terms.push_back({generator, coefficient});
+  }
+  return std::move(terms).normal(ring);
+}
+
+template <sparse::Ring R>
+void add(const R& ring, Plain<R>& to, const typename R::Element& factor, const Plain<R>& from) {
+  for (const auto& [generator, coefficient] : from) {
+    ring.add_product(to.try_emplace(generator, ring.zero()).first->second, factor, coefficient);
+  }
+}
+
+template <sparse::Ring R>
+Plain<R> random_chain(const R& ring, Random& random, int size) {
+  Plain<R> chain;
+  for (int k = 0; k < size; ++k) {
+    chain[GeneratorId{static_cast<std::uint32_t>(random.in(0, 299))}] = ring.from(random.one_in(2) ? 1 : -1);
+  }
+  return chain;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("lifts that are versions of one another have the coefficients that they were kept with", "[engine]",
+                   Integers, Z2, Zp) {
+  const auto ring = test_ring<TestType>();
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    KnownLifts<TestType> known(ring);
+    std::map<Symbol, Plain<TestType>> plain;
+    std::uint32_t next = 0;
+    const auto any = [&] {
+      auto at = plain.begin();
+      std::advance(at, random.in(0, static_cast<int>(plain.size()) - 1));
+      return at->first;
+    };
+    for (int k = 0; k < 120; ++k) {
+      const auto factor = ring.from(random.one_in(4) ? 2 : random.one_in(2) ? 1 : -1);
+      const int kind = plain.empty() ? 0 : random.in(0, 9);
+      if (kind == 0) {
+        const Symbol x{next++};
+        plain[x] = random_chain(ring, random, 200);
+        known.keep(x, terms_of(ring, plain[x]));
+      } else if (kind < 4 && !ring.is_zero(factor)) {
+        const Symbol x{next++}, base = any();
+        Plain<TestType> chain = random_chain(ring, random, 5);
+        known.keep(x, base, factor, terms_of(ring, chain));
+        add(ring, chain, factor, plain.at(base));
+        plain[x] = std::move(chain);
+      } else if (kind < 6) {
+        const Symbol x = any(), y = any();
+        if (x != y && !ring.is_zero(factor)) {
+          known.add(x, factor, y);
+          const Plain<TestType> other = plain.at(y);
+          add(ring, plain.at(x), factor, other);
+        }
+      } else if (kind == 6) {
+        const Symbol x = any();
+        known.forget(x);
+        plain.erase(x);
+        CHECK_FALSE(known.is_known(x));
+      } else {
+        const Symbol x = any();
+        REQUIRE(known.is_known(x));
+        for (int asked = 0; asked < 20; ++asked) {
+          const GeneratorId generator{static_cast<std::uint32_t>(random.in(0, 299))};
+          const auto at = plain.at(x).find(generator);
+          REQUIRE(known.coefficient(x, generator) == (at == plain.at(x).end() ? ring.zero() : at->second));
+        }
+        REQUIRE(known.written_out(x) == terms_of(ring, plain.at(x)));
+      }
+    }
+  }
+}
+
+TEST_CASE("short lifts are not kept", "[engine]") {
+  const Integers ring;
+  KnownLifts<Integers> known(ring);
+  known.keep(Symbol{3}, {{GeneratorId{0}, Integer{1}}});
+  CHECK_FALSE(known.is_known(Symbol{3}));
+  CHECK(known.empty());
+}
