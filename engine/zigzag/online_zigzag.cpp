@@ -59,7 +59,9 @@ class OnlineZigzag final : public ZigzagBarcode {
     for (const Level& level : levels_) {
       betti.push_back(level.open());
     }
-    betti.resize(bearing_dimensions_);
+    while (!betti.empty() && betti.back() == 0) {
+      betti.pop_back();
+    }
     return betti;
   }
 
@@ -215,7 +217,6 @@ class OnlineZigzag final : public ZigzagBarcode {
 
   void open(std::size_t d, Number number, std::int64_t rank, Moment moment) {
     levels_[d].open(number, rank, moment);
-    bearing_dimensions_ = std::max(bearing_dimensions_, d + 1);
     toggle(d, {number, false}, levels_[d][number].terms);
   }
 
@@ -337,7 +338,6 @@ class OnlineZigzag final : public ZigzagBarcode {
   sparse::AnyRing any_ring_;
   OnBar on_bar_;
   std::vector<Level> levels_;
-  std::size_t bearing_dimensions_ = 0;
   std::int64_t highest_rank_ = 0, lowest_rank_ = 0;
   std::uint64_t touched_ = 0;
   CellSum<R> sum_;

@@ -49,7 +49,7 @@ class ZigzagBarcode : public ZigzagTracker {
   /// Called when a class dies whose birth was another operation.
   using OnBar = std::function<void(const MomentBar&)>;
 
-  /// The number of classes alive, per dimension, up to the largest that ever had one.
+  /// The number of classes alive, per dimension, up to the largest that has one.
   [[nodiscard]] virtual std::vector<std::uint64_t> betti() const = 0;
   /// Visits the classes that are alive, by dimension and birth; the death is `never`.
   virtual void for_each_open_bar(const OnBar& visit) const = 0;
