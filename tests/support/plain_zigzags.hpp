@@ -112,10 +112,15 @@ inline std::vector<ZigzagStep> random_zigzag(std::uint32_t seed, const ZigzagSha
       PlainSimplex simplex(labels.begin(), labels.end());
       // What it lacks most: a face, so that simplices of all dimensions come about.
       for (std::size_t k = 0; k < 8 && !has_facets(complex, simplex); ++k) {
-        PlainSimplex face = simplex;
-        face.erase(face.begin() + static_cast<std::ptrdiff_t>(random() % face.size()));
+        const std::size_t without = random() % simplex.size();
+        PlainSimplex face;
+        for (std::size_t vertex = 0; vertex < simplex.size(); ++vertex) {
+          if (vertex != without) {
+            face.push_back(simplex[vertex]);
+          }
+        }
         if (!face.empty() && !complex.contains(face)) {
-          simplex = face;
+          simplex = std::move(face);
         }
       }
       if (complex.contains(simplex) || !has_facets(complex, simplex)) {
