@@ -60,6 +60,15 @@ TEMPLATE_TEST_CASE("lifts that are versions of one another have the coefficients
       return at->first;
     };
     for (int k = 0; k < 120; ++k) {
+      // What has become short by cancellation need not be kept.
+      std::erase_if(plain, [&](const auto& entry) {
+        const bool is_short = terms_of(ring, entry.second).size() <= 64;
+        REQUIRE((is_short || known.is_known(entry.first)));
+        if (is_short) {
+          known.forget(entry.first);
+        }
+        return is_short;
+      });
       const auto factor = ring.from(random.one_in(4) ? 2 : random.one_in(2) ? 1 : -1);
       const int kind = plain.empty() ? 0 : random.in(0, 9);
       if (kind == 0) {

@@ -80,7 +80,7 @@ Lines read_all(TowerReader& reader, const std::string& path) {
     if (!*got) {
       return seen;
     }
-    const char* kinds[] = {"i", "c", "column"};
+    const char* kinds[] = {"i", "d", "c", "column"};
     seen.push_back(fmt::format("{}: {} {} {} [{}]", reader.line(), replay::number_text(operation.time),
                                kinds[static_cast<std::size_t>(operation.kind)], operation.dimension,
                                fmt::join(operation.labels, " ")));

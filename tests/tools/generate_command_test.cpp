@@ -41,7 +41,8 @@ TEST_CASE("generate refuses what it cannot do, and says what it can", "[bench]")
     CHECK(run.out.empty());
     return run.errors;
   };
-  CHECK_THAT(refused("nothing"), Contains("there is no \"nothing\"") && Contains("rips, torus, torus-300"));
+  CHECK_THAT(refused("nothing"),
+             Contains("there is no \"nothing\"") && Contains("rips, temporal-network, torus, torus-300"));
   CHECK_THAT(refused("torus --size 2"), Contains("--size of torus goes from 3 to 5000"));
   CHECK_THAT(refused("torus --size 100000"), Contains("--size of torus goes from 3 to 5000"));
   CHECK_THAT(refused("cubical --size 2 --format gudhi"), Contains("use phat-binary or phat"));
