@@ -143,8 +143,8 @@ class Engine {
   /// the steps among all those of the log, as in their reports.
   ///
   /// Errors    refused, over Z, and when a step is no map of the object before it to that after it: a de-identification,
-  ///           a removal of cells
-  ///           or a product; or a cone that is a lazy family; and when not all steps can be undone any more.
+  ///           a removal of cells or a product; or a cone that is a lazy family; and when not all steps can be undone any
+  ///           more.
   /// Cost      The size of the big complex, times the logarithm of the number of steps.
   [[nodiscard]] Result<Barcode> barcode() const;
 
