@@ -109,7 +109,7 @@ class Failures(Directory):
     def test_a_read_error_is_status_1_with_its_reason_wherever_it_is(self):
         for reader, (arguments, content) in READERS.items():
             path = self.write(self.named_for(reader), content)
-            for at in places(len(content), 12):
+            for at in places(len(content), 12 if IS_HEAVY else 4):
                 done = run(*self.arguments(arguments, path), env=self.failing(path, FAIL_READ_AT=at))
                 self.assertEqual((reader, at, done.returncode), (reader, at, 1), done.stderr)
                 self.assertIn(f"cannot read {path}: Input/output error", done.stderr)
