@@ -29,6 +29,25 @@ CellId after_step(const Structure& structure, CellId c, Moment after) {
   return family < after.families ? structure.lazy().cell(family, LazyPart::base, structure.values().plain(c)) : c;
 }
 
+/// The sequence of a subcomplex C0 of C1 and of the rest C2, modulo it: i and r are implicit identities, and only the
+/// columns of the rest are stored.
+template <Ring R>
+StepSequence<R> subcomplex(const Structure& structure, const R& ring, Direction direction, CellBasis part,
+                           Moment moment_of_part, CellBasis all, CellBasis rest, Moment moment_of_all) {
+  const CellBasis none_stored;
+  const auto itself = [&ring](CellId c) { return unit(ring, c); };
+  auto i = map_by_columns(ring, part, all, Rest::identity, none_stored, itself);
+  auto r = map_by_columns(ring, all, part, Rest::identity, none_stored, itself);
+  auto j = map_by_columns(ring, all, rest, Rest::zero, rest, itself);
+  auto s = map_by_columns(ring, rest, all, Rest::zero, rest, itself);
+  return {direction,
+          {chain_complex(structure, part, moment_of_part, ring), chain_complex(structure, all, moment_of_all, ring),
+           chain_complex(structure, rest, moment_of_all, ring), std::move(i), std::move(j), std::move(r), std::move(s)},
+          std::move(part),
+          std::move(all),
+          std::move(rest)};
+}
+
 template <Ring R>
 StepSequence<R> added(const Structure& structure, Moment before, Moment after, const R& ring) {
   CellBasis old_cells = cells_at(structure, before);
@@ -51,18 +70,8 @@ StepSequence<R> added(const Structure& structure, Moment before, Moment after, c
       }
     }
   }
-  const CellBasis none_stored;
-  const auto itself = [&ring](CellId c) { return unit(ring, c); };
-  auto i = map_by_columns(ring, old_cells, all, Rest::identity, none_stored, itself);
-  auto r = map_by_columns(ring, all, old_cells, Rest::identity, none_stored, itself);
-  auto j = map_by_columns(ring, all, fresh, Rest::zero, fresh, itself);
-  auto s = map_by_columns(ring, fresh, all, Rest::zero, fresh, itself);
-  return {Direction::backward,
-          {chain_complex(structure, old_cells, before, ring), chain_complex(structure, all, after, ring),
-           chain_complex(structure, fresh, after, ring), std::move(i), std::move(j), std::move(r), std::move(s)},
-          std::move(old_cells),
-          std::move(all),
-          std::move(fresh)};
+  return subcomplex(structure, ring, Direction::backward, std::move(old_cells), before, std::move(all),
+                    std::move(fresh), after);
 }
 
 /// The sequence in which C0 is spanned by some cells of C1 as differences: i, j and r have a column for each of those,
@@ -125,18 +134,8 @@ StepSequence<R> deleted_cells(const Structure& structure, Moment before, Moment 
     all.add(structure.dimension(c), c);
     deleted.add(structure.dimension(c), c);
   }
-  const CellBasis none_stored;
-  const auto itself = [&ring](CellId c) { return unit(ring, c); };
-  auto i = map_by_columns(ring, kept, all, Rest::identity, none_stored, itself);
-  auto r = map_by_columns(ring, all, kept, Rest::identity, none_stored, itself);
-  auto j = map_by_columns(ring, all, deleted, Rest::zero, deleted, itself);
-  auto s = map_by_columns(ring, deleted, all, Rest::zero, deleted, itself);
-  return {Direction::kernel,
-          {chain_complex(structure, kept, after, ring), chain_complex(structure, all, before, ring),
-           chain_complex(structure, deleted, before, ring), std::move(i), std::move(j), std::move(r), std::move(s)},
-          std::move(kept),
-          std::move(all),
-          std::move(deleted)};
+  return subcomplex(structure, ring, Direction::kernel, std::move(kept), after, std::move(all), std::move(deleted),
+                    before);
 }
 
 template <Ring R>
