@@ -293,7 +293,8 @@ Terms<R, GeneratorId> Rewriter<R>::learn_lift(Symbol x) {
     return is_known;
   });
   const bool is_cycle = core().find(x) == nullptr;
-  if (known.size() == 1 && is_cycle) {
+  if (known.size() == 1 && is_cycle && memos_.ring().is_unit(known.front().coefficient)) {
+    // It is kept, or, for want of room, nothing is known any more.
     known_lifts_.keep(x, known.front().index, known.front().coefficient, std::move(lift));
     return known_lifts_.is_known(x) ? Terms<R, GeneratorId>{} : learn_lift(x);
   }
