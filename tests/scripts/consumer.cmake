@@ -19,9 +19,11 @@ function(expect_answer program)
   endif()
 endfunction()
 
-function(configure directory)
+string(TOUPPER "${BUILD_TYPE}" kind)
+function(configure directory)  # without optimisation: what is tested is that it is found
   run(${CMAKE_COMMAND} -G Ninja -S ${consumer} -B ${directory} -D CMAKE_CXX_COMPILER=${CXX}
-      "-D CMAKE_CXX_FLAGS=${CXX_FLAGS}" -D CMAKE_BUILD_TYPE=${BUILD_TYPE} ${ARGN})
+      "-D CMAKE_CXX_FLAGS=${CXX_FLAGS}" -D CMAKE_BUILD_TYPE=${BUILD_TYPE}
+      -D CMAKE_CXX_FLAGS_${kind}= ${ARGN})
 endfunction()
 
 file(REMOVE_RECURSE ${WORK_DIR})

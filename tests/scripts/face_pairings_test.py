@@ -17,7 +17,9 @@ import unittest
 sys.dont_write_bytecode = True
 import oracle
 
-SESAME = sys.argv.pop(1) if len(sys.argv) > 1 else "sesame"
+SESAME = sys.argv[1] if len(sys.argv) > 1 else "sesame"
+IS_HEAVY = "--heavy" in sys.argv  # else a quarter of the pairings of one tetrahedron, and fewer random ones
+STRIDE = 1 if IS_HEAVY else 4
 FACES = [(1, 2, 3), (0, 2, 3), (0, 1, 3), (0, 1, 2)]
 ORDERS = list(itertools.permutations(range(3)))
 
@@ -142,8 +144,8 @@ class FacePairings(unittest.TestCase):
                 self.assertEqual((found, groups[1]), (betti, torsion))
 
     def test_every_pairing_of_all_faces_of_one_tetrahedron(self):
-        results = [self.check(1, p) for p in all_pairings([(0, face) for face in FACES])]
-        self.assertEqual(len(results), 3 * 36)
+        results = [self.check(1, p) for p in itertools.islice(all_pairings([(0, face) for face in FACES]), None, None, STRIDE)]
+        self.assertEqual(len(results), 3 * 36 // STRIDE)
         self.assertIn(None, results)
         groups = [str(found[2][1]) for found in results if found]
         self.assertEqual({"[]", "[4]", "[5]"} - set(groups), set())
@@ -151,15 +153,16 @@ class FacePairings(unittest.TestCase):
     def test_random_pairings_of_some_faces(self):
         rng = random.Random(1)
         folded = 0
-        for round_ in range(120):
+        rounds = 120 if IS_HEAVY else 24
+        for round_ in range(rounds):
             tetrahedra = rng.choice([1, 2, 2, 3])
             faces = [(t, face) for t in range(tetrahedra) for face in FACES]
             rng.shuffle(faces)
             pairings = [(*faces[2 * k], *faces[2 * k + 1], rng.choice(ORDERS))
                         for k in range(rng.randint(1, len(faces) // 2))]
             folded += self.check(tetrahedra, pairings, ["--verify"] if round_ % 4 == 0 else []) is None
-        self.assertTrue(0 < folded < 120)
+        self.assertTrue(0 < folded < rounds)
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=sys.argv[:1])

@@ -53,7 +53,7 @@ class Logs(ProgramFolder):
     def test_a_log_cut_at_any_byte_has_the_steps_before_and_can_be_gone_on_from(self):
         self.replay(HEADER + steps(0, 6))
         whole = self.log.read_bytes()
-        for size in range(0, len(whole) + 1, 1 if HEAVY else 7):
+        for size in range(0, len(whole) + 1, 1 if HEAVY else 23):
             self.log.write_bytes(whole[:size])
             end = whole[:size].rfind(b"\n") + 1
             records = sum(line.startswith(b"{") for line in whole[:end].splitlines())
@@ -182,7 +182,7 @@ class Logs(ProgramFolder):
     def test_kill_at_any_moment_loses_no_step_that_was_reported(self):
         generator = random.Random(7)
         script, out = self.folder / "script", self.folder / "out"
-        for _ in range(300 if HEAVY else 12):
+        for _ in range(300 if HEAVY else 8):
             first = self.verified()[1]["steps"] if self.log.exists() else 0
             script.write_text(HEADER + steps(first, 4000))
             with open(out, "wb") as output:

@@ -208,7 +208,7 @@ def check_soup(sesame, points, words, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("sesame", metavar="SESAME")
-    parser.add_argument("--random", type=int, default=25, metavar="COUNT")
+    parser.add_argument("--random", type=int, default=10, metavar="COUNT")
     parser.add_argument("--seed", type=int, default=1, metavar="N")
     options = parser.parse_args()
     passed = failed = 0

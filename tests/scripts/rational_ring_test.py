@@ -17,6 +17,7 @@ import random_script
 import random_tower
 
 SESAME = sys.argv[1] if len(sys.argv) > 1 else "sesame"
+IS_HEAVY = "--heavy" in sys.argv  # else a third of the examples, and of random scripts and towers
 EXAMPLES = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else "replay/examples")
 
 
@@ -69,7 +70,7 @@ class RationalRing(unittest.TestCase):
     def test_replay_finds_the_same_ranks_after_every_step_of_every_example(self):
         examples = sorted(EXAMPLES.glob("*.jsonl"))
         self.assertGreater(len(examples), 40)
-        for script in examples:
+        for script in examples[::1 if IS_HEAVY else 3]:
             self.check_script(script)
             summary = self.check_script(script, "--generators", "--verify")
             self.assertEqual([g["dim"] for g in summary["generators"]],
@@ -81,7 +82,7 @@ class RationalRing(unittest.TestCase):
 
     def test_replay_finds_the_same_ranks_after_every_step_of_random_scripts(self):
         for operations in random_script.WRITERS:
-            for seed in range(5):
+            for seed in range(5 if IS_HEAVY else 2):
                 text = random_script.write_script(seed, 30, operations=operations)
                 self.check_script("-", "--generators", "--verify", text=text)
 
@@ -110,7 +111,7 @@ class RationalRing(unittest.TestCase):
         for path in sorted(EXAMPLES.glob("*.tower")):
             self.check_tower(path, is_filtration=path.name == "projective_plane.tower")
         with tempfile.TemporaryDirectory() as folder:
-            for seed in range(20):
+            for seed in range(20 if IS_HEAVY else 6):
                 path = pathlib.Path(folder) / f"{seed}.tower"
                 operations = random_tower.make(seed, operations=60, vertices=8, any_two=seed % 2 == 1,
                                                contract=0 if seed % 3 == 0 else 0.15)

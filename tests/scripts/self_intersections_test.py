@@ -184,7 +184,7 @@ def check_known(sesame):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("sesame")
-    parser.add_argument("--random", type=int, default=250)
+    parser.add_argument("--random", type=int, default=80)
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
     wrong = check_known(arguments.sesame)

@@ -23,6 +23,7 @@ import tower_oracle
 
 SESAME = sys.argv[1] if len(sys.argv) > 1 else "sesame"
 EXAMPLES = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else "replay/examples")
+IS_HEAVY = "--heavy" in sys.argv  # else fewer random towers
 CIRCLE = "i 0\ni 1\ni 2\ni 0 1\ni 1 2\ni 0 2\nc 0 1\nc 2 1\n"
 CIRCLE_BARS = [[0, 0, None], [0, 1, 3], [0, 2, 4], [1, 5, 6]]
 
@@ -133,7 +134,7 @@ class Tower(unittest.TestCase):
                 self.assertEqual(self.bars(path, "--ring", f"Z/{p}"), tower_oracle.barcode(operations, p), path)
 
     def test_replay_and_tower_have_the_same_betti_numbers_at_every_step(self):
-        for seed in range(12):
+        for seed in range(12 if IS_HEAVY else 4):
             text = random_text(seed)
             tower, script = self.file("t.tower", text), self.file("t.jsonl", as_script(text))
             for ring in ("Z/2", "Z/3"):
@@ -145,14 +146,14 @@ class Tower(unittest.TestCase):
                     self.assertEqual(padded(state["betti"], len(step["betti"])), step["betti"])
 
     def test_a_script_has_the_bars_of_the_same_tower_counted_from_one(self):
-        for seed in range(12):
+        for seed in range(12 if IS_HEAVY else 4):
             text = random_text(seed)
             tower, script = self.file("t.tower", text), self.file("t.jsonl", as_script(text))
             shifted = [[d, b + 1, None if e is None else e + 1] for d, b, e in self.bars(tower, "--ring", "Z/3")]
             self.assertEqual(self.bars(script, "--ring", "Z/3"), shifted)
 
     def test_groups_over_the_integers_are_those_of_replay(self):
-        for seed in range(6):
+        for seed in range(6 if IS_HEAVY else 3):
             text = random_text(seed)
             (found,) = self.objects(self.file("t.tower", text), "--ring", "Z")
             steps = self.objects(self.file("t.jsonl", as_script(text)), "--every", "1", command="replay")[:-1]
