@@ -52,7 +52,7 @@ bool Equivalences::extend(std::uint64_t moves) {
   const std::uint64_t budget = budget_of(structure_.counts(), policy_);
   const std::uint64_t copies = now().copies();
   const std::uint64_t deletions = now().deletions();
-  const std::uint64_t deletions_allowed = policy_.least_deletions + cells / policy_.cells_per_deletion;
+  const std::uint64_t deletions_allowed = policy_.least_deletions + cells * policy_.deletions_per_cell;
   const bool is_within_budget = is_done_at_once || now().extend(budget);
   if (is_within_budget && (copies == 0 || copies < splits_allowed) && deletions <= deletions_allowed) {
     return false;

@@ -28,13 +28,13 @@ struct RebasePolicy {
   // present object; the last one always is.
   std::uint64_t least_cells_kept = 500;
   std::uint64_t objects_kept = 8;
-  // After so many deletions since the last time: this many, and one more for so many cells of the object.
+  // After so many deletions since the last time: this many, and so many for each cell of the object.
   std::uint64_t least_deletions = 64;
-  std::uint64_t cells_per_deletion = 1;
+  std::uint64_t deletions_per_cell = 4;
 
   /// Never: every step is taken in by the equivalence of the whole history, whatever that costs.
   [[nodiscard]] static RebasePolicy never() {
-    return {UINT64_MAX / 2, 1, 0, 0, UINT64_MAX / 2, 1, 0, 0, UINT64_MAX / 2, 1};
+    return {UINT64_MAX / 2, 1, 0, 0, UINT64_MAX / 2, 1, 0, 0, UINT64_MAX / 2, 0};
   }
 };
 

@@ -1,5 +1,6 @@
 #include "engine/right/known_lifts.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace sesame::engine {
@@ -52,6 +53,43 @@ typename R::Element KnownLifts<R>::coefficient(Symbol x, GeneratorId generator) 
     ring_.add_product(sum, more->second, ring_.one());
   }
   return ring_.multiply(written.scale, sum);
+}
+
+template <Ring R>
+std::vector<typename KnownLifts<R>::NodeId> KnownLifts<R>::way_from(NodeId node) const {
+  constexpr std::size_t a_few = 8;
+  std::vector<NodeId> way{node};
+  while (way.size() < a_few && nodes_[way.back()].base != no_node) {
+    way.push_back(nodes_[way.back()].base);
+  }
+  return way;
+}
+
+template <Ring R>
+typename KnownLifts<R>::Relation KnownLifts<R>::along(std::span<const NodeId> way, std::size_t place) const {
+  Relation relation{ring_.one(), {}};
+  for (std::size_t k = 0; k < place; ++k) {
+    const Node& node = nodes_[way[k]];
+    sparse::add_multiple<R>(ring_, relation.difference, relation.factor, node.difference);
+    relation.factor = ring_.multiply(relation.factor, node.factor);
+  }
+  return relation;
+}
+
+/// By the first node that both ways have; its factors are units.
+template <Ring R>
+std::optional<typename KnownLifts<R>::Relation> KnownLifts<R>::relation(Symbol x, Symbol y) const {
+  const std::vector<NodeId> of_x = way_from(node_of_.at(x)), of_y = way_from(node_of_.at(y));
+  const auto common = std::find_first_of(of_x.begin(), of_x.end(), of_y.begin(), of_y.end());
+  if (common == of_x.end()) {
+    return std::nullopt;
+  }
+  Relation relation = along(of_x, static_cast<std::size_t>(common - of_x.begin()));
+  const auto place = static_cast<std::size_t>(std::find(of_y.begin(), of_y.end(), *common) - of_y.begin());
+  const auto [factor, difference] = along(of_y, place);
+  relation.factor = ring_.multiply(relation.factor, ring_.inverse(factor));
+  sparse::add_multiple<R>(ring_, relation.difference, ring_.negate(relation.factor), difference);
+  return relation;
 }
 
 /// False when there was none, so that everything is forgotten.

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -36,6 +38,9 @@ class KnownLifts {
   /// the differences on the way to it, amortised.
   [[nodiscard]] Element coefficient(Symbol x, GeneratorId generator);
 
+  /// The number of terms of a lift, about. Requires: it is known. Cost: that of asking for it.
+  [[nodiscard]] std::size_t size(Symbol x) { return reach(x).size(); }
+
   /// Keeps a lift, unless it is short: then it is quicker to work it out. Cost: its terms.
   void keep(Symbol x, Terms<R, GeneratorId> lift);
   /// Keeps `factor` times the lift of `base`, plus `difference`. Requires: that of `base` is known, and differs from x.
@@ -45,11 +50,18 @@ class KnownLifts {
   void add(Symbol x, const Element& factor, Symbol y);
   /// All of a lift. Requires: it is known. Cost: its terms.
   [[nodiscard]] Terms<R, GeneratorId> written_out(Symbol x);
+  /// V(x) = factor V(y) + difference.
+  struct Relation {
+    Element factor;
+    Terms<R, GeneratorId> difference;
+  };
+  /// How a lift is made of another one, if they are versions that are a few steps apart. Requires: both are known.
+  [[nodiscard]] std::optional<Relation> relation(Symbol x, Symbol y) const;
   void forget(Symbol x) { node_of_.erase(x); }
   void clear();
 
  private:
-  static constexpr std::size_t short_lift = 64;
+  static constexpr std::size_t short_lift = 8;
   static constexpr std::size_t most_terms = std::size_t{1} << 25U;
 
   /// A lift that is written out: scale times the sum of both parts.
@@ -71,6 +83,10 @@ class KnownLifts {
     Terms<R, GeneratorId> difference;
   };
 
+  /// A node and those that it is made of, the next one first, not many.
+  [[nodiscard]] std::vector<NodeId> way_from(NodeId node) const;
+  /// The node at the beginning of a way as a multiple of that at a place of it, and a difference.
+  [[nodiscard]] Relation along(std::span<const NodeId> way, std::size_t place) const;
   Written& reach(Symbol x) { return reach_node(node_of_.at(x)); }
   Written& reach_node(NodeId node);
   void move_from(NodeId base, NodeId to);

@@ -1,9 +1,11 @@
 #include "engine/right/lifts.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 namespace sesame::engine {
 
@@ -22,7 +24,8 @@ Trace<R> Lifts<R>::run_trace(RuleId before, Begin begin) {
   const Rules<R>& rules = rules_;
   const auto add = [&](Symbol x, const Element& factor, const Element& coefficient) {
     const RuleId rule = rules.removed_by(x);
-    if (rule < before && rules[rule].a == x && traced.add_product(x, factor, coefficient)) {
+    const bool is_left_out = left_out_.deletions != nullptr && left_out_.deletions->contains(rules.degree(x), x);
+    if (rule < before && rules[rule].a == x && !is_left_out && traced.add_product(x, factor, coefficient)) {
       queue.push(rule);
     }
   };
@@ -41,6 +44,11 @@ Trace<R> Lifts<R>::run_trace(RuleId before, Begin begin) {
     }
     if (!perturbations) {
       perturbations = perturbations_.until(rule, before);
+      if (left_out_.deletions != nullptr) {
+        const auto left_out = left_out_.deletions->of_degree(rules.degree(rules[rule].a));
+        const Symbol first = left_out.empty() ? left_out_.last : left_out.front().e;
+        perturbations = std::min(*perturbations, perturbations_.before(rule, first));
+      }
     }
     if (perturbations_.lacks_any_of(*perturbations, rule)) {
       take_in(rule);  // else what it is behind with is in symbols that no rule of that time can use
@@ -110,6 +118,7 @@ void Lifts<R>::drop_work() {
   traces_running_ = 0;
   while (pending_.take()) {
   }
+  left_out_ = {};
 }
 
 // ------------------------------------------------------------------------------------------------------------ lifts
@@ -117,7 +126,12 @@ void Lifts<R>::drop_work() {
 template <Ring R>
 Terms<R, GeneratorId> Lifts<R>::lift(std::span<const TermType> chain_of_s, const Trace<R>& trace,
                                      KnownTraces<R>* known) {
-  return run_lift(chain_of_s, trace, known, [](Symbol, const Element&) { return false; });
+  Others others;
+  for (const TermType& term : chain_of_s) {
+    ring_.add_product(others.try_emplace({rules_.size(), term.index}, ring_.zero()).first->second, term.coefficient,
+                      ring_.one());
+  }
+  return run_lift(std::move(others), trace, known, [](Symbol, const Element&) { return false; });
 }
 
 template <Ring R>
@@ -172,6 +186,7 @@ void Lifts<R>::take_in(RuleId rule) {
     std::size_t next = 0;
   };
   std::vector<Frame> stack;
+  const LeftOut left_out = std::exchange(left_out_, {});  // a rule takes all in
   const auto push = [&](RuleId r) {
     Expansion lift = expansion(rules_[r].b, r);
     stack.push_back({r, std::move(lift)});
@@ -195,6 +210,7 @@ void Lifts<R>::take_in(RuleId rule) {
     effort_.spend(words_of(gain));
     stack.pop_back();
   }
+  left_out_ = left_out;
 }
 
 template <Ring R>

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/right/correctable_deletions.hpp"
 #include "engine/right/dependents.hpp"
 #include "engine/right/effort.hpp"
 #include "engine/right/perturbations.hpp"
@@ -101,12 +102,16 @@ class Lifts {
   [[nodiscard]] Terms<R, GeneratorId> lift(std::span<const TermType> chain_of_s, const Trace<R>& trace = {},
                                            KnownTraces<R>* known = nullptr);
 
-  /// V(x) at the present time, down to lifts of b's of rules that somebody else knows: `take(b, coefficient)` says
-  /// whether it does, and then it is left out. Cost: likewise.
+  /// V_time(x) by rules that know nothing of some deletions, nor of the one at hand, whose generator is `last`: they
+  /// are not brought up to date with these. It stops at lifts of b's of rules that somebody else knows: `take(b,
+  /// coefficient)` says whether it does, and then it is left out. Cost: likewise.
   template <class Take>
-  [[nodiscard]] Terms<R, GeneratorId> lift_down_to(Symbol x, Take take) {
-    const TermType itself{x, ring_.one()};
-    return run_lift({&itself, 1}, {}, nullptr, take);
+  [[nodiscard]] Terms<R, GeneratorId> lift_without(const CorrectableDeletions& deletions, Symbol last, Symbol x,
+                                                   RuleId time, Take take) {
+    left_out_ = {&deletions, last};
+    Terms<R, GeneratorId> lift = run_lift({{{time, x}, ring_.one()}}, {}, nullptr, take);
+    left_out_ = {};
+    return lift;
   }
 
   /// delta(V_time(x)) of the perturbations with new symbols from `first` on, in these; in normal form.
@@ -119,6 +124,13 @@ class Lifts {
   void drop_work();
 
  private:
+  /// Deletions that rules know nothing of, for the time being.
+  struct LeftOut {
+    const CorrectableDeletions* deletions = nullptr;
+    Symbol last{};
+  };
+  /// What is to be expanded: V_t(x) by (t, x), with its coefficient.
+  using Others = std::map<std::pair<RuleId, Symbol>, Element, std::greater<>>;
   /// V_t(x) = generators - sum trace[a] V(b_a).
   struct Expansion {
     RawTerms<R, GeneratorId> generators;
@@ -134,8 +146,7 @@ class Lifts {
   void expand(RuleId time, Symbol x, const Element& coefficient, RawTerms<R, GeneratorId>& generators, Add add,
               AddRule add_rule, KnownTraces<R>* known = nullptr);
   template <class Take>
-  [[nodiscard]] Terms<R, GeneratorId> run_lift(std::span<const TermType> chain_of_s, const Trace<R>& trace,
-                                               KnownTraces<R>* known, Take take);
+  [[nodiscard]] Terms<R, GeneratorId> run_lift(Others others, const Trace<R>& trace, KnownTraces<R>* known, Take take);
   [[nodiscard]] Expansion expansion(Symbol x, RuleId time);
   [[nodiscard]] Terms<R, Symbol> gain_of(const Expansion& v, Symbol first);
 
@@ -148,6 +159,7 @@ class Lifts {
   /// One for each trace that is running: taking in may start another.
   std::deque<sparse::Accumulator<R, Symbol>> traced_;
   std::size_t traces_running_ = 0;
+  LeftOut left_out_;
   sparse::DescendingSum<R> pending_;  ///< of a lift: the b's of rules that are still to be expanded
 };
 
@@ -174,21 +186,16 @@ void Lifts<R>::expand(RuleId time, Symbol x, const Element& a, RawTerms<R, Gener
 
 template <Ring R>
 template <class Take>
-Terms<R, GeneratorId> Lifts<R>::run_lift(std::span<const TermType> chain_of_s, const Trace<R>& trace,
-                                         KnownTraces<R>* known, Take take) {
+Terms<R, GeneratorId> Lifts<R>::run_lift(Others others, const Trace<R>& trace, KnownTraces<R>* known, Take take) {
   // What is still to be expanded, V_t(x) with its coefficient, the latest t first: the b's of rules in `pending_`, the
   // others, which are few, here. Expanding one leads to earlier ones only, so equal ones have been added up by the time
   // their turn comes. No b of a rule has the time of another one.
-  std::map<std::pair<RuleId, Symbol>, Element, std::greater<>> others;
   const auto add = [&](RuleId time, Symbol x, const Element& coefficient) {
     ring_.add_product(others.try_emplace({time, x}, ring_.zero()).first->second, coefficient, ring_.one());
   };
   const auto add_rule = [&](RuleId rule, const Element& factor, const Element& coefficient) {
     pending_.add_product(rule, factor, coefficient);
   };
-  for (const TermType& term : chain_of_s) {
-    add(rules_.size(), term.index, term.coefficient);
-  }
   for (const auto& [rule, coefficient] : trace) {
     add_rule(rule, ring_.one(), coefficient);
   }

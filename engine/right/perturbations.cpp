@@ -83,6 +83,18 @@ std::size_t Perturbations<R>::until(std::size_t degree, RuleId time) const {
   return static_cast<std::size_t>(after - all.begin());
 }
 
+template <Ring R>
+std::size_t Perturbations<R>::before(RuleId rule, Symbol first) const {
+  const std::size_t q = degree_of_b(rule);
+  if (q >= of_degree_.size()) {
+    return 0;
+  }
+  const auto& all = of_degree_[q];
+  const auto at = std::lower_bound(all.begin(), all.end(), first,
+                                   [](const Perturbation& perturbation, Symbol x) { return perturbation.first < x; });
+  return static_cast<std::size_t>(at - all.begin());
+}
+
 /// How many perturbations of its degree a rule has taken in: those made before it have been part of it from the start.
 template <Ring R>
 std::size_t Perturbations<R>::taken_in(RuleId rule) const {

@@ -61,6 +61,10 @@ class Perturbations {
   [[nodiscard]] std::size_t until(RuleId rule, RuleId time) const {
     return of_degree_.empty() ? 0 : until(degree_of_b(rule), time);
   }
+  /// How many there are of the degree that concerns a rule whose new symbols are older than one.
+  [[nodiscard]] std::size_t before(RuleId rule, Symbol first) const;
+  /// Whether the last one concerns any rule.
+  [[nodiscard]] bool last_concerns_rules() const { return !steps_.back().degrees.empty(); }
   /// Whether one of the first `count` of them is one that the rule has not taken in.
   [[nodiscard]] bool lacks_any_of(std::size_t count, RuleId rule) const {
     if (count == 0) {

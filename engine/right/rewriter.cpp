@@ -18,9 +18,9 @@ Rewriter<R>::Rewriter(R ring, const sparse::ColumnStore<R, GeneratorId>& boundar
       perturbations_{ring, rules_},
       dependents_{boundary, rules_, perturbations_},
       lifts_{ring, boundary, rules_, perturbations_, dependents_, effort_},
-      known_lifts_{ring},
       memos_{ring, rules_, perturbations_, lifts_, effort_},
-      settling_{ring, rules_, effort_} {}
+      settling_{ring, rules_, effort_},
+      deletion_gains_{ring, boundary, rules_, settling_.core(), lifts_, effort_} {}
 
 template <Ring R>
 void Rewriter<R>::append(int degree) {
@@ -161,12 +161,24 @@ std::optional<EliminationRecord> Rewriter<R>::record() const {
   return record;
 }
 
-/// The symbols whose lifts may have one of the changed generators, found by the index of dependents; nothing when
-/// looking at all small symbols is cheaper than finding them, or than making the index.
+/// Takes note that the boundaries of some generators have gained terms in symbols from `first` on.
 template <Ring R>
-typename Perturbations<R>::Reached Rewriter<R>::lifts_with(std::span<const GeneratorId> changed, Symbol first) {
-  constexpr std::uint64_t terms_of_a_lift = 16;  // that are read for a small symbol, at least
-  constexpr std::uint64_t few = 4;               // small symbols: not worth a search
+void Rewriter<R>::extend_dependents(std::span<const GeneratorId> changed, Symbol first) {
+  if (!dependents_.is_kept()) {
+    return;
+  }
+  for (const GeneratorId generator : changed) {
+    boundary_.for_each_in_column(generator, [&](const sparse::Term<R, GeneratorId>& term) {
+      if (const Symbol z = rules_.symbol_of(term.index); z >= first) {
+        dependents_.gain_boundary(z, rules_.symbol_of(generator));
+      }
+    });
+  }
+}
+
+/// How many small symbols there are of the degrees of the changed generators.
+template <Ring R>
+std::uint64_t Rewriter<R>::candidates(std::span<const GeneratorId> changed) const {
   static_assert(ops::largest_dimension + 1 < 64);
   std::uint64_t degrees = 0;  // a bit each
   std::uint64_t candidates = 0;
@@ -175,15 +187,15 @@ typename Perturbations<R>::Reached Rewriter<R>::lifts_with(std::span<const Gener
     candidates += (degrees >> degree & 1U) != 0 ? 0 : small_counts()[static_cast<std::size_t>(degree)];
     degrees |= std::uint64_t{1} << degree;
   }
-  if (dependents_.is_kept()) {
-    for (const GeneratorId generator : changed) {
-      boundary_.for_each_in_column(generator, [&](const sparse::Term<R, GeneratorId>& term) {
-        if (const Symbol z = rules_.symbol_of(term.index); z >= first) {
-          dependents_.gain_boundary(z, rules_.symbol_of(generator));
-        }
-      });
-    }
-  }
+  return candidates;
+}
+
+/// The symbols whose lifts may have one of the changed generators, found by the index of dependents; nothing when
+/// looking at all small symbols is cheaper than finding them, or than making the index.
+template <Ring R>
+typename Perturbations<R>::Reached Rewriter<R>::lifts_with(std::span<const GeneratorId> changed) {
+  constexpr std::uint64_t terms_of_a_lift = 16;  // that are read for a small symbol, at least
+  const std::uint64_t candidates = this->candidates(changed);
   if (candidates <= few) {
     return std::nullopt;
   }
@@ -198,9 +210,10 @@ typename Perturbations<R>::Reached Rewriter<R>::lifts_with(std::span<const Gener
 /// Takes note of a perturbation. What it does to the columns of combinations is done.
 template <Ring R>
 typename Perturbations<R>::Concerned Rewriter<R>::record_perturbation(RuleId time, Symbol first_symbol,
-                                                                      std::span<const GeneratorId> changed) {
+                                                                      std::span<const GeneratorId> changed,
+                                                                      const Reached& reached) {
   ++breaks_;
-  auto concerned = perturbations_.record(time, first_symbol, changed, lifts_with(changed, first_symbol));
+  auto concerned = perturbations_.record(time, first_symbol, changed, reached);
   for (const std::size_t k : concerned.combinations) {
     const auto& combination = rules_.combinations()[k];
     const Terms<R, Symbol> gain = lifts_.gain(combination.made, combination.rule + 1, first_symbol);
@@ -229,9 +242,10 @@ void Rewriter<R>::extend_column_of(Symbol x, const Terms<R, Symbol>& gain) {
 
 template <Ring R>
 void Rewriter<R>::perturb(RuleId time, GeneratorId first, std::span<const GeneratorId> changed) {
-  known_lifts_.clear();
+  deletion_gains_.clear();
   const Symbol first_symbol = rules_.symbol_of(first);
-  for (const Symbol x : record_perturbation(time, first_symbol, changed).small) {
+  extend_dependents(changed, first_symbol);
+  for (const Symbol x : record_perturbation(time, first_symbol, changed, lifts_with(changed)).small) {
     if (rules_.removed_by(x) == no_rule) {  // else another one was eliminated with it since
       extend_column_of(x, lifts_.gain(x, rules_.size(), first_symbol));
     }
@@ -242,102 +256,38 @@ void Rewriter<R>::perturb(RuleId time, GeneratorId first, std::span<const Genera
 template <Ring R>
 void Rewriter<R>::take_away(RuleId time, GeneratorId deletion, std::span<const GeneratorId> changed) {
   const Symbol e = rules_.symbol_of(deletion);
-  const auto concerned = record_perturbation(time, e, changed);
+  extend_dependents(changed, e);
+  deletion_gains_.begin(deletion, changed);
+  const bool has_combinations = !rules_.combinations().empty();  // they would have to be found, too
+  Reached reached = has_combinations ? std::nullopt : deletion_gains_.small_with();
+  if (!reached) {
+    reached = lifts_with(changed);
+  }
+  const auto concerned = record_perturbation(time, e, changed, reached);
   const RuleId since = rules_.size();
-  std::vector<TermType> gained;  // symbols that were small, with the coefficient of e in what they gain
+  if (!reached && !has_combinations && perturbations_.last_concerns_rules() && candidates(changed) > few) {
+    deletion_gains_.begin_index();
+  }
   for (const Symbol x : concerned.small) {
-    if (x == e || rules_.removed_by(x) != no_rule) {
-      continue;
-    }
-    const Terms<R, Symbol> gain = gain_of_deletion(x, deletion, changed);
-    if (!gain.empty()) {
-      gained.push_back({x, gain.front().coefficient});
-      extend_column_of(x, gain);
+    if (x != e && rules_.removed_by(x) == no_rule) {
+      deletion_gains_.add(x);
     }
   }
-  settling_.settle();
-  follow_known_lifts(e, since, gained);
-  if (rules_.is_rewritten(e) && rules_.value(rules_.removed_by(e)).empty()) {
+  for (const TermType& each : deletion_gains_.gained()) {
+    extend_column_of(each.index, {{e, each.coefficient}});
+    settling_.settle();
+  }
+  const bool is_felt = !rules_.is_rewritten(e) || !rules_.value(rules_.removed_by(e)).empty();
+  if (!is_felt) {
     perturbations_.last_is_not_felt();
   }
-}
-
-/// delta(V x), a multiple of e: by what is known of the lift of x, or is then.
-template <Ring R>
-Terms<R, Symbol> Rewriter<R>::gain_of_deletion(Symbol x, GeneratorId deletion, std::span<const GeneratorId> changed) {
-  const R& ring = memos_.ring();
-  const Terms<R, GeneratorId> lift = known_lifts_.is_known(x) ? Terms<R, GeneratorId>{} : learn_lift(x);
-  typename R::Element sum = ring.zero();
-  for (const GeneratorId generator : changed) {
-    const TermOfB* term = sparse::find_term<R>(lift, generator);
-    const typename R::Element coefficient = term != nullptr            ? term->coefficient
-                                            : known_lifts_.is_known(x) ? known_lifts_.coefficient(x, generator)
-                                                                       : ring.zero();
-    ring.add_product(sum, coefficient, boundary_.entry(deletion, generator));
-  }
-  effort_.spend(changed.size());
-  effort_.check();
-  return ring.is_zero(sum) ? Terms<R, Symbol>{} : Terms<R, Symbol>{{rules_.symbol_of(deletion), sum}};
-}
-
-/// Works the lift of a small symbol out, and keeps it if it is long and does not change by rules to come. Returns it
-/// when it is not kept.
-template <Ring R>
-Terms<R, GeneratorId> Rewriter<R>::learn_lift(Symbol x) {
-  Terms<R, Symbol> known;  // b's of rules, with coefficients
-  Terms<R, GeneratorId> lift = lifts_.lift_down_to(x, [&](Symbol b, const typename R::Element& coefficient) {
-    const bool is_known = known_lifts_.is_known(b);
-    if (is_known) {
-      known.push_back({b, coefficient});
-    }
-    return is_known;
-  });
-  const bool is_cycle = core().find(x) == nullptr;
-  if (known.size() == 1 && is_cycle && memos_.ring().is_unit(known.front().coefficient)) {
-    // It is kept, or, for want of room, nothing is known any more.
-    known_lifts_.keep(x, known.front().index, known.front().coefficient, std::move(lift));
-    return known_lifts_.is_known(x) ? Terms<R, GeneratorId>{} : learn_lift(x);
-  }
-  for (const TermType& term : known) {
-    sparse::add_multiple<R>(memos_.ring(), lift, term.coefficient, known_lifts_.written_out(term.index));
-  }
-  if (is_cycle) {
-    known_lifts_.keep(x, lift);
-  }
-  return lift;
-}
-
-/// What the elimination of e has done to the lifts of those that have gained a multiple of it: the one that was
-/// eliminated with it is subtracted from the others.
-template <Ring R>
-void Rewriter<R>::follow_known_lifts(Symbol e, RuleId since, std::span<const TermType> gained) {
-  if (known_lifts_.empty() || gained.empty()) {
-    return;
-  }
-  if (rules_.size() != since + 1 || rules_[since].a != e) {
-    known_lifts_.clear();
-    return;
-  }
-  const R& ring = memos_.ring();
-  const Symbol eliminated = rules_[since].b;
-  const auto own = std::find_if(gained.begin(), gained.end(), [=](const TermType& g) { return g.index == eliminated; });
-  for (const auto& [x, coefficient] : gained) {
-    if (x == eliminated) {
-      continue;
-    }
-    if (own != gained.end() && known_lifts_.is_known(x) && known_lifts_.is_known(eliminated)) {
-      const auto factor = ring.multiply(coefficient, ring.inverse(own->coefficient));
-      known_lifts_.add(x, ring.negate(factor), eliminated);
-    } else {
-      known_lifts_.forget(x);
-    }
-  }
+  deletion_gains_.finish(since, perturbations_.last_concerns_rules());
 }
 
 template <Ring R>
 void Rewriter<R>::consume(std::span<const Symbol> symbols) {
   ++breaks_;
-  known_lifts_.clear();
+  deletion_gains_.clear();
   for (const Symbol x : symbols) {
     settling_.consume(x);
   }
@@ -372,7 +322,7 @@ typename Rewriter<R>::Mark Rewriter<R>::mark() {
 template <Ring R>
 void Rewriter<R>::undo(const Mark& mark) {
   ++breaks_;
-  known_lifts_.clear();
+  deletion_gains_.clear();
   perturbations_.undo(mark.perturbations, mark.rules.rules);
   settling_.undo(mark.core);
   rules_.undo(mark.rules);

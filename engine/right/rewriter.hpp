@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "engine/right/deletion_gains.hpp"
 #include "engine/right/dependents.hpp"
 #include "engine/right/effort.hpp"
 #include "engine/right/elimination_record.hpp"
-#include "engine/right/known_lifts.hpp"
 #include "engine/right/lifts.hpp"
 #include "engine/right/memos.hpp"
 #include "engine/right/perturbations.hpp"
@@ -26,6 +26,7 @@ namespace sesame::engine {
 ///   Perturbations   what rules have gained since by de-identifications
 ///   Dependents      where one can be felt
 ///   Lifts           h and g, by the rules as they were made
+///   DeletionGains   what small symbols gain by deletions
 ///   Memos           f, by memoised results of the rules
 ///   Settling        dS: eliminations, and over Z the core of what has no unit
 ///
@@ -138,13 +139,14 @@ class Rewriter {
   void forget_before(const Mark& mark) { memos_.forget_before(mark.memos); }
 
  private:
-  [[nodiscard]] typename Perturbations<R>::Reached lifts_with(std::span<const GeneratorId> changed, Symbol first);
+  [[nodiscard]] std::uint64_t candidates(std::span<const GeneratorId> changed) const;
+  [[nodiscard]] typename Perturbations<R>::Reached lifts_with(std::span<const GeneratorId> changed);
+  using Reached = typename Perturbations<R>::Reached;
+  void extend_dependents(std::span<const GeneratorId> changed, Symbol first);
   typename Perturbations<R>::Concerned record_perturbation(RuleId time, Symbol first,
-                                                           std::span<const GeneratorId> changed);
+                                                           std::span<const GeneratorId> changed,
+                                                           const Reached& reached);
   void extend_column_of(Symbol x, const Terms<R, Symbol>& gain);
-  [[nodiscard]] Terms<R, Symbol> gain_of_deletion(Symbol x, GeneratorId deletion, std::span<const GeneratorId> changed);
-  [[nodiscard]] Terms<R, GeneratorId> learn_lift(Symbol x);
-  void follow_known_lifts(Symbol e, RuleId since, std::span<const TermType> gained);
 
   const sparse::ColumnStore<R, GeneratorId>& boundary_;
   Effort effort_;
@@ -152,11 +154,12 @@ class Rewriter {
   Perturbations<R> perturbations_;
   Dependents<R> dependents_;
   Lifts<R> lifts_;
-  KnownLifts<R> known_lifts_;
   Memos<R> memos_;
   Settling<R> settling_;
-  std::uint64_t looked_at_ = 0;  ///< small symbols, for want of `dependents_`
-  Terms<R, Symbol> column_;      ///< scratch
+  DeletionGains<R> deletion_gains_;
+  static constexpr std::uint64_t few = 4;  ///< small symbols: not worth a search
+  std::uint64_t looked_at_ = 0;            ///< small symbols, for want of `dependents_`
+  Terms<R, Symbol> column_;                ///< scratch
   std::uint64_t breaks_ = 0;
 };
 

@@ -119,6 +119,14 @@ class Rules {
 
   /// The small symbols of a degree, oldest first.
   [[nodiscard]] std::vector<Symbol> small(int degree) const;
+  /// Calls visit(x) for those from one on, youngest first.
+  template <class Visit>
+  void for_each_small_since(int degree, Symbol first, Visit visit) const {
+    Symbol x = degree >= 0 && list_of_degree(degree) < last_.size() ? last_[list_of_degree(degree)] : no_symbol;
+    for (; x != no_symbol && x >= first; x = neighbours_[x].before) {
+      visit(x);
+    }
+  }
   /// The number of small symbols of each degree from 0 on.
   [[nodiscard]] const std::vector<std::uint32_t>& small_counts() const { return small_counts_; }
   /// Calls visit(a, b) for each elimination, with the two generators of B. Requires: there is no change of basis.

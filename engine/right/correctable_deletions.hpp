@@ -1,0 +1,57 @@
+/// \file
+/// Deletions for which lifts can be corrected afterwards.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/right/symbol.hpp"
+
+namespace sesame::engine {
+
+/// Deletions whose generator e is small, or was eliminated at once with a cycle z and so is rewritten to 0: the former
+/// change no lift, the latter by multiples of V(z). By degree of e those since the last one that is not so, the oldest
+/// first.
+class CorrectableDeletions {
+ public:
+  struct Deletion {
+    Symbol e;
+    std::vector<GeneratorId> changed;  ///< generators whose boundary gained a multiple of e
+  };
+
+  void record(int degree, Symbol e, std::vector<GeneratorId> changed) {
+    const auto list = static_cast<std::size_t>(degree + 1);
+    of_degree_.resize(std::max(of_degree_.size(), list + 1));
+    of_degree_[list].push_back({e, std::move(changed)});
+  }
+  void forget(int degree) {
+    if (static_cast<std::size_t>(degree + 1) < of_degree_.size()) {
+      of_degree_[static_cast<std::size_t>(degree + 1)].clear();
+    }
+  }
+  /// Forgets those until one, which has become another kind.
+  void forget_until(int degree, Symbol e) {
+    auto& all = of_degree_[static_cast<std::size_t>(degree + 1)];
+    all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(place(degree, e)) + 1);
+  }
+  void clear() { of_degree_.clear(); }
+
+  [[nodiscard]] std::span<const Deletion> of_degree(int degree) const {
+    const auto list = static_cast<std::size_t>(degree + 1);
+    return list < of_degree_.size() ? std::span<const Deletion>{of_degree_[list]} : std::span<const Deletion>{};
+  }
+  /// The place of a symbol of a degree among those of that degree; their number: it is none of them. Cost: logarithmic.
+  [[nodiscard]] std::size_t place(int degree, Symbol e) const {
+    const std::span<const Deletion> all = of_degree(degree);
+    const auto at = std::lower_bound(all.begin(), all.end(), e, [](const Deletion& d, Symbol x) { return d.e < x; });
+    return at != all.end() && at->e == e ? static_cast<std::size_t>(at - all.begin()) : all.size();
+  }
+  [[nodiscard]] bool contains(int degree, Symbol e) const { return place(degree, e) < of_degree(degree).size(); }
+
+ private:
+  std::vector<std::vector<Deletion>> of_degree_;  ///< from -1 on
+};
+
+}  // namespace sesame::engine
