@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "engine/answer_hash.hpp"
+#include "engine/history_zigzag.hpp"
 #include "engine/live_equivalence.hpp"
 #include "engine/log.hpp"
 #include "engine/log_snapshots.hpp"
@@ -92,6 +93,17 @@ auto Engine::ask(Question&& question) const {
   }
 }
 
+Status Engine::for_each_logged(const std::function<Status(const ops::Operation&)>& visit) const {
+  if (!history_.keeps_log) {
+    return written_to_->read_back(visit);
+  }
+  Status status = Done{};
+  for (auto operation = log_.begin(); status && operation != log_.end(); ++operation) {
+    status = visit(*operation);
+  }
+  return status;
+}
+
 void Engine::make_anew() const {
   sparse::expects(questions_ == 0, "an answer was cut off by an exception: nothing more can be asked within it");
   if (const Status settled = settle_log(); !settled) {
@@ -106,15 +118,7 @@ void Engine::make_anew() const {
     const Result<StepReport> report = anew->apply(operation, is_written);
     return report ? Status{Done{}} : report.error();
   };
-  Status status = Done{};
-  if (history_.keeps_log) {
-    for (auto operation = log_.begin(); status && operation != log_.end(); ++operation) {
-      status = apply(*operation);
-    }
-  } else {
-    status = written_to_->read_back(apply);
-  }
-  if (!status) {
+  if (const Status status = for_each_logged(apply); !status) {
     throw std::runtime_error("the object cannot be made anew from its log: " + status.error().what);
   }
   sparse::expects(anew->applied() == applied_, "the log has the steps that were applied, and no other");
@@ -325,7 +329,24 @@ Result<Barcode> Engine::barcode() const {
   if (object().barcode_needs_earlier_steps()) {
     (void)object_with_all_steps();
   }
-  return ask([](LiveObject& object) { return object.barcode(); });
+  if (!has_log() || !ask([](LiveObject& object) { return object.is_zigzag(); })) {
+    return ask([](LiveObject& object) { return object.barcode(); });
+  }
+  std::vector<NumberedStep> steps;  // that are not undone
+  std::uint64_t number = 0;
+  const Status read = for_each_logged([&](const ops::Operation& operation) -> Status {
+    ++number;
+    if (const auto* undo = std::get_if<ops::Undo>(&operation)) {
+      steps.resize(steps.size() - undo->steps, NumberedStep{0, ops::Note{}});
+    } else {
+      steps.push_back({number, operation});
+    }
+    return Done{};
+  });
+  if (!read) {
+    return read.error();
+  }
+  return barcode_of_history(ring_, limits_, rebases_, steps);
 }
 
 ops::Moment Engine::before_step(std::uint64_t n) const {

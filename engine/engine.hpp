@@ -140,12 +140,14 @@ class Engine {
 
   // ---- persistence
   /// The barcode of the spaces after each step that is not undone, and the maps between them; times are the numbers of
-  /// the steps among all those of the log, as in their reports.
+  /// the steps among all those of the log, as in their reports. With de-identifications and removals, which map the
+  /// object after them to the one before, it is that of a zigzag: see engine/history_zigzag.hpp.
   ///
-  /// Errors    refused, over Z, and when a step is no map of the object before it to that after it: a de-identification,
-  ///           a removal of cells or a product; or a cone that is a lazy family; and when not all steps can be undone any
-  ///           more.
-  /// Cost      The size of the big complex, times the logarithm of the number of steps.
+  /// Errors    refused, over Z, and when a step is no map: a product, or a cone that is a lazy family; without a
+  ///           de-identification or a removal, when not all steps can be undone any more; with one, when there is no
+  ///           log (HistoryPolicy).
+  /// Cost      The size of the big complex, times the logarithm of the number of steps; of a zigzag, that of doing all
+  ///           steps again twice, and the classes of all generators at each.
   [[nodiscard]] Result<Barcode> barcode() const;
 
   // ---- the last step as an exact sequence, and the laws
@@ -179,6 +181,7 @@ class Engine {
   template <class Question>
   auto ask(Question&& question) const;
   Status settle_log() const;
+  Status for_each_logged(const std::function<Status(const ops::Operation&)>& visit) const;
   void make_anew() const;
   Result<StepReport> attempt(ops::Operation& operation);
   Status write_ahead(const ops::Operation& operation);

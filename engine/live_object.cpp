@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "engine/expectation.hpp"
+#include "engine/history_zigzag.hpp"
 #include "engine/left/saturating.hpp"
 #include "ops/cells/cell_order.hpp"
 
@@ -33,25 +34,6 @@ void add_up(std::vector<CellChain::Term>& terms) {
     }
   }
   terms.resize(kept);
-}
-
-/// Why a step is no map of the object before it to that after it, as the end of a sentence; null when it is one.
-const char* why_no_map(ops::StepKind kind) {
-  switch (kind) {
-    case ops::StepKind::split:
-      return "splits cells, and so maps the object before it nowhere";
-    case ops::StepKind::lazy_cone:
-      return "is a cone over more cells than are written out, whose base's classes are no longer told apart";
-    case ops::StepKind::product:
-      return "is a product, which consumes the bodies before it";
-    case ops::StepKind::deletion:
-      return "removes cells, and so maps the object after it into the one before";
-    case ops::StepKind::nothing:
-    case ops::StepKind::addition:
-    case ops::StepKind::removal:
-      break;
-  }
-  return nullptr;
 }
 
 std::uint64_t total(std::span<const std::uint64_t> counts) {
@@ -187,6 +169,12 @@ Status LiveObject::check_room(const ops::Operation& operation) {
   return Done{};
 }
 
+bool LiveObject::is_zigzag() const {
+  return std::any_of(workspace_.steps().begin(), workspace_.steps().end(), [](const auto& step) {
+    return step.kind == ops::StepKind::split || step.kind == ops::StepKind::deletion;
+  });
+}
+
 Result<Barcode> LiveObject::barcode() const {
   if (std::holds_alternative<sparse::Integers>(ring_)) {
     return Error{Errc::refused, "barcodes need a field: compute over Q or Z/p, such as Z/2, instead of Z"};
@@ -200,7 +188,7 @@ Result<Barcode> LiveObject::barcode() const {
   }
   const std::vector<std::uint64_t> numbers = numbers_.all();
   for (std::size_t k = 0; k < numbers.size(); ++k) {
-    if (const char* reason = why_no_map(workspace_.steps()[k].kind); reason != nullptr) {
+    if (const char* reason = why_no_map_forward(workspace_.steps()[k].kind); reason != nullptr) {
       return Error{Errc::refused, "there is no barcode: step " + std::to_string(numbers[k]) + " " + reason};
     }
   }

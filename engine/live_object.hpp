@@ -88,6 +88,8 @@ class LiveObject {
   /// `visit` does not throw.
   void visit_generators(int degree, std::uint64_t most_terms, const GeneratorVisitor& visit);
   [[nodiscard]] Result<Barcode> barcode() const;
+  /// Whether some step maps the object after it to the one before.
+  [[nodiscard]] bool is_zigzag() const;
   [[nodiscard]] std::optional<std::string> first_defect();
 
  private:

@@ -1,13 +1,17 @@
 #include "replay/script/replay.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/logger.h>
 
 #include <chrono>
 #include <mutex>
 #include <new>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
+#include "engine/history_zigzag.hpp"
 #include "engine/open.hpp"
 #include "replay/text/log.hpp"
 
@@ -49,9 +53,9 @@ class Run {
     replay_log().info("{}a script over {}, taken over {}", script_.place(), header->ring, sparse::ring_name(*ring));
     std::unique_ptr<engine::Engine> own;
     std::unique_ptr<engine::Engine>& owner = options_.engine != nullptr ? *options_.engine : own;
-    owner = std::make_unique<engine::Engine>(*ring, options_.limits, engine::RebasePolicy{},
-                                             engine::HistoryPolicy{options_.undoable, false, options_.forgets_cells},
-                                             options_.resources);
+    const bool keeps_log = options_.needs_barcode == NeededBarcode::of_zigzag;
+    const engine::HistoryPolicy kept{options_.undoable, keeps_log, options_.forgets_cells};
+    owner = std::make_unique<engine::Engine>(*ring, options_.limits, engine::RebasePolicy{}, kept, options_.resources);
     engine::Engine& engine = *owner;
     if (options_.observer) {
       engine.observe(options_.observer);
@@ -263,11 +267,9 @@ class Run {
     if (!report) {
       return report.error();
     }
-    if (options_.needs_barcode && may_end_barcode(*report)) {
-      if (const Result<engine::Barcode> barcode = engine.barcode(); !barcode) {
-        (void)engine.apply(ops::Undo{1});
-        return Error{Errc::bad_input, barcode.error().what};
-      }
+    if (const std::optional<std::string> reason = why_no_barcode(*report)) {
+      (void)engine.apply(ops::Undo{1});
+      return Error{Errc::bad_input, *reason};
     }
     ++steps_;
     last_ = report->op;
@@ -290,10 +292,19 @@ class Run {
     return Done{};
   }
 
-  /// Only then it is worth to ask.
-  static bool may_end_barcode(const engine::StepReport& report) {
-    return report.kind == ops::StepKind::split || report.kind == ops::StepKind::deletion ||
-           report.kind == ops::StepKind::product || report.kind == ops::StepKind::lazy_cone;
+  /// Why a step would end the barcode that is needed.
+  [[nodiscard]] std::optional<std::string> why_no_barcode(const engine::StepReport& report) const {
+    if (options_.needs_barcode == NeededBarcode::none) {
+      return std::nullopt;
+    }
+    const char* no_map = engine::why_no_map(report.kind);
+    const char* reason =
+        options_.needs_barcode == NeededBarcode::of_tower ? engine::why_no_map_forward(report.kind) : no_map;
+    if (reason == nullptr) {
+      return std::nullopt;
+    }
+    return fmt::format("there is no barcode: step {} {}{}", report.step, reason,
+                       no_map == nullptr ? "; `sesame zigzag` has the barcode of such a script" : "");
   }
 
   /// Drops from an expectation what holds over another ring only. Betti numbers are those of the characteristic.

@@ -35,6 +35,9 @@ enum class Outcome : int {
 /// How an error ends a command.
 [[nodiscard]] Outcome outcome_of(Errc code);
 
+/// That of a tower has maps forwards only, that of a zigzag also backwards, as splits and removals are.
+enum class NeededBarcode { none, of_tower, of_zigzag };
+
 /// Threads: one at a time, for queries too.
 struct ReplayOptions {
   std::optional<sparse::AnyRing> ring;          ///< instead of the one that the header names
@@ -46,7 +49,7 @@ struct ReplayOptions {
   /// A step that is refused, or an `expect` that fails, is reported, and the replay goes on behind it.
   bool keep_going = false;
   /// A step without which there would be a barcode is an error of the script; see Engine::barcode.
-  bool needs_barcode = false;
+  NeededBarcode needs_barcode = NeededBarcode::none;
   bool partial = false;  ///< after an error of the script or a failed `expect`, summarise what was before it
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: finish the current step, then summarise
   ops::Limits limits;                       ///< of what a step may make

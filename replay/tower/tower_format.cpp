@@ -261,6 +261,28 @@ Result<TowerFormat> find_format(ByteSource& source, std::size_t longest) {
   return finder.finish();
 }
 
+Result<bool> is_script(ByteSource& source, std::size_t longest) {
+  std::size_t begin = 0;
+  constexpr std::uint64_t most_lines = 1000;
+  for (std::uint64_t line = 1; line <= most_lines; ++line) {
+    const Result<std::size_t> end = find_line_end(source, begin, line, longest);
+    if (!end) {
+      return end.error();
+    }
+    const std::string_view all = source.window().substr(begin, *end - begin);
+    const std::string_view text = line == 1 ? without_mark(all) : all;
+    if (const std::size_t first = text.find_first_not_of(" \t\r");
+        first != std::string_view::npos && text[first] != '#') {
+      return text[first] == '{';
+    }
+    if (*end == source.window().size()) {
+      break;
+    }
+    begin = *end + 1;
+  }
+  return false;
+}
+
 Error FormatFinder::error(std::uint64_t line, const std::string& what) const {
   return {Errc::bad_input, fmt::format("{}:{}: {}", name_, line, what)};
 }

@@ -26,7 +26,7 @@ enum class TowerFormat {
   gudhi,        ///< lines `dim v0 ... vd value`
   facets,       ///< a list of simplices, which a FacetParser reads
   script,       ///< a construction script (JSON Lines), which a ScriptReader reads
-  zigzag,       ///< lines of a tower, and `[t] d v0 ... vd` or `[t] r v0 ... vd`; never found out from the content
+  zigzag,       ///< lines of a tower, and `[t] d v0 ... vd` or `[t] r v0 ... vd`; only told from a script
 };
 
 /// What options and JSON call it: "phat-binary".
@@ -104,5 +104,8 @@ class FormatFinder {
 /// one, and every count of columns below 2^56 does. Errors: those of the source; bad_input, with the place, when it is
 /// none of the formats, as data with a zero byte elsewhere in the lines that it takes to know.
 Result<TowerFormat> find_format(ByteSource& source, std::size_t longest = longest_line);
+/// Whether an input, of which nothing is consumed, is a script and no list of operations: by its first line that is
+/// neither empty nor a comment. Errors: those of the source; bad_input, with the place.
+Result<bool> is_script(ByteSource& source, std::size_t longest = longest_line);
 
 }  // namespace sesame::replay

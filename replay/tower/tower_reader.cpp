@@ -40,6 +40,12 @@ Result<std::unique_ptr<TowerReader>> TowerReader::from(ByteSource source, TowerF
       return found.error();
     }
     format = *found;
+  } else if (format == TowerFormat::zigzag) {
+    const Result<bool> script = is_script(source, longest);
+    if (!script) {
+      return script.error();
+    }
+    format = *script ? TowerFormat::script : format;
   }
   tower_log().info("{}: read as {}", source.name(), format_description(format));
   std::unique_ptr<TowerReader> reader(new TowerReader(std::move(source), format, longest));

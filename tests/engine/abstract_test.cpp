@@ -416,12 +416,11 @@ TEST_CASE("the same classes can be born and killed by cones, gluings and degener
         std::vector<Bar>{{0, 1, engine::never}, {0, 4, engine::never}, {0, 7, 8}, {1, 2, 3}, {1, 5, 6}, {1, 8, 9}});
 }
 
-TEST_CASE("there is no barcode over the integers, or when a step is no map forwards", "[engine][barcode]") {
+TEST_CASE("there is no barcode over the integers, or when a step is no map", "[engine][barcode]") {
   Engine integral(ring_named("Z"));
   carry_out(integral, insert({"a"}));
   CHECK_THAT(integral.barcode().error().what, Contains("barcodes need a field"));
   const std::vector<std::pair<std::string, std::string>> steps{
-      {R"({"op":"deidentify","split":[{"cell":"{a}","as":"a2","moves":[]}]})", "step 4 splits"},
       {R"({"op":"product","name":"P","left":"{a}","right":"{a}"})", "step 4 is a product"},
       {R"({"op":"cone","apex":"v"})", "step 4 is a cone over more cells"}};
   for (const auto& [line, what] : steps) {

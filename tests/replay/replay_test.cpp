@@ -347,7 +347,8 @@ TEST_CASE("what was before an error is summarised when that is asked for", "[rep
 TEST_CASE("when a barcode is needed, a step that is no map forwards is refused with its place", "[replay]") {
   replay::ReplayOptions options;
   options.ring = sparse::AnyRing{sparse::Z2{}};
-  options.needs_barcode = options.partial = true;
+  options.needs_barcode = replay::NeededBarcode::of_tower;
+  options.partial = true;
   SummaryReporter reporter;
   const Replayed replayed = replay_text(two_points + R"({"op":"product","name":"P","left":"{0}","right":"{1}"})"
                                                      "\n"

@@ -19,6 +19,7 @@ sys.dont_write_bytecode = True
 import random_tower
 
 SESAME = sys.argv[1] if len(sys.argv) > 1 else "sesame"
+IS_HEAVY = "--heavy" in sys.argv  # else fewer random zigzags and towers
 EXAMPLES = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else "replay/examples")
 # A circle that is filled, opened again by another way, and cut.
 CIRCLE = "i 0\ni 1\ni 2\ni 0 1\ni 1 2\ni 0 2\ni 0 1 2\nd 2 1 0\nr 0 1\n"
@@ -107,7 +108,7 @@ class Zigzag(unittest.TestCase):
         self.assertEqual((done["bars"], done["hidden"]), ([[0, 1, None]], 1))
 
     def test_both_ways_of_computing_agree_whatever_the_input(self):
-        for seed in range(12):
+        for seed in range(12 if IS_HEAVY else 4):
             text = random_zigzag(seed, 400)
             for ring in ("Z/2", "Z/3", "Q"):
                 with self.subTest(seed=seed, ring=ring):
@@ -139,7 +140,7 @@ class Zigzag(unittest.TestCase):
                     self.assert_same_as_tower(path, "--ring", ring)
 
     def test_random_towers_too(self):
-        for seed in range(40):
+        for seed in range(40 if IS_HEAVY else 8):
             path = self.file(random_text(seed))
             with self.subTest(seed=seed):
                 self.assert_same_as_tower(path)
@@ -153,6 +154,50 @@ class Zigzag(unittest.TestCase):
             with self.subTest(options=options):
                 self.assertEqual(*outputs)
                 self.assertTrue(outputs[0])
+
+    # ------------------------------------------------------------------------------------------------ scripts
+
+    def test_scripts_that_are_towers_have_the_output_of_tower_byte_for_byte(self):
+        same = 0
+        for path in sorted(EXAMPLES.glob("*.jsonl"))[::1 if IS_HEAVY else 4]:
+            if self.run_sesame("tower", path, "--json").returncode == 0:
+                with self.subTest(path=path.name):
+                    self.assert_same_as_tower(path, "--ring", "Z/3")
+                    same += 1
+        self.assertGreater(same, 30 if IS_HEAVY else 7)
+
+    def test_scripts_with_splits_and_removals_have_the_betti_numbers_of_replay(self):
+        for name in ("taking_apart", "cutting_a_torus", "cutting_a_surface"):
+            path = EXAMPLES / f"{name}.jsonl"
+            for ring in ("Z/2", "Q"):
+                with self.subTest(name=name, ring=ring):
+                    bars = json.loads(self.run_sesame("zigzag", path, "--json", "--ring", ring).stdout)["bars"]
+                    steps = self.run_sesame("replay", path, "--json", "--every", "1", "--ring", ring).stdout
+                    for step in map(json.loads, steps.splitlines()):
+                        for dim, betti in enumerate(step["betti"] if "step" in step else ()):
+                            alive = [b for b in bars if b[0] == dim and b[1] <= step["step"] and
+                                     (b[2] is None or step["step"] < b[2])]
+                            self.assertEqual(len(alive), betti, (step["step"], dim))
+            done = self.run_sesame("tower", path)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("`sesame zigzag` has the barcode of such a script", done.stderr.decode())
+
+    def test_a_circle_that_is_cut_and_glued_again(self):
+        script = ['{"sesame":1}', '{"op":"simplex","name":"e","dim":1}', '{"op":"identify","pairs":[["e.0","e.1"]]}',
+                  '{"op":"deidentify","split":[{"cell":"e.0","as":"w","moves":[["e",0]]}]}',
+                  '{"op":"identify","pairs":[["e.0","w"]]}', '{"op":"remove","cells":["e"]}']
+        text = "".join(line + "\n" for line in script)
+        done = self.json_of(text)
+        self.assertEqual((done["bars"], done["format"]), ([[0, 1, None], [1, 2, 3], [1, 4, 5]], "script"))
+        self.assertEqual(self.json_of(text, "--format", "script", "--until", "3")["bars"], [[0, 1, None], [1, 2, 3]])
+        piped = self.run_sesame("zigzag", "-", "--json", stdin=gzip.compress(text.encode()))
+        self.assertEqual(json.loads(piped.stdout)["bars"], done["bars"])
+        self.assert_error(text + '{"op":"product","name":"P","left":"e","right":"e"}\n', 7, "step 6|no body|there is no")
+        for options, message in ((("--verify",), "--verify is for"), (("--ring", "Z"), "over a field"),
+                                 (("--every", "1"), "are for towers")):
+            done = self.run_sesame("zigzag", self.file(text), *options)
+            self.assertEqual((done.returncode, message in done.stderr.decode()), (1, True), done.stderr)
+        self.assertEqual(self.run_sesame("zigzag", self.file("i 0\n"), "--format", "script").returncode, 2)
 
     # ------------------------------------------------------------------------------------------------ inputs
 

@@ -95,7 +95,7 @@ Status TowerRun::check_arguments() const {
   const bool is_z2 = std::ranges::all_of(rings_, [](const auto& r) { return std::holds_alternative<sparse::Z2>(r); });
   const bool has_files =
       !arguments_.pers.empty() || !arguments_.csv.empty() || !arguments_.svg.empty() || !arguments_.html.empty();
-  if (format == TowerFormat::zigzag && is_integral()) {
+  if (arguments_.command == "zigzag" && is_integral()) {
     return Error{Errc::refused, "the barcode of a zigzag is one over a field: --ring takes Z/p and Q"};
   }
   if (is_matrix() && !is_z2) {
@@ -105,6 +105,11 @@ Status TowerRun::check_arguments() const {
     return Error{Errc::refused,
                  "--add-faces is for simplices that are listed by their vertices; in a script `insert` adds faces by "
                  "itself"};
+  }
+  if (arguments_.verifies && format == TowerFormat::script) {
+    return Error{Errc::refused,
+                 "--verify is for lists of simplices that come and go; sesame replay --verify checks the laws of a "
+                 "script"};
   }
   if (!arguments_.points.empty() && arguments_.html.empty()) {
     return Error{Errc::refused, "--points is for the page that --html writes"};

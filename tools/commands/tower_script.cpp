@@ -57,7 +57,9 @@ Outcome run_script_as_tower(TowerRun& run) {
   options.ring = run.rings()[0];
   options.every = run.is_integral() ? 1 : 0;
   options.stop = &stop_requested();
-  options.needs_barcode = !run.is_integral();
+  options.needs_barcode = run.is_integral()                     ? replay::NeededBarcode::none
+                          : run.arguments().command == "zigzag" ? replay::NeededBarcode::of_zigzag
+                                                                : replay::NeededBarcode::of_tower;
   options.partial = run.arguments().partial;
   if (run.arguments().until > 0) {
     options.until = run.arguments().until;

@@ -15,14 +15,16 @@ replay::Outcome run_command(const TowerArguments& arguments) {
   if (const replay::Outcome opened = run.open(); opened != replay::Outcome::done) {
     return opened;
   }
-  return run.finish(run_zigzag(run));
+  return run.finish(run.is_script() ? run_script_as_tower(run) : run_zigzag(run));
 }
 
 }  // namespace
 
 void add_zigzag_command(CLI::App& app, int& status) {
-  CLI::App* command =
-      app.add_subcommand("zigzag", "The barcode of complexes in which simplices come and go, computed online");
+  CLI::App* command = app.add_subcommand(
+      "zigzag",
+      "The barcode of complexes in which simplices come and go, computed online; or of a script with splits and "
+      "removals");
   auto arguments = std::make_shared<TowerArguments>();
   arguments->command = "zigzag";
   arguments->format = replay::TowerFormat::zigzag;
@@ -30,8 +32,13 @@ void add_zigzag_command(CLI::App& app, int& status) {
       ->add_option(
           "FILE", arguments->file,
           "Lines `i v0 ... vd` (a simplex is included), `d v0 ... vd` or `r v0 ... vd` (it is deleted), `c u v` "
-          "(vertex u is contracted into v), gzip or not; - for standard input")
+          "(vertex u is contracted into v), or a script; gzip or not; - for standard input")
       ->required();
+  add_choice<replay::TowerFormat>(
+      *command, "--format", arguments->format,
+      {{"auto", replay::TowerFormat::zigzag}, {"script", replay::TowerFormat::script}},
+      "What the file is; default: by content. In a script, splits and removals map the object after them to the one "
+      "before");
   command->add_option("--ring", arguments->ring, "Coefficients Z/p (default Z/2) or Q");
   command->add_flag("--json", arguments->json,
                     "One JSON object on standard output; with --every more of them before it");
@@ -42,9 +49,8 @@ void add_zigzag_command(CLI::App& app, int& status) {
   command->add_flag("--verify", arguments->verifies,
                     "Compute the barcode in two independent ways, and fail when they differ");
   command->footer(
-      "Exit status: 0 done, 1 wrong usage or unreadable file, 2 the input is wrong, 4 internal error, or --verify "
-      "found "
-      "a difference,\n"
+      "Exit status: 0 done, 1 wrong usage or unreadable file, 2 the input is wrong, 3 an expect of a script failed,\n"
+      "4 internal error, or --verify found a difference,\n"
       "130 interrupted by Ctrl-C (what was read until then is reported).");
   command->callback([arguments, &status] { status = static_cast<int>(run_command(*arguments)); });
 }
