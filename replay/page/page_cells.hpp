@@ -17,7 +17,7 @@ namespace sesame::replay {
 
 /// How much a page has of an object; what is left out is said on the page.
 struct PageLimits {
-  std::uint64_t cells = 50'000;                   ///< that were ever there, undone ones too
+  std::uint64_t cells = 40'000;                   ///< that were ever there, undone ones too
   std::uint64_t cells_of_family = 20'000;         ///< of one product or large cone; a larger one is not shown
   std::uint64_t steps = 10'000;                   ///< of more, several are shown as one
   std::uint64_t generators = 100;                 ///< of the object at the end
