@@ -43,7 +43,6 @@ class HistoryZigzag {
     if (!report) {
       return report.error();
     }
-    const bool is_backward = report->kind == ops::StepKind::split || report->kind == ops::StepKind::deletion;
     if (const char* reason = why_no_map(report->kind); reason != nullptr) {
       return Error{Errc::refused, fmt::format("there is no barcode: step {} {}", step.number, reason)};
     }
@@ -56,7 +55,7 @@ class HistoryZigzag {
       const auto on_bar = [&](std::uint64_t birth, std::uint64_t death) {
         barcode_.bars.push_back({degree, Time{birth}, Time{death}});
       };
-      if (is_backward) {
+      if (maps_backward(report->kind)) {
         zigzags_[p].backward(
             images(degree, *after_, *before_, [&](CellId c) { return image_before(c, report->before.created); }),
             step.number, on_bar);

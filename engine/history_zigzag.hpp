@@ -21,6 +21,10 @@ struct NumberedStep {
   ops::Operation operation;
 };
 
+/// Whether a step maps the object after it to the one before.
+[[nodiscard]] constexpr bool maps_backward(ops::StepKind kind) {
+  return kind == ops::StepKind::split || kind == ops::StepKind::deletion;
+}
 /// Why a step is no map between the objects before and after it, as the end of a sentence; null when it is one.
 [[nodiscard]] const char* why_no_map(ops::StepKind kind);
 /// Why it is no map of the object before it to that after it.
@@ -35,8 +39,7 @@ struct NumberedStep {
 /// it: the steps are done twice, by two engines that are a step apart. SpaceZigzag makes the barcode of the matrices.
 ///
 /// Errors    refused, over Z, and when a step is no map in either direction: a product, or a cone that is a lazy
-/// family;
-///           those of steps.
+///           family; those of steps.
 /// Cost      that of the steps, twice; for each of them the class of every generator, and what SpaceZigzag does.
 [[nodiscard]] Result<Barcode> barcode_of_history(const sparse::AnyRing& ring, const ops::Limits& limits,
                                                  const RebasePolicy& rebases, std::span<const NumberedStep> steps);

@@ -170,9 +170,8 @@ Status LiveObject::check_room(const ops::Operation& operation) {
 }
 
 bool LiveObject::is_zigzag() const {
-  return std::any_of(workspace_.steps().begin(), workspace_.steps().end(), [](const auto& step) {
-    return step.kind == ops::StepKind::split || step.kind == ops::StepKind::deletion;
-  });
+  return std::any_of(workspace_.steps().begin(), workspace_.steps().end(),
+                     [](const auto& step) { return maps_backward(step.kind); });
 }
 
 Result<Barcode> LiveObject::barcode() const {

@@ -208,7 +208,6 @@ Terms<R, GeneratorId> DeletionGains<R>::learn(Symbol x) {
   }
   Terms<R, GeneratorId> lift =
       sum ? corrected_.explicit_part(std::move(*sum)) : lifts_.lift(Terms<R, Symbol>{{x, ring_.one()}});
-
   if (is_cycle) {
     known_.keep(x, lift);
   }

@@ -297,14 +297,13 @@ class Run {
     if (options_.needs_barcode == NeededBarcode::none) {
       return std::nullopt;
     }
-    const char* no_map = engine::why_no_map(report.kind);
-    const char* reason =
-        options_.needs_barcode == NeededBarcode::of_tower ? engine::why_no_map_forward(report.kind) : no_map;
+    const bool is_of_tower = options_.needs_barcode == NeededBarcode::of_tower;
+    const char* reason = is_of_tower ? engine::why_no_map_forward(report.kind) : engine::why_no_map(report.kind);
     if (reason == nullptr) {
       return std::nullopt;
     }
     return fmt::format("there is no barcode: step {} {}{}", report.step, reason,
-                       no_map == nullptr ? "; `sesame zigzag` has the barcode of such a script" : "");
+                       engine::maps_backward(report.kind) ? "; `sesame zigzag` has the barcode of such a script" : "");
   }
 
   /// Drops from an expectation what holds over another ring only. Betti numbers are those of the characteristic.
