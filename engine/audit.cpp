@@ -151,8 +151,8 @@ std::optional<std::string> first_defect(LiveEquivalence<R>& live, ops::StepKind 
            "objects of up to " + std::to_string(most) + " when there are products or large cones";
   }
   const ops::Moment present = ops::now(structure);
-  if (const auto step = ops::step_sequence(structure, last_step, before_it, present, ring)) {
-    if (const auto defect = reductions::first_defect(step->sequence)) {
+  for (const auto& step : ops::step_sequences(structure, last_step, before_it, present, ring)) {
+    if (const auto defect = reductions::first_defect(step.sequence)) {
       return "the step's exact sequence: " + defect->to_string();
     }
   }

@@ -154,14 +154,14 @@ class Engine {
   /// The moment before the step with this number among those not undone (1: the first). Requires: 1 <= n <= undoable().
   /// Cost: what has happened since.
   [[nodiscard]] ops::Moment before_step(std::uint64_t n) const;
-  /// The exact sequence of a step that is not undone; nothing when the step changed no cells or was a
-  /// product. Cost: the size of the object.
+  /// The exact sequence of a step that is not undone; of a replacement there are two, and none when the step changed no
+  /// cells or was a product. Cost: the size of the object.
   template <sparse::Ring R>
-  [[nodiscard]] std::optional<ops::StepSequence<R>> sequence(std::uint64_t n, const R& ring) const {
+  [[nodiscard]] std::vector<ops::StepSequence<R>> sequences(std::uint64_t n, const R& ring) const {
     const ops::Moment before = before_step(n);
     const ops::Workspace& workspace = object().workspace();
     const std::uint64_t k = n - 1 - workspace.steps_below();
-    return ops::step_sequence(structure(), workspace.steps()[k].kind, before, workspace.after(k), ring);
+    return ops::step_sequences(structure(), workspace.steps()[k].kind, before, workspace.after(k), ring);
   }
   /// Checks every law of the present state. Slow. Returns the first that fails and where.
   [[nodiscard]] std::optional<std::string> first_defect();

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -17,6 +19,19 @@ namespace sesame::engine {
 namespace {
 
 using ops::CellId;
+
+/// What a step is made of: one map, or, where it replaces cells, the inclusions of the objects before and after it into
+/// one with the cells of both and what lies between them. They are deformation retracts of that, so all classes live
+/// on.
+std::vector<ops::Operation> maps_of(const ops::Operation& operation) {
+  const auto* replace = std::get_if<ops::Replace>(&operation);
+  if (replace == nullptr || std::holds_alternative<ops::Replace::Contraction>(replace->move)) {
+    return {operation};
+  }
+  const auto* flip = std::get_if<ops::Replace::Flip>(&replace->move);
+  const std::string& cell = flip != nullptr ? flip->cell : std::get<ops::Replace::Subdivision>(replace->move).cell;
+  return {ops::Replace{replace->move, true}, ops::Remove{{cell}, true}};
+}
 
 /// Two engines, a step apart, and the zigzag so far.
 template <sparse::Ring R>
@@ -31,37 +46,9 @@ class HistoryZigzag {
         std::holds_alternative<ops::Note>(operation)) {
       return Done{};  // these only ask
     }
-    // The one that is behind does the step that the other has done, and this one.
-    std::swap(before_, after_);
-    if (last_ != nullptr) {
-      if (const auto caught_up = after_->apply(*last_); !caught_up) {
-        return caught_up.error();
-      }
-    }
-    last_ = &operation;
-    const Result<StepReport> report = after_->apply(operation);
-    if (!report) {
-      return report.error();
-    }
-    if (const char* reason = why_no_map(report->kind); reason != nullptr) {
-      return Error{Errc::refused, fmt::format("there is no barcode: step {} {}", step.number, reason)};
-    }
-    const std::size_t degrees = std::max({before_->cells().size(), after_->cells().size(), zigzags_.size()});
-    for (std::size_t p = 0; p < degrees; ++p) {
-      if (p == zigzags_.size()) {
-        zigzags_.emplace_back(ring_);
-      }
-      const int degree = static_cast<int>(p);
-      const auto on_bar = [&](std::uint64_t birth, std::uint64_t death) {
-        barcode_.bars.push_back({degree, Time{birth}, Time{death}});
-      };
-      if (maps_backward(report->kind)) {
-        zigzags_[p].backward(
-            images(degree, *after_, *before_, [&](CellId c) { return image_before(c, report->before.created); }),
-            step.number, on_bar);
-      } else {
-        zigzags_[p].forward(images(degree, *before_, *after_, [&](CellId c) { return image_after(c); }),
-                            betti(*after_, p), step.number, on_bar);
+    for (ops::Operation& part : maps_of(operation)) {
+      if (Status applied = apply(std::move(part), step.number); !applied) {
+        return applied;
       }
     }
     return Done{};
@@ -79,6 +66,46 @@ class HistoryZigzag {
 
  private:
   using Vector = typename SpaceZigzag<R>::Vector;
+
+  /// An operation that is a map, as part of a step.
+  Status apply(ops::Operation operation, std::uint64_t step) {
+    // The one that is behind does the step that the other has done, and this one.
+    std::swap(before_, after_);
+    if (last_) {
+      if (const auto caught_up = after_->apply(*last_); !caught_up) {
+        return caught_up.error();
+      }
+    }
+    last_ = std::move(operation);
+    const Result<StepReport> report = after_->apply(*last_);
+    if (!report) {
+      return report.error();
+    }
+    if (const char* reason = why_no_map(report->kind); reason != nullptr) {
+      return Error{Errc::refused, fmt::format("there is no barcode: step {} {}", step, reason)};
+    }
+    const std::size_t degrees = std::max({before_->cells().size(), after_->cells().size(), zigzags_.size()});
+    for (std::size_t p = 0; p < degrees; ++p) {
+      if (p == zigzags_.size()) {
+        zigzags_.emplace_back(ring_);
+      }
+      const int degree = static_cast<int>(p);
+      const auto on_bar = [&](std::uint64_t birth, std::uint64_t death) {
+        if (birth != death) {  // else it is a class between the two halves of a replacement
+          barcode_.bars.push_back({degree, Time{birth}, Time{death}});
+        }
+      };
+      if (maps_backward(report->kind)) {
+        zigzags_[p].backward(
+            images(degree, *after_, *before_, [&](CellId c) { return image_before(c, report->before.created); }), step,
+            on_bar);
+      } else {
+        zigzags_[p].forward(images(degree, *before_, *after_, [&](CellId c) { return image_after(c); }),
+                            betti(*after_, p), step, on_bar);
+      }
+    }
+    return Done{};
+  }
 
   [[nodiscard]] std::unique_ptr<Engine> make(const ops::Limits& limits, const RebasePolicy& rebases) const {
     return std::make_unique<Engine>(sparse::AnyRing{ring_}, limits, rebases);
@@ -132,8 +159,8 @@ class HistoryZigzag {
 
   R ring_;
   std::unique_ptr<Engine> before_, after_;
-  const ops::Operation* last_ = nullptr;  ///< that `after_` has done, and `before_` has not
-  std::vector<SpaceZigzag<R>> zigzags_;   ///< by degree
+  std::optional<ops::Operation> last_;   ///< that `after_` has done, and `before_` has not
+  std::vector<SpaceZigzag<R>> zigzags_;  ///< by degree
   Barcode barcode_;
 };
 
@@ -168,6 +195,8 @@ const char* why_no_map_forward(ops::StepKind kind) {
       return "splits cells, and so maps the object before it nowhere";
     case ops::StepKind::deletion:
       return "removes cells, and so maps the object after it into the one before";
+    case ops::StepKind::replacement:
+      return "replaces cells, and so maps the objects before and after it into a third one";
     default:
       return why_no_map(kind);
   }

@@ -21,9 +21,9 @@ struct NumberedStep {
   ops::Operation operation;
 };
 
-/// Whether a step maps the object after it to the one before.
+/// Whether a step maps the object after it to the one before; or a replacement to a third one.
 [[nodiscard]] constexpr bool maps_backward(ops::StepKind kind) {
-  return kind == ops::StepKind::split || kind == ops::StepKind::deletion;
+  return kind == ops::StepKind::split || kind == ops::StepKind::deletion || kind == ops::StepKind::replacement;
 }
 /// Why a step is no map between the objects before and after it, as the end of a sentence; null when it is one.
 [[nodiscard]] const char* why_no_map(ops::StepKind kind);
@@ -32,8 +32,9 @@ struct NumberedStep {
 
 /// The barcode of the spaces after each step and the maps between them: a zigzag. A gluing, a squashing or a collapse
 /// maps the object before it to that after it, and so does whatever adds cells; a de-identification maps the object
-/// after it to the one before (its copies to what they are copies of), and so does a removal (it leaves a part). Times
-/// are the numbers of steps, bars are half-open.
+/// after it to the one before (its copies to what they are copies of), and so does a removal (it leaves a part). A
+/// replacement maps both to one that has the new cells and the old ones. Times are the numbers of steps, bars are
+/// half-open.
 ///
 /// Each map is that of homology, in the bases of generators that an engine has before the step and another one after
 /// it: the steps are done twice, by two engines that are a step apart. SpaceZigzag makes the barcode of the matrices.

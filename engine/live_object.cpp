@@ -121,6 +121,11 @@ Result<StepReport> LiveObject::construct(const ops::Operation& operation, const 
     case ops::StepKind::deletion:
       report.sequence = SequenceSizes{ops::Direction::kernel, after, before, before - after};
       break;
+    case ops::StepKind::replacement: {
+      const std::uint64_t gone = report.events[ops::EventKind::deletion];
+      report.sequence = SequenceSizes{ops::Direction::kernel, after, after + gone, gone};
+      break;
+    }
     case ops::StepKind::split:
       report.sequence = SequenceSizes{ops::Direction::backward, after - before, after, before};
       break;

@@ -13,7 +13,8 @@
 
 namespace sesame::engine {
 
-/// The sizes of a step's exact sequence 0 -> C0 -> C1 -> C2 -> 0, in generators of all degrees.
+/// The sizes of a step's exact sequence 0 -> C0 -> C1 -> C2 -> 0, in generators of all degrees; of a replacement, those
+/// of the second one, by which the old cells go.
 struct SequenceSizes {
   ops::Direction direction;
   std::uint64_t c0, c1, c2;

@@ -32,7 +32,7 @@ StepKind Plan::kind() const {
     return StepKind::removal;
   }
   if (!deletions.empty()) {
-    return StepKind::deletion;
+    return cells.empty() ? StepKind::deletion : StepKind::replacement;
   }
   if (!sources.empty()) {
     return StepKind::split;

@@ -54,13 +54,14 @@ struct AbstractChange {
 
 /// What a step is to the object.
 enum class StepKind : std::uint8_t {
-  nothing,    ///< no cell has changed
-  addition,   ///< cells were made
-  removal,    ///< cells became others, or degenerate: an identification, a degeneracy, a collapse
-  deletion,   ///< cells were taken away
-  split,      ///< cells got copies, and incidences moved to them: a de-identification
-  product,    ///< bodies became a product
-  lazy_cone,  ///< bodies went under a cone that is not written out
+  nothing,      ///< no cell has changed
+  addition,     ///< cells were made
+  removal,      ///< cells became others, or degenerate: an identification, a degeneracy, a collapse
+  deletion,     ///< cells were taken away
+  replacement,  ///< cells were made, then others were taken away
+  split,        ///< cells got copies, and incidences moved to them: a de-identification
+  product,      ///< bodies became a product
+  lazy_cone,    ///< bodies went under a cone that is not written out
 };
 
 /// What an operation would do, as a value: worked out by the planner without touching the structure, then applied

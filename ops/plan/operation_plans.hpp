@@ -26,5 +26,7 @@ Status plan_collapse(const Collapse& operation, const Structure& structure, Plan
 
 // removal.cpp
 Status plan_removal(const Remove& operation, const Structure& structure, const Limits& limits, Plan& plan);
+// replacement.cpp
+Status plan_replacement(const Replace& operation, const Structure& structure, const Limits& limits, Plan& plan);
 
 }  // namespace sesame::ops

@@ -64,6 +64,10 @@ Status Planner::plan(const Remove& operation, Plan& plan) {
   return plan_removal(operation, structure_, limits_, cleared(plan));
 }
 
+Status Planner::plan(const Replace& operation, Plan& plan) {
+  return plan_replacement(operation, structure_, limits_, cleared(plan));
+}
+
 Status Planner::plan_equations(Result<std::vector<Equation>> equations, Plan& plan) {
   if (!equations) {
     return equations.error();

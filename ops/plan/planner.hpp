@@ -38,6 +38,9 @@ class Planner {
   Status plan(const Collapse& operation, Plan& plan);
   /// Cost: the cells that go, and their cofaces.
   Status plan(const Remove& operation, Plan& plan);
+  /// Cost: the cells of the star that goes, each with all its faces, and their cofaces; of a contraction that of the
+  /// collapse, and to check the links the smaller of the two stars, times the square of the dimension.
+  Status plan(const Replace& operation, Plan& plan);
 
   [[nodiscard]] const Limits& limits() const { return limits_; }
   /// What a name denotes, of a cell of the object, in normal form: its vertices in the order in which the name stands

@@ -3,12 +3,13 @@
 
 #include <cstddef>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
-#include "ops/cells/cell_order.hpp"
 #include "ops/cells/cofaces.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/step_names.hpp"
+#include "ops/plan/taken_cells.hpp"
 #include "sparse/quoted.hpp"
 
 namespace sesame::ops {
@@ -31,21 +32,20 @@ class RemovalPlanner {
                                "degenerate over",
                                sparse::quoted(name), structure_.name(named->cell))};
     }
-    add(named->cell);
+    if (known_.insert(named->cell).second) {
+      cells_.push_back(named->cell);
+    }
     return Done{};
   }
 
   /// Also what has one of them as a face, and so on. Errors: refused when that is too much.
   Status add_cofaces() {
-    for (std::size_t k = 0; k < cells_.size(); ++k) {
-      for (const CellId coface : cofaces(structure_, cells_[k])) {
-        add(coface);
-      }
-      if (static_cast<std::int64_t>(cells_.size()) > limits_.cells_per_step) {
-        return Error{Errc::refused, fmt::format("this step would remove more than {} cells, the limit for one step",
-                                                limits_.cells_per_step)};
-      }
+    auto star = open_star(structure_, std::move(cells_), static_cast<std::size_t>(limits_.cells_per_step));
+    if (!star) {
+      return Error{Errc::refused, fmt::format("this step would remove more than {} cells, the limit for one step",
+                                              limits_.cells_per_step)};
     }
+    cells_ = *std::move(star);
     return Done{};
   }
 
@@ -64,31 +64,13 @@ class RemovalPlanner {
     return Done{};
   }
 
-  /// Each after those that have it as a face.
-  void write(Plan& plan) {
-    sort_by_dimension_and_age(structure_, cells_);
-    plan.deletions.assign(cells_.rbegin(), cells_.rend());
-    for (const CellId cell : plan.deletions) {
-      if (structure_.abstract().contains(cell) && structure_.bodies().kind(structure_.body_of(cell)).is_abstract) {
-        if (!plan.abstract) {
-          plan.abstract.emplace();
-        }
-        plan.abstract->excluded.push_back(cell);
-      }
-    }
-  }
+  void write(Plan& plan) { add_deletions(std::move(cells_), structure_, plan); }
 
  private:
-  void add(CellId cell) {
-    if (known_.insert(cell).second) {
-      cells_.push_back(cell);
-    }
-  }
-
   const Structure& structure_;
   const Limits& limits_;
   std::vector<CellId> cells_;
-  std::unordered_set<CellId> known_;  ///< the same
+  std::unordered_set<CellId> known_;  ///< those named
 };
 
 }  // namespace

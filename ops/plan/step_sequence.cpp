@@ -226,29 +226,41 @@ ChainComplex<R> chain_complex(const Structure& structure, const CellBasis& basis
 }
 
 template <Ring R>
-std::optional<StepSequence<R>> step_sequence(const Structure& structure, StepKind kind, Moment before, Moment after,
-                                             const R& ring) {
+std::vector<StepSequence<R>> step_sequences(const Structure& structure, StepKind kind, Moment before, Moment after,
+                                            const R& ring) {
+  std::vector<StepSequence<R>> sequences;
   switch (kind) {
     case StepKind::removal:
-      sparse::expects(before.created == after.created, "a step adds cells or removes cells, not both");
-      return removed_cells(structure, before, after, ring);
+      sparse::expects(before.created == after.created, "cells become others in a step that adds none");
+      sequences.push_back(removed_cells(structure, before, after, ring));
+      break;
     case StepKind::deletion:
-      return deleted_cells(structure, before, after, ring);
+      sequences.push_back(deleted_cells(structure, before, after, ring));
+      break;
+    case StepKind::replacement: {
+      Moment between = after;  // with the new cells and the old ones
+      between.links = before.links;
+      sequences.push_back(added(structure, before, between, ring));
+      sequences.push_back(deleted_cells(structure, between, after, ring));
+      break;
+    }
     case StepKind::split:
-      return split_cells(structure, before, after, ring);
+      sequences.push_back(split_cells(structure, before, after, ring));
+      break;
     case StepKind::addition:
     case StepKind::lazy_cone:
-      return added(structure, before, after, ring);
+      sequences.push_back(added(structure, before, after, ring));
+      break;
     case StepKind::nothing:
     case StepKind::product:
       break;
   }
-  return std::nullopt;
+  return sequences;
 }
 
 #define SESAME_INSTANTIATE(R)                                                                   \
   template ChainComplex<R> chain_complex(const Structure&, const CellBasis&, Moment, const R&); \
-  template std::optional<StepSequence<R>> step_sequence(const Structure&, StepKind, Moment, Moment, const R&);
+  template std::vector<StepSequence<R>> step_sequences(const Structure&, StepKind, Moment, Moment, const R&);
 SESAME_FOR_EACH_RING(SESAME_INSTANTIATE)
 #undef SESAME_INSTANTIATE
 

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ops/cells/structure.hpp"
 #include "reductions/by_columns.hpp"
@@ -53,6 +54,8 @@ enum class Direction : std::uint8_t {
 /// Removing cells (kernel): C1 is the object before, C0 after, C2 = the cells that go, modulo those that stay; i and r
 /// are implicit identities, and only the cells that go have stored columns.
 ///
+/// A replacement is two of these: the new cells are added, then those that they replace are removed.
+///
 /// Source: S. Peltier's habilitation (2023), section 3.3.3; W. Rharbaoui's thesis (2022).
 template <sparse::Ring R>
 struct StepSequence {
@@ -61,11 +64,11 @@ struct StepSequence {
   CellBasis basis0, basis1, basis2;
 };
 
-/// The sequence of a step of some kind that led from one moment to the next; none for a step that changed no cells, and
-/// for a product, which is a tensor product and no sequence.
+/// The sequences of a step of some kind that led from one moment to the next, in their order: one; two for a
+/// replacement; none for a step that changed no cells, and for a product, which is a tensor product and no sequence.
 /// Cost: the size of the object (the complexes are written out); the maps store only what the step touched.
 template <sparse::Ring R>
-[[nodiscard]] std::optional<StepSequence<R>> step_sequence(const Structure& structure, StepKind kind, Moment before,
-                                                           Moment after, const R& ring);
+[[nodiscard]] std::vector<StepSequence<R>> step_sequences(const Structure& structure, StepKind kind, Moment before,
+                                                          Moment after, const R& ring);
 
 }  // namespace sesame::ops

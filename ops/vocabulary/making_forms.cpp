@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "ops/vocabulary/field_values.hpp"
 #include "ops/vocabulary/operation_form.hpp"
 #include "sparse/quoted.hpp"
 
@@ -13,25 +14,6 @@ namespace {
 
 // ------------------------------------------------------------------------------------------------- points, types,
 // bases
-
-Point read_point(Fields& in, const Json& value) {
-  if (!value.is_array() || value.size() < 2 || value.size() > 3) {
-    in.wrong("at", "a point, [x,y] or [x,y,z]", value);
-  }
-  Point p{};
-  for (std::size_t k = 0; k < value.size(); ++k) {
-    if (!value[k].is_number()) {
-      in.wrong("at", "a point of numbers", value[k]);
-    }
-    p.at(k) = value[k].get<double>();
-  }
-  return p;
-}
-
-std::optional<Point> read_point(Fields& in) {
-  const Json* at = in.find("at");
-  return at != nullptr ? std::optional{read_point(in, *at)} : std::nullopt;
-}
 
 /// A point for each vertex, or none at all.
 std::vector<Point> read_points(Fields& in, std::size_t vertices) {

@@ -106,6 +106,31 @@ struct Remove {
   bool cofaces = false;  ///< also takes all that has one of them as a face
 };
 
+/// One of the moves by which triangulations of one space are turned into one another, as one step. The first two add
+/// the new cells and take the open star of a cell away. On abstract complexes new simplices are known by their labels.
+struct Replace {
+  /// Bistellar: a simplex A whose link is the boundary of a simplex B that is not there goes, and A * dB becomes dA *
+  /// B. `by`: the name of B, or on an abstract complex its label when it is a vertex; else empty.
+  struct Flip {
+    std::string cell, by;
+    std::optional<Point> at;  ///< of B, when it is a vertex
+  };
+  /// Stellar: a simplex A goes, and its star becomes the cone over the boundary of that.
+  struct Subdivision {
+    std::string cell, by;     ///< the new vertex
+    std::optional<Point> at;  ///< of it
+  };
+  /// The collapse of a vertex along an edge of an abstract complex.
+  struct Contraction {
+    std::string from, to;
+    bool link_condition = true;  ///< refused where the links of the ends meet outside of that of the edge
+  };
+  std::variant<Flip, Subdivision, Contraction> move;
+  /// Only adds, and besides the new cells what lies between them and the old ones: A * B, or the cone over the closed
+  /// star. Object and result are deformation retracts of that. No text says so: it is for those who follow classes.
+  bool fills = false;
+};
+
 /// What the state should be; a field that is absent is not looked at.
 struct Expect {
   std::optional<std::vector<Integer>> betti;
@@ -129,7 +154,7 @@ struct Note {
 };
 
 using Operation = std::variant<MakeSimplex, MakeSimploid, MakeComplex, MakeCone, MakeSuspension, MakeProduct, Identify,
-                               Degenerate, Deidentify, Insert, Collapse, Remove, Expect, AskClass, Undo, Note>;
+                               Degenerate, Deidentify, Insert, Collapse, Remove, Replace, Expect, AskClass, Undo, Note>;
 
 /// The word that stands for an operation in a log: "simplex", "identify", ...
 [[nodiscard]] std::string_view keyword(const Operation& operation);

@@ -34,6 +34,8 @@ extern const Form<Remove> remove_form;
 // simplicial_forms.cpp
 extern const Form<Insert> insert_form;
 extern const Form<Collapse> collapse_form;
+// replace_form.cpp
+extern const Form<Replace> replace_form;
 // log_forms.cpp
 extern const Form<Expect> expect_form;
 extern const Form<AskClass> class_form;

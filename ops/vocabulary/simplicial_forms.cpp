@@ -1,33 +1,11 @@
 // The text form of the operations on abstract simplicial complexes.
-#include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "ops/vocabulary/field_values.hpp"
 #include "ops/vocabulary/operation_form.hpp"
 
 namespace sesame::ops {
 namespace {
-
-/// A label as a text: integers in decimal.
-std::string read_label(Fields& in, const std::string& field, const Json& value) {
-  if (value.is_string()) {
-    return value.get<std::string>();
-  }
-  if (!value.is_number_unsigned()) {
-    in.wrong(field, "made of labels, which are strings or integers from 0 on", value);
-  }
-  return std::to_string(value.get<std::uint64_t>());
-}
-
-/// An integer that 64 bits can say as a number, any other label as a string.
-void write_label(std::string_view label, JsonText& out) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(label.data(), label.data() + label.size(), number);
-  if (error == std::errc{} && std::to_string(number) == label) {
-    out.value(number);
-  } else {
-    out.value(label);
-  }
-}
 
 /// Of a list of simplices one expects that some are there already; of one simplex, unless it is said, that it is not.
 Insert read_insert(Fields& in) {

@@ -39,6 +39,15 @@ void add_apexes(const ops::MakeSuspension& made, const ops::Structure& structure
   }
 }
 
+/// The vertex that a replacement makes, if it makes one, is its first cell.
+std::optional<ops::Point> position_of_new(const ops::Replace& replace) {
+  if (const auto* flip = std::get_if<ops::Replace::Flip>(&replace.move)) {
+    return flip->at;
+  }
+  const auto* subdivision = std::get_if<ops::Replace::Subdivision>(&replace.move);
+  return subdivision != nullptr ? subdivision->at : std::nullopt;
+}
+
 /// The vertex of the object that a node has become, or none when it belongs to a factor of a product.
 CellId vertex_of_object(const ops::Structure& structure, CellId node) {
   CellId vertex = structure.find(node);
@@ -86,6 +95,10 @@ std::vector<std::pair<ops::CellId, ops::Point>> given_positions(const ops::Opera
     add_apexes(*suspension, structure, given);
   } else if (const auto* cone = std::get_if<ops::MakeCone>(&operation); cone != nullptr && cone->at) {
     given.emplace_back(first, *cone->at);
+  } else if (const auto* replace = std::get_if<ops::Replace>(&operation)) {
+    if (const auto at = position_of_new(*replace); at && report.after.created > first) {
+      given.emplace_back(first, *at);
+    }
   }
   return given;
 }
@@ -120,7 +133,7 @@ Result<Positions::Points> Positions::of_vertices(const ObjectCells& cells) const
     if (!found[k]) {
       return Error{Errc::refused,
                    fmt::format("the vertex \"{}\" has no position, and a drawing needs one of each: \"at\" of simplex, "
-                               "simploid, complex, cone or suspend gives it; other formats, such as phat, need none",
+                               "simploid, complex, cone, suspend or replace gives it; other formats, such as phat, need none",
                                structure.name(cells.of(0)[k]))};
     }
     all.points.push_back(*found[k]);

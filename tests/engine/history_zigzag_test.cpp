@@ -63,7 +63,7 @@ class PlainHistory {
       }
       return rows;
     };
-    const auto sequence = ops::step_sequence(structure, report.kind, report.before, report.after, Integers{});
+    const auto sequence = only(ops::step_sequences(structure, report.kind, report.before, report.after, Integers{}));
     for (int degree = 0; degree < dimensions; ++degree) {
       const auto d = static_cast<std::size_t>(degree);
       step.groups.emplace_back(boundary(degree), d > 0 ? step.basis.generators(d - 1).size() : 0, boundary(degree + 1),

@@ -90,7 +90,7 @@ TEMPLATE_TEST_CASE("the live form is the pipeline of exact sequences, step by st
     const ops::Operation op = random.next(engine.structure());
     CAPTURE(k, ops::to_text(op));
     const engine::StepReport report = carry_out(engine, op);
-    const auto step = engine.sequence(engine.undoable(), ring);
+    const auto step = only(engine.sequences(engine.undoable(), ring));
     REQUIRE(step.has_value() == report.sequence.has_value());
     if (!step) {
       continue;
@@ -120,7 +120,7 @@ TEMPLATE_TEST_CASE("the class of a cell's boundary chain is the same by the pipe
   RandomSteps random(seed, {.most_cells = 50, .simploids = true, .cones = true});
   for (int k = 0; k < 24; ++k) {
     carry_out(engine, random.next(engine.structure()));
-    if (const auto step = engine.sequence(engine.undoable(), ring)) {
+    if (const auto step = only(engine.sequences(engine.undoable(), ring))) {
       pipeline.follow(*step);
     }
   }

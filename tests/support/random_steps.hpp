@@ -25,8 +25,9 @@ struct StreamShape {
   bool degeneracies = false;  ///< cells become degenerate, and others are glued to degenerate ones
   bool splits = false;
   bool products = false;
-  bool pyramids = false;  ///< cones over cells that are no simplices, and over whole bodies
-  bool removals = false;  ///< of cells without cofaces, and of open stars
+  bool pyramids = false;      ///< cones over cells that are no simplices, and over whole bodies
+  bool removals = false;      ///< of cells without cofaces, and of open stars
+  bool replacements = false;  ///< flips and subdivisions, with removals
 };
 
 /// A stream of all operations.
@@ -38,7 +39,8 @@ inline StreamShape everything(std::size_t most_cells) {
           .splits = true,
           .products = true,
           .pyramids = true,
-          .removals = true};
+          .removals = true,
+          .replacements = true};
 }
 
 /// The current cells of the object, all lazy ones too, oldest first: without lazy families by increasing id.
@@ -166,7 +168,8 @@ class DrawnSteps {
   }
 
   [[nodiscard]] bool has_more_than_gluings() const {
-    return shape_.degeneracies || shape_.splits || shape_.products || shape_.pyramids || shape_.removals;
+    return shape_.degeneracies || shape_.splits || shape_.products || shape_.pyramids || shape_.removals ||
+           shape_.replacements;
   }
 
   static bool is_legal(const ops::Structure& structure, const ops::Operation& op) {
@@ -186,8 +189,10 @@ class DrawnSteps {
   /// One of the steps that only some streams have, or nothing when the one drawn is not legal.
   std::optional<ops::Operation> other_step(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
     std::optional<ops::Operation> op;
-    const int kind = random_.in(1, shape_.removals ? 13 : 10);
-    if (kind > 10) {
+    const int kind = random_.in(1, shape_.replacements ? 15 : shape_.removals ? 13 : 10);
+    if (kind > 13) {
+      op = replacement(structure, cells);
+    } else if (kind > 10) {
       op = removal(structure, cells);
     } else if (kind <= 2 && shape_.degeneracies) {
       op = degeneration(structure, cells);
@@ -341,6 +346,21 @@ class DrawnSteps {
       }
     }
     return op;
+  }
+
+  /// The flip or the subdivision of a cell that can be replaced so, looked for at random.
+  std::optional<ops::Operation> replacement(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
+    for (int tries = 0; tries < 8; ++tries) {
+      const std::string cell = structure.name(pick(cells));
+      ops::Operation op = ops::Replace{ops::Replace::Flip{cell, fresh_name(), {}}};
+      if (cells.size() < shape_.most_cells && random_.one_in(3)) {
+        op = ops::Replace{ops::Replace::Subdivision{cell, fresh_name(), {}}};
+      }
+      if (is_legal(structure, op)) {
+        return op;
+      }
+    }
+    return std::nullopt;
   }
 
   std::optional<ops::Operation> product(const ops::Structure& structure, std::size_t cells) {

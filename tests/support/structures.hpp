@@ -105,6 +105,13 @@ class Workshop {
   ops::Workspace workspace_;
 };
 
+/// The sequence of a step that has one at most.
+template <sparse::Ring R>
+std::optional<ops::StepSequence<R>> only(std::vector<ops::StepSequence<R>> sequences) {
+  REQUIRE(sequences.size() <= 1);
+  return sequences.empty() ? std::nullopt : std::optional{std::move(sequences.front())};
+}
+
 /// What a step was that led from one moment to another, told from what there was: nothing here reads the journal.
 inline ops::StepKind kind_between(const ops::Structure& structure, const ops::Moment& before,
                                   const ops::Moment& after) {
@@ -113,7 +120,10 @@ inline ops::StepKind kind_between(const ops::Structure& structure, const ops::Mo
     return is_cone ? ops::StepKind::lazy_cone : ops::StepKind::product;
   }
   if (after.links > before.links) {
-    return structure.forest().deletions().contains(before.links) ? ops::StepKind::deletion : ops::StepKind::removal;
+    const bool takes_away = structure.forest().deletions().contains(before.links);
+    return !takes_away                      ? ops::StepKind::removal
+           : after.created > before.created ? ops::StepKind::replacement
+                                            : ops::StepKind::deletion;
   }
   if (after.copies > before.copies) {
     return ops::StepKind::split;
@@ -123,7 +133,7 @@ inline ops::StepKind kind_between(const ops::Structure& structure, const ops::Mo
 template <sparse::Ring R>
 auto sequence_between(const ops::Structure& structure, const ops::Moment& before, const ops::Moment& after,
                       const R& ring) {
-  return ops::step_sequence(structure, kind_between(structure, before, after), before, after, ring);
+  return only(ops::step_sequences(structure, kind_between(structure, before, after), before, after, ring));
 }
 
 /// The sign with which a name denotes its node.

@@ -74,7 +74,7 @@ Status EagerMethod<R>::check() const {
   if (kind == ops::StepKind::product || kind == ops::StepKind::lazy_cone) {
     return Error{Errc::refused, "the eager method makes no products: they are no exact sequences"};
   }
-  if (kind == ops::StepKind::deletion) {
+  if (kind == ops::StepKind::deletion || kind == ops::StepKind::replacement) {
     return Error{Errc::refused, "the eager method takes no cells away"};
   }
   if (keep_ == Keep::small_only && kind == ops::StepKind::split) {

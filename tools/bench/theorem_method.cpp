@@ -63,17 +63,17 @@ Status TheoremMethod<R>::apply(const ops::Operation& operation) {
   if (kind == ops::StepKind::product || kind == ops::StepKind::lazy_cone) {
     return Error{Errc::refused, "the theorem makes no products: they are no exact sequences"};
   }
-  if (kind == ops::StepKind::deletion) {
+  if (kind == ops::StepKind::deletion || kind == ops::StepKind::replacement) {
     return Error{Errc::refused, "this method follows the theorem in two of its directions: it removes no cells"};
   }
   object_.carry_out();
   const std::size_t last = object_.steps().size() - 1;
-  const auto step = ops::step_sequence(object_.structure(), kind, object_.before(last), object_.after(last), ring_);
-  if (!step) {
+  const auto steps = ops::step_sequences(object_.structure(), kind, object_.before(last), object_.after(last), ring_);
+  if (steps.empty()) {
     states_.push_back(states_.back());
     return Done{};
   }
-  auto state = next(*step, kind);
+  auto state = next(steps.front(), kind);
   sparse::expects(state.has_value(), "the sequence of a step breaks no law");
   states_.push_back(std::move(*state));
   return Done{};
