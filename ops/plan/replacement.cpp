@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ops/cells/cell_order.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/star_of_simplex.hpp"
 #include "ops/plan/step_names.hpp"
@@ -38,6 +39,7 @@ Result<std::vector<CellId>> star_of(CellId cell, const Structure& structure, con
     return Error{Errc::refused, fmt::format("the star of \"{}\" has more than {} cells, the limit for one step",
                                             structure.name(cell), limits.cells_per_step)};
   }
+  sort_by_dimension_and_age(structure, *star);
   return *std::move(star);
 }
 

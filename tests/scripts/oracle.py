@@ -8,8 +8,8 @@ Replays a script and prints one JSON object a step with the keys step, op, cells
 of the effective complexes. It shares no idea with the engine: a step copies the whole state, and homology is computed
 from scratch with a Smith form on Python's integers. Where both agree, they agree for different reasons.
 
-Covered: simplex, simploid, complex, cone, suspend, identify, degenerate, deidentify, product, insert, collapse, remove, expect, class,
-undo, note.
+Covered: simplex, simploid, complex, cone, suspend, identify, degenerate, deidentify, product, insert, collapse, remove,
+replace, expect, class, undo, note.
 Exit status as `sesame replay`: 0 done, 1 wrong usage or unreadable file, 2 the script is wrong, 3 an expect failed.
 
 A *value* is a cell with its vertices in some order, or a degenerate cell: a pair (y, shape). The shape has one entry for
@@ -1315,13 +1315,21 @@ def op_remove(state, step, _prime):
     if not isinstance(with_cofaces, bool):
         raise ScriptError("cofaces must be true or false")
     gone = {state.find(name) for name in step["cells"]}
-    is_growing = True
-    while is_growing:
-        above = {c for c in state.alive() if c not in gone and any(face[0] in gone for face in state.faces(c))}
-        if above and not with_cofaces:
-            raise ScriptError(f'"{state.cells[min(above)].name}" would stay without a face of it')
-        gone |= above
-        is_growing = bool(above)
+    star = open_star(state, gone)
+    if star != gone and not with_cofaces:
+        raise ScriptError(f'"{state.cells[min(star - gone)].name}" would stay without a face of it')
+    take_away(state, star)
+
+
+def open_star(state, cells):
+    """The cells, and all that has one of them as a face, or something degenerate over it."""
+    star = set(cells)
+    while above := {c for c in state.alive() if c not in star and any(face[0] in star for face in state.faces(c))}:
+        star |= above
+    return star
+
+
+def take_away(state, gone):
     for key, value in list(state.names.items()):
         if value is None or value[0] not in gone:
             continue
@@ -1334,6 +1342,184 @@ def op_remove(state, step, _prime):
             state.names[key] = None
     for number in gone:
         del state.cells[number]
+
+
+def proper_subsets(items):
+    """Sorted lists, the smaller ones first, then by bits."""
+    items = sorted(items)
+    masks = sorted(range(2 ** len(items) - 1), key=lambda mask: (mask.bit_count(), mask))
+    return [[x for k, x in enumerate(items) if mask >> k & 1] for mask in masks]
+
+
+def replaced_abstractly(state, move, star, by, has_at):
+    """The new simplices of an abstract complex, as lists of labels, of which all faces are meant as well."""
+    keys = {value[0]: key for key, value in state.names.items() if isinstance(key, frozenset) and value}
+    own, links = keys[star[0]], [keys[c] - keys[star[0]] for c in star]
+    if move == "flip" and len(star) > 1:
+        other = frozenset().union(*links)
+        if len(other) < 2 or {*links} != {frozenset(part) for part in proper_subsets(other)}:
+            raise ScriptError("the link is no boundary of a simplex")
+        if by is not None or has_at:
+            raise ScriptError("there is no new vertex")
+        if other in state.orders:
+            raise ScriptError("the new simplex is there already")
+        return [own - {label} | other for label in own]
+    if by is None:
+        raise ScriptError("the new vertex needs a label")
+    if by in state.labels and frozenset([state.labels[by]]) in state.orders:
+        raise ScriptError(f'there is a vertex "{by}" already')
+    return [keys[c] - {label} | {by} for c in star for label in own]
+
+
+class Star:
+    """The cells around one, with their faces by their vertices, which are numbered as their names have them."""
+
+    def __init__(self, state, star):
+        self.state, self.cells, self.faces, self.own = state, star, {}, {}
+        for c in star:
+            named = state.value(state.cells[c].name)
+            vertices = range(state.dim(c) + 1)
+            found = {part: restrict(named, [part], state.faces) if len(vertices) > 1 else named
+                     for size in vertices for part in itertools.combinations(vertices, size + 1)}
+            places = [part for part, value in found.items() if value[0] == star[0]]
+            if len(places) != 1:
+                raise ScriptError(f'"{state.cells[c].name}" has the cell more than once')
+            self.faces[c], self.own[c] = found, places[0]
+
+    def others(self, c):
+        return [k for k in range(self.state.dim(c) + 1) if k not in self.own[c]]
+
+    def named_places(self, value):
+        """Which vertices of a cell, by its name, those of a value are."""
+        if not value[1]:
+            return [0]
+        named = self.state.value(self.state.cells[value[0]].name)[1][0]
+        return [named.index(k) for k in value[1][0]]
+
+    def with_order(self, number, order):
+        order = list(order)
+        return number, ((tuple(sorted(order).index(k) for k in order),) if len(order) > 1 else ())
+
+    def add(self, name, faces, body):
+        number = self.state.add(name, (len(faces) - 1,) if faces else (), faces, body)
+        if any(not is_monotone(face[1]) for face in faces):
+            self.state.disordered.add(self.state.body_root(body))
+        return number
+
+    def flip(self, name):
+        state, body = self.state, self.state.cells[self.cells[0]].body
+        around = [c for c in self.cells if len(self.others(c)) == 1]
+        links = {}
+        for c in self.cells:
+            beside = [around.index(self.faces[c][tuple(sorted({*self.own[c], k}))][0]) for k in self.others(c)]
+            links.setdefault(frozenset(beside) if len({*beside}) == len(beside) else None, []).append((c, beside))
+        expected = {frozenset(part) for part in proper_subsets(range(len(around)))} if around else {frozenset()}
+        if len(around) == 1 or {*links} != expected or any(len(found) > 1 for found in links.values()):
+            raise ScriptError("the link is no boundary of a simplex")
+        size, count = state.dim(self.cells[0]) + 1, max(len(around), 1)
+        new = {}
+        for kept in proper_subsets(range(size)):
+            numbers = [*kept, *range(size, size + count)]
+            faces = [state.plain(new[tuple(k for k in kept if k != left_out)]) for left_out in kept]
+            for j in range(count if len(numbers) > 1 else 0):
+                c, beside = links[frozenset(range(count)) - {j}][0]
+                own_places = self.named_places(self.faces[c][self.own[c]])
+                place = {k: own_places[n] for n, k in enumerate(self.own[c])}
+                place.update({k: size + beside[n] for n, k in enumerate(self.others(c))})
+                part = [k for k in sorted(place) if place[k] >= size or place[k] in kept]
+                value = self.faces[c][tuple(part)]
+                order = sorted(range(len(part)), key=lambda n: place[part[n]])
+                faces.append((value[0], reordered_by(value[1], order)))
+            called = name + "." + "-".join(map(str, numbers)) if kept else name
+            new[tuple(kept)] = self.add(called, faces, body)
+
+    def subdivide(self, vertex):
+        state, body = self.state, self.state.cells[self.cells[0]].body
+        keys = [(c, tuple(sorted([*part, *self.others(c)])))
+                for c in self.cells for part in proper_subsets(self.own[c])]
+        keys.sort(key=lambda key: len(key[1]))
+        new = {}
+        for c, kept in keys:
+            faces = []
+            for left_out in kept:
+                rest = tuple(k for k in kept if k != left_out)
+                if left_out in self.own[c]:
+                    faces.append(state.plain(new[c, rest]))
+                    continue
+                all_but = tuple(k for k in range(state.dim(c) + 1) if k != left_out)
+                value = self.faces[c][all_but]
+                image = dict(zip(all_but, self.named_places(value)))
+                onto = [image[k] for k in rest]
+                faces.append(self.with_order(new[value[0], tuple(sorted(onto))], [*onto, len(image)]))
+            if kept:
+                faces.append(self.faces[c][kept])
+            called = f"{vertex}*{state.cells[c].name}." + "-".join(map(str, kept)) if kept else vertex
+            new[c, kept] = self.add(called, faces, body)
+
+
+def reordered_by(shape, order):
+    """A shape with vertex k where vertex order[k] was."""
+    return (tuple(shape[0][k] for k in order),) if shape else ()
+
+
+def check_link(state, u, v):
+    for key in state.orders:
+        is_of_both = u in key and v not in key and len(key) > 1 and key - {u} | {v} in state.orders
+        if is_of_both and key | {v} not in state.orders:
+            raise ScriptError("the link condition does not hold")
+
+
+def op_replace(state, step, prime):
+    moves = [move for move in ("flip", "subdivide", "contract") if move in step]
+    if len(moves) != 1:
+        raise ScriptError("one of flip, subdivide and contract")
+    move = moves[0]
+    if move == "contract":
+        fields(step, ("contract",), ("link_condition",))
+        if not isinstance(step["contract"], list) or len(step["contract"]) != 2:
+            raise ScriptError("contract must be a list of two labels")
+        u, v = map(read_label, step["contract"])
+        checks = step.get("link_condition", True)
+        if not isinstance(checks, bool):
+            raise ScriptError("link_condition must be true or false")
+        before = state.copy()
+        op_collapse(state, {"op": "collapse", "from": u, "to": v}, prime)
+        if frozenset([u, v]) not in before.orders:
+            raise ScriptError("there is no such edge")
+        if checks:
+            check_link(before, u, v)
+        return
+    fields(step, (move, "by") if move == "subdivide" else (move,), ("at",) if move == "subdivide" else ("by", "at"))
+    by = read_by(step["by"]) if "by" in step else None
+    if "at" in step:
+        check_point(step["at"], "at")
+    star = sorted(open_star(state, {state.find(step[move])}), key=lambda c: (state.dim(c), c))
+    if move == "subdivide" and state.dim(star[0]) == 0:
+        raise ScriptError("a vertex is not subdivided")
+    body = state.body_root(state.cells[star[0]].body)
+    if body in state.abstract:
+        simplices = replaced_abstractly(state, move, star, by, "at" in step)
+        op_insert(state, {"op": "insert", "simplices": [sorted(simplex) for simplex in simplices]}, prime)
+    else:
+        if any(len(state.cells[c].kind) > 1 for c in star):
+            raise ScriptError("only simplices are replaced")
+        if by is None:
+            raise ScriptError("what is new needs a name")
+        check_name(by, "by")
+        state.check_free(by)
+        state.check_prefix(by)
+        around = Star(state, star)
+        (around.flip if move == "flip" else around.subdivide)(by)
+    take_away(state, star)
+
+
+def read_by(value):
+    """A name or a label, not empty."""
+    if is_integer(value) and value >= 0:
+        return str(value)
+    if not isinstance(value, str) or not value:
+        raise ScriptError("by must be a name or a label")
+    return value
 
 
 def leave_abstract(before, after):
@@ -1397,6 +1583,7 @@ OPERATIONS = {
     "insert": op_insert,
     "collapse": op_collapse,
     "remove": op_remove,
+    "replace": op_replace,
     "expect": op_expect,
     "class": op_class,
     "note": op_note,
@@ -1408,7 +1595,7 @@ def carried_out(state, step, prime):
     after = state.copy()
     answer = OPERATIONS[step["op"]](after, step, prime)
     after.names_meet()
-    if step["op"] not in ("insert", "collapse", "remove"):
+    if step["op"] not in ("insert", "collapse", "remove", "replace"):
         leave_abstract(state, after)
     return after, answer
 

@@ -7,12 +7,12 @@
 basic: simplex, simploid, complex, cone, suspend, identify, expect, class, undo and note: several bodies, self-gluings and
 twisted ones (torsion), simploids of mixed types up to dimension 3, cones over bodies and over lists, classes of
 boundaries, cycles and other chains.
-all: cones over simploids, degenerate cells, products of both kinds, deidentify as well (cells cut off or torn out,
+all: cones over simploids, degenerate cells, products of both kinds, remove, replace, deidentify as well (cells cut off or torn out,
 cells split along their links, gluings taken back), in any order and on top of each other. --weight makes a step more
 or less frequent (0: never); a wrong NAME is answered with the names that there are.
 tear: a random complex is glued from simploids and torn apart again, cell by cell, to isolated ones. It may need more
 steps than asked for.
-abstract: simplices on labelled vertices are inserted, any two vertices are collapsed, and now and then a body is
+abstract: simplices on labelled vertices are inserted and replaced, any two vertices are collapsed, and now and then a body is
 changed by one of the other operations.
 What is legal, the oracle knows. With --illegal the last step is wrong, and only that one.
 The same options give the same script.
@@ -323,7 +323,7 @@ class WriterOfAll(Writer):
     weights = {
         "simplex": 5, "simploid": 4, "moore": 1, "loops": 1, "cone": 4, "product": 6,
         "identify": 12, "identify_degenerate": 2, "degenerate": 5, "isolate": 2, "tear_out": 2, "split": 5, "unglue": 4,
-        "remove": 4, "query": 6, "expect": 2, "note": 1, "undo": 3,
+        "remove": 4, "replace": 4, "query": 6, "expect": 2, "note": 1, "undo": 3,
     }
     growing = ("simplex", "simploid", "moore", "loops", "cone", "product")
 
@@ -452,6 +452,23 @@ class WriterOfAll(Writer):
                 chosen.add(c)
                 step["cells"].append(self.name_of(c))
         return self.attempt(step)
+
+    def replace(self):
+        """A flip or a subdivision of any cell, tried on some."""
+        state = self.oracle.state
+        for _ in range(6):
+            cells = state.alive()
+            if not cells:
+                return False
+            cell = self.random.choice(cells)
+            move = "flip" if self.random.random() < 0.7 else "subdivide"
+            step = {"op": "replace", move: self.another(self.name_of(cell))}
+            is_abstract = state.body_root(state.cells[cell].body) in state.abstract
+            if move == "subdivide" or not is_abstract or self.random.random() < 0.5:
+                step["by"] = self.fresh("r")
+            if self.attempt(step):
+                return True
+        return False
 
     def deidentify(self, split):
         """The step, with any names of the cells and in any order."""
@@ -599,7 +616,7 @@ class WriterOfAbstract(WriterOfAll):
         **{name: 0 for name in WriterOfAll.weights},
         "insert": 20, "insert_many": 5, "collapse": 12, "query": 8, "expect": 2, "note": 1, "undo": 4,
         "simplex": 1, "identify": 1, "degenerate": 1, "cone": 1, "product": 1, "isolate": 1, "split": 1, "unglue": 1,
-        "remove": 5,
+        "remove": 5, "replace": 7, "contract": 4,
     }
     growing = ("insert", "insert_many", "simplex", "cone", "product")
     pool = [*range(9), "10", "a", "b", "B", "é", "u*v", "w.(x|y)", "z^0"]
@@ -666,6 +683,15 @@ class WriterOfAbstract(WriterOfAll):
         if edges and self.random.random() < 0.6:
             u, v = self.random.sample(self.random.choice(sorted(edges)), 2)
         return self.attempt({"op": "collapse", "from": self.as_label(u), "to": self.as_label(v)})
+
+    def contract(self):
+        """An edge, with its links looked at or not."""
+        edges = sorted(sorted(key) for key in self.oracle.state.orders if len(key) == 2)
+        if not edges:
+            return False
+        u, v = self.random.sample(self.random.choice(edges), 2)
+        step = {"op": "replace", "contract": [self.as_label(u), self.as_label(v)]}
+        return self.attempt({**step, "link_condition": False} if self.random.random() < 0.3 else step)
 
     def name_of(self, cell):
         state = self.oracle.state

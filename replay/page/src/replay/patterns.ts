@@ -10,5 +10,6 @@ export const patterns: readonly [string, string][] = [
   ["product of bodies", '{"op":"product","name":"P","left":"A","right":"B"}'],
   ["add simplices on labels", '{"op":"insert","simplices":[["a","b"],["b","c"],["a","c"]]}'],
   ["collapse a label", '{"op":"collapse","from":"a","to":"b"}'],
+  ["flip an edge", '{"op":"replace","flip":"{a,b}"}'],
   ["ask for a class", '{"op":"class","chain":[[1,"T.0-1"],[1,"T.1-2"],[-1,"T.0-2"]]}'],
 ];
