@@ -17,7 +17,7 @@ void cut(Terms<R, Symbol>& terms, Symbol first) {
 template <Ring R>
 typename Perturbations<R>::Concerned Perturbations<R>::record(RuleId time, Symbol first,
                                                               std::span<const GeneratorId> changed,
-                                                              const Reached& reached) {
+                                                              const Reached& reached, bool is_deletion) {
   Concerned concerned;
   std::set<int> combined;  // degrees with changes of basis
   for (const auto& combination : rules_.combinations()) {
@@ -38,12 +38,13 @@ typename Perturbations<R>::Concerned Perturbations<R>::record(RuleId time, Symbo
       at->second = std::min(at->second, from);
     }
   }
-  Step step{first, {}, {}, {}};
+  Step step{first, {}, {}, {}, {}};
   for (const auto& [degree, rule] : since) {
     step.degrees.push_back(degree);
     const auto q = static_cast<std::size_t>(degree);
     of_degree_.resize(std::max(of_degree_.size(), q + 1));
-    of_degree_[q].push_back({time, rule, first, ++last_serial_});
+    of_degree_[q].push_back(
+        {time, rule, first, static_cast<std::uint32_t>(of_degree_[q].size()), ++last_serial_, is_deletion});
     for (const Symbol x : reached ? *reached : rules_.small(degree)) {
       if (x < first && rules_.degree(x) == degree && rules_.is_small(x)) {
         concerned.small.insert(x);
@@ -64,10 +65,24 @@ typename Perturbations<R>::Concerned Perturbations<R>::record(RuleId time, Symbo
 }
 
 template <Ring R>
-void Perturbations<R>::last_is_not_felt() {
-  for (const int degree : steps_.back().degrees) {
-    auto& all = of_degree_[static_cast<std::size_t>(degree)];
-    all.back().last_felt = all.size() > 1 ? all[all.size() - 2].last_felt : 0;
+void Perturbations<R>::forget_those_not_felt() {
+  Step& step = steps_.back();
+  for (std::size_t degree = 0; degree < of_degree_.size(); ++degree) {
+    auto& all = of_degree_[degree];
+    if (all.empty()) {
+      continue;
+    }
+    const std::uint32_t before = all.back().last_felt;
+    std::uint32_t last = before;
+    while (last != nobody && all[last].is_deletion && is_rewritten_to_zero(all[last].first)) {
+      last = last > 0 ? all[last - 1].last_felt : nobody;
+    }
+    if (last != before) {
+      all.back().last_felt = last;
+      if (all.back().first != step.first) {
+        step.felt_before.emplace_back(degree, before);
+      }
+    }
   }
 }
 
@@ -167,6 +182,9 @@ void Perturbations<R>::undo_last() {
   steps_.pop_back();
   for (const int degree : step.degrees) {
     of_degree_[static_cast<std::size_t>(degree)].pop_back();
+  }
+  for (const auto& [degree, felt] : step.felt_before) {
+    of_degree_[degree].back().last_felt = felt;
   }
   for (const std::size_t combination : step.combinations) {
     rules_.cut_column(combination, step.first);

@@ -45,18 +45,23 @@ class Perturbations {
   /// Takes note of a perturbation of the boundaries of `changed`, in symbols from `first` on, which were made at `time`
   /// or later. Cost: the changed generators, the combinations, and, when a changed one may be in a lift, the symbols
   /// that are reached, or the small symbols of its degree.
-  Concerned record(RuleId time, Symbol first, std::span<const GeneratorId> changed, const Reached& reached = {});
+  Concerned record(RuleId time, Symbol first, std::span<const GeneratorId> changed, const Reached& reached = {},
+                   bool is_deletion = false);
   /// Grows with each `record`.
   [[nodiscard]] std::uint64_t version() const { return recorded_; }
 
   /// The serial number of the last perturbation that concerns a rule and is felt, made before or after it; 0: none.
   [[nodiscard]] std::uint64_t last(RuleId rule) const {
     const std::size_t q = degree_of_b(rule);
-    return q < of_degree_.size() && !of_degree_[q].empty() ? of_degree_[q].back().last_felt : 0;
+    if (q >= of_degree_.size() || of_degree_[q].empty() || of_degree_[q].back().last_felt == nobody) {
+      return 0;
+    }
+    return of_degree_[q][of_degree_[q].back().last_felt].serial;
   }
-  /// The new symbols of the last perturbation are rewritten to 0: so it changes no image, and results from before it
-  /// stand.
-  void last_is_not_felt();
+  /// A perturbation with one new symbol is not felt once that is rewritten to 0: it changes no image then, and results
+  /// from before it stand. Looks at the last ones, down to one that is felt. To be called after the last `record`, as
+  /// it is undone with that. Cost: those that are felt no more, and the degrees.
+  void forget_those_not_felt();
   /// How many perturbations there had been at a time of the degree that concerns a rule.
   [[nodiscard]] std::size_t until(RuleId rule, RuleId time) const {
     return of_degree_.empty() ? 0 : until(degree_of_b(rule), time);
@@ -120,14 +125,17 @@ class Perturbations {
     RuleId time;
     RuleId since;             ///< rules made before cannot depend on a changed generator
     Symbol first;             ///< of the new symbols
-    std::uint64_t last_felt;  ///< the serial number of the last one until this that is felt
+    std::uint32_t last_felt;  ///< the place of the last one until this that is felt, or nobody
+    std::uint64_t serial;     ///< from 1
+    bool is_deletion;         ///< with one new symbol
   };
   /// A perturbation, for undo.
   struct Step {
     Symbol first;
     std::vector<int> degrees;
-    std::vector<RuleId> rules;              ///< that took it in while it was the last
-    std::vector<std::size_t> combinations;  ///< whose column it changed
+    std::vector<RuleId> rules;                                       ///< that took it in while it was the last
+    std::vector<std::size_t> combinations;                           ///< whose column it changed
+    std::vector<std::pair<std::size_t, std::uint32_t>> felt_before;  ///< by degree, of those not its own
   };
   struct Gain {
     RuleId rule;
@@ -139,6 +147,9 @@ class Perturbations {
     return static_cast<std::size_t>(rules_.degree(rules_[rule].a)) + 1;
   }
   [[nodiscard]] std::size_t until(std::size_t degree, RuleId time) const;
+  [[nodiscard]] bool is_rewritten_to_zero(Symbol x) const {
+    return rules_.is_rewritten(x) && rules_.value(rules_.removed_by(x)).empty() && gain(rules_.removed_by(x)).empty();
+  }
   [[nodiscard]] std::size_t taken_in(RuleId rule) const;
   [[nodiscard]] const Gain* find_gain(RuleId rule) const {
     return rule < place_.size() && place_[rule] != no_place ? &gains_[place_[rule]] : nullptr;
@@ -151,7 +162,7 @@ class Perturbations {
   Rules<R>& rules_;
   std::vector<std::vector<Perturbation>> of_degree_;  ///< by the degree of the changed generators
   std::vector<Step> steps_;
-  static constexpr std::uint32_t no_place = UINT32_MAX;
+  static constexpr std::uint32_t no_place = UINT32_MAX, nobody = UINT32_MAX;
   std::vector<Gain> gains_;
   std::vector<std::uint32_t> place_;  ///< per rule, as far as needed: of its gain
   std::uint64_t last_serial_ = 0, recorded_ = 0;

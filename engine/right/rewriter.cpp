@@ -211,9 +211,9 @@ typename Perturbations<R>::Reached Rewriter<R>::lifts_with(std::span<const Gener
 template <Ring R>
 typename Perturbations<R>::Concerned Rewriter<R>::record_perturbation(RuleId time, Symbol first_symbol,
                                                                       std::span<const GeneratorId> changed,
-                                                                      const Reached& reached) {
+                                                                      const Reached& reached, bool is_deletion) {
   ++breaks_;
-  auto concerned = perturbations_.record(time, first_symbol, changed, reached);
+  auto concerned = perturbations_.record(time, first_symbol, changed, reached, is_deletion);
   for (const std::size_t k : concerned.combinations) {
     const auto& combination = rules_.combinations()[k];
     const Terms<R, Symbol> gain = lifts_.gain(combination.made, combination.rule + 1, first_symbol);
@@ -245,7 +245,7 @@ void Rewriter<R>::perturb(RuleId time, GeneratorId first, std::span<const Genera
   deletion_gains_.clear();
   const Symbol first_symbol = rules_.symbol_of(first);
   extend_dependents(changed, first_symbol);
-  for (const Symbol x : record_perturbation(time, first_symbol, changed, lifts_with(changed)).small) {
+  for (const Symbol x : record_perturbation(time, first_symbol, changed, lifts_with(changed), false).small) {
     if (rules_.removed_by(x) == no_rule) {  // else another one was eliminated with it since
       extend_column_of(x, lifts_.gain(x, rules_.size(), first_symbol));
     }
@@ -263,7 +263,7 @@ void Rewriter<R>::take_away(RuleId time, GeneratorId deletion, std::span<const G
   if (!reached) {
     reached = lifts_with(changed);
   }
-  const auto concerned = record_perturbation(time, e, changed, reached);
+  const auto concerned = record_perturbation(time, e, changed, reached, true);
   const RuleId since = rules_.size();
   if (!reached && !has_combinations && perturbations_.last_concerns_rules() && candidates(changed) > few) {
     deletion_gains_.begin_index();
@@ -277,10 +277,7 @@ void Rewriter<R>::take_away(RuleId time, GeneratorId deletion, std::span<const G
     extend_column_of(each.index, {{e, each.coefficient}});
     settling_.settle();
   }
-  const bool is_felt = !rules_.is_rewritten(e) || !rules_.value(rules_.removed_by(e)).empty();
-  if (!is_felt) {
-    perturbations_.last_is_not_felt();
-  }
+  perturbations_.forget_those_not_felt();
   deletion_gains_.finish(since, perturbations_.last_concerns_rules());
 }
 

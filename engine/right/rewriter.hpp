@@ -144,8 +144,8 @@ class Rewriter {
   using Reached = typename Perturbations<R>::Reached;
   void extend_dependents(std::span<const GeneratorId> changed, Symbol first);
   typename Perturbations<R>::Concerned record_perturbation(RuleId time, Symbol first,
-                                                           std::span<const GeneratorId> changed,
-                                                           const Reached& reached);
+                                                           std::span<const GeneratorId> changed, const Reached& reached,
+                                                           bool is_deletion);
   void extend_column_of(Symbol x, const Terms<R, Symbol>& gain);
 
   const sparse::ColumnStore<R, GeneratorId>& boundary_;

@@ -110,7 +110,11 @@ class DrawnSteps {
     if (cells.empty() || (!is_large && !random_.one_in(cells.size() < shape_.most_cells / 2 ? 4 : 2))) {
       return growth(structure, cells);
     }
-    return identification(structure, cells);
+    ops::Operation gluing = identification(structure, cells);
+    if (shape_.replacements && !is_legal(structure, gluing)) {  // it would fold a cell: flips change orders of vertices
+      return ops::MakeSimplex{fresh_name(), 0, {}};
+    }
+    return gluing;
   }
 
   /// Pairs of current cells of equal types, at random.
