@@ -127,7 +127,8 @@ struct Replace {
   };
   std::variant<Flip, Subdivision, Contraction> move;
   /// Only adds, and besides the new cells what lies between them and the old ones: A * B, or the cone over the closed
-  /// star. Object and result are deformation retracts of that. No text says so: it is for those who follow classes.
+  /// star. What was and what would be are deformation retracts of that: for those who follow classes. Not of a
+  /// contraction.
   bool fills = false;
 };
 

@@ -48,13 +48,19 @@ Replace read_replace(Fields& in) {
   if (std::count(has.begin(), has.end(), true) != 1) {
     throw Wrong{R"("replace" needs a field "flip", "subdivide" or "contract", one of the three)"};
   }
+  if (has[2]) {
+    return {read_contraction(in)};
+  }
+  Replace op;
   if (has[0]) {
-    return {read_flip(in)};
+    op.move = read_flip(in);
+  } else {
+    op.move = read_subdivision(in);
   }
-  if (has[1]) {
-    return {read_subdivision(in)};
+  if (const Json* fills = in.find("fills")) {
+    op.fills = in.truth("fills", *fills);
   }
-  return {read_contraction(in)};
+  return op;
 }
 
 class MoveWriter {
@@ -94,7 +100,12 @@ class MoveWriter {
   JsonText& out_;
 };
 
-void write_replace(const Replace& op, JsonText& out) { std::visit(MoveWriter(out), op.move); }
+void write_replace(const Replace& op, JsonText& out) {
+  std::visit(MoveWriter(out), op.move);
+  if (op.fills) {
+    out.field("fills", true);
+  }
+}
 
 }  // namespace
 

@@ -1344,14 +1344,14 @@ def take_away(state, gone):
         del state.cells[number]
 
 
-def proper_subsets(items):
+def proper_subsets(items, itself=False):
     """Sorted lists, the smaller ones first, then by bits."""
     items = sorted(items)
-    masks = sorted(range(2 ** len(items) - 1), key=lambda mask: (mask.bit_count(), mask))
+    masks = sorted(range(2 ** len(items) - (0 if itself else 1)), key=lambda mask: (mask.bit_count(), mask))
     return [[x for k, x in enumerate(items) if mask >> k & 1] for mask in masks]
 
 
-def replaced_abstractly(state, move, star, by, has_at):
+def replaced_abstractly(state, move, star, by, has_at, fills):
     """The new simplices of an abstract complex, as lists of labels, of which all faces are meant as well."""
     keys = {value[0]: key for key, value in state.names.items() if isinstance(key, frozenset) and value}
     own, links = keys[star[0]], [keys[c] - keys[star[0]] for c in star]
@@ -1363,12 +1363,12 @@ def replaced_abstractly(state, move, star, by, has_at):
             raise ScriptError("there is no new vertex")
         if other in state.orders:
             raise ScriptError("the new simplex is there already")
-        return [own - {label} | other for label in own]
+        return [own | other] if fills else [own - {label} | other for label in own]
     if by is None:
         raise ScriptError("the new vertex needs a label")
     if by in state.labels and frozenset([state.labels[by]]) in state.orders:
         raise ScriptError(f'there is a vertex "{by}" already')
-    return [keys[c] - {label} | {by} for c in star for label in own]
+    return [keys[c] | {by} for c in star] if fills else [keys[c] - {label} | {by} for c in star for label in own]
 
 
 class Star:
@@ -1406,7 +1406,7 @@ class Star:
             self.state.disordered.add(self.state.body_root(body))
         return number
 
-    def flip(self, name):
+    def flip(self, name, fills):
         state, body = self.state, self.state.cells[self.cells[0]].body
         around = [c for c in self.cells if len(self.others(c)) == 1]
         links = {}
@@ -1418,7 +1418,7 @@ class Star:
             raise ScriptError("the link is no boundary of a simplex")
         size, count = state.dim(self.cells[0]) + 1, max(len(around), 1)
         new = {}
-        for kept in proper_subsets(range(size)):
+        for kept in proper_subsets(range(size), fills):
             numbers = [*kept, *range(size, size + count)]
             faces = [state.plain(new[tuple(k for k in kept if k != left_out)]) for left_out in kept]
             for j in range(count if len(numbers) > 1 else 0):
@@ -1433,10 +1433,10 @@ class Star:
             called = name + "." + "-".join(map(str, numbers)) if kept else name
             new[tuple(kept)] = self.add(called, faces, body)
 
-    def subdivide(self, vertex):
+    def subdivide(self, vertex, fills):
         state, body = self.state, self.state.cells[self.cells[0]].body
         keys = [(c, tuple(sorted([*part, *self.others(c)])))
-                for c in self.cells for part in proper_subsets(self.own[c])]
+                for c in self.cells for part in proper_subsets(self.own[c], fills)]
         keys.sort(key=lambda key: len(key[1]))
         new = {}
         for c, kept in keys:
@@ -1489,7 +1489,11 @@ def op_replace(state, step, prime):
         if checks:
             check_link(before, u, v)
         return
-    fields(step, (move, "by") if move == "subdivide" else (move,), ("at",) if move == "subdivide" else ("by", "at"))
+    fields(step, (move, "by") if move == "subdivide" else (move,),
+           ("at", "fills") if move == "subdivide" else ("by", "at", "fills"))
+    fills = step.get("fills", False)
+    if not isinstance(fills, bool):
+        raise ScriptError("fills must be true or false")
     by = read_by(step["by"]) if "by" in step else None
     if "at" in step:
         check_point(step["at"], "at")
@@ -1498,7 +1502,7 @@ def op_replace(state, step, prime):
         raise ScriptError("a vertex is not subdivided")
     body = state.body_root(state.cells[star[0]].body)
     if body in state.abstract:
-        simplices = replaced_abstractly(state, move, star, by, "at" in step)
+        simplices = replaced_abstractly(state, move, star, by, "at" in step, fills)
         op_insert(state, {"op": "insert", "simplices": [sorted(simplex) for simplex in simplices]}, prime)
     else:
         if any(len(state.cells[c].kind) > 1 for c in star):
@@ -1509,8 +1513,9 @@ def op_replace(state, step, prime):
         state.check_free(by)
         state.check_prefix(by)
         around = Star(state, star)
-        (around.flip if move == "flip" else around.subdivide)(by)
-    take_away(state, star)
+        (around.flip if move == "flip" else around.subdivide)(by, fills)
+    if not fills:
+        take_away(state, star)
 
 
 def read_by(value):

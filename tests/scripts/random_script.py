@@ -466,6 +466,8 @@ class WriterOfAll(Writer):
             is_abstract = state.body_root(state.cells[cell].body) in state.abstract
             if move == "subdivide" or not is_abstract or self.random.random() < 0.5:
                 step["by"] = self.fresh("r")
+            if self.random.random() < 0.1:
+                step["fills"] = True
             if self.attempt(step):
                 return True
         return False
