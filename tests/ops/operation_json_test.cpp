@@ -58,6 +58,13 @@ TEST_CASE("every op has one canonical text, which says the same operation", "[op
       R"({"op":"insert","simplices":[["a",3],[0],[3,"b"]]})",
       R"({"op":"insert","simplices":[["a"],["b"]],"exist_ok":false})",
       R"({"op":"collapse","from":"u","to":7})",
+      R"({"op":"remove","cells":[]})",
+      R"({"op":"remove","cells":["t","{a,3}"],"cofaces":true})",
+      R"({"op":"replace","flip":"{a,3}"})",
+      R"({"op":"replace","flip":"t.0-1","by":"e","at":[1.0,0.0,0.0],"fills":true})",
+      R"({"op":"replace","subdivide":"{a,3}","by":7,"at":[0.5,0.5,0.0]})",
+      R"({"op":"replace","contract":["u",7]})",
+      R"({"op":"replace","contract":[7,"u"],"link_condition":false})",
       R"({"op":"expect"})",
       R"({"op":"expect","betti":[1,2,1],"torsion":[[],[2,4]],"euler":-3,"cells":[1,2,1]})",
       R"({"op":"class","chain":[]})",
@@ -132,8 +139,9 @@ TEST_CASE("integers of any size are read from strings of digits, and from number
 
 TEST_CASE("an unknown op is named, and the known ones listed", "[ops]") {
   CHECK_THAT(complaint(R"({"op":"frobnicate"})"), Contains("\"frobnicate\""));
-  for (const std::string word : {"simplex", "simploid", "complex", "cone", "suspend", "product", "identify",
-                                 "degenerate", "deidentify", "insert", "collapse", "expect", "class", "undo", "note"}) {
+  for (const std::string word :
+       {"simplex", "simploid", "complex", "cone", "suspend", "product", "identify", "degenerate", "deidentify",
+        "insert", "collapse", "remove", "replace", "expect", "class", "undo", "note"}) {
     CHECK_THAT(complaint(R"({"op":"frobnicate"})"), Contains("the ops are: ") && Contains(" " + word));
   }
   for (const std::string line : {R"({})", R"({"op":3})", R"({"op":null})", R"({"name":"t"})", R"({"op":["note"]})"}) {
@@ -142,17 +150,27 @@ TEST_CASE("an unknown op is named, and the known ones listed", "[ops]") {
 }
 
 TEST_CASE("an unknown field is named, in every op", "[ops]") {
-  for (const std::string line :
-       {R"({"op":"simplex","name":"t","dim":2,"odd":1})", R"({"op":"simploid","name":"t","type":[2],"odd":1})",
-        R"({"op":"complex","name":"t","cells":[],"odd":1})",
-        R"({"op":"complex","name":"t","cells":[{"id":"a","odd":1}]})", R"({"op":"cone","apex":"v","odd":1})",
-        R"({"op":"suspend","apexes":["n","s"],"odd":1})", R"({"op":"identify","pairs":[],"odd":1})",
-        R"({"op":"product","name":"P","left":"A","right":"B","odd":1})",
-        R"({"op":"degenerate","cell":"t","along":0,"odd":1})", R"({"op":"deidentify","split":[],"odd":1})",
-        R"({"op":"deidentify","split":[{"cell":"x","as":"y","moves":[],"odd":1}]})",
-        R"({"op":"insert","simplex":[1],"odd":1})", R"({"op":"collapse","from":1,"to":2,"odd":1})",
-        R"({"op":"expect","odd":1})", R"({"op":"class","chain":[],"odd":1})", R"({"op":"undo","odd":1})",
-        R"({"op":"note","text":"","odd":1})"}) {
+  for (const std::string line : {R"({"op":"simplex","name":"t","dim":2,"odd":1})",
+                                 R"({"op":"simploid","name":"t","type":[2],"odd":1})",
+                                 R"({"op":"complex","name":"t","cells":[],"odd":1})",
+                                 R"({"op":"complex","name":"t","cells":[{"id":"a","odd":1}]})",
+                                 R"({"op":"cone","apex":"v","odd":1})",
+                                 R"({"op":"suspend","apexes":["n","s"],"odd":1})",
+                                 R"({"op":"identify","pairs":[],"odd":1})",
+                                 R"({"op":"product","name":"P","left":"A","right":"B","odd":1})",
+                                 R"({"op":"degenerate","cell":"t","along":0,"odd":1})",
+                                 R"({"op":"deidentify","split":[],"odd":1})",
+                                 R"({"op":"deidentify","split":[{"cell":"x","as":"y","moves":[],"odd":1}]})",
+                                 R"({"op":"insert","simplex":[1],"odd":1})",
+                                 R"({"op":"collapse","from":1,"to":2,"odd":1})",
+                                 R"({"op":"remove","cells":[],"odd":1})",
+                                 R"({"op":"replace","flip":"t","odd":1})",
+                                 R"({"op":"replace","subdivide":"t","by":"v","odd":1})",
+                                 R"({"op":"replace","contract":["a","b"],"fills":true,"odd":1})",
+                                 R"({"op":"expect","odd":1})",
+                                 R"({"op":"class","chain":[],"odd":1})",
+                                 R"({"op":"undo","odd":1})",
+                                 R"({"op":"note","text":"","odd":1})"}) {
     CHECK_THAT(complaint(line), Contains("unknown field \"odd\"") && Contains("its fields are"));
   }
 }
@@ -181,6 +199,8 @@ TEST_CASE("a missing field is named, in every op", "[ops]") {
       {R"({"op":"insert"})", "simplex"},
       {R"({"op":"collapse","to":1})", "from"},
       {R"({"op":"collapse","from":1})", "to"},
+      {R"({"op":"remove"})", "cells"},
+      {R"({"op":"replace","subdivide":"t"})", "by"},
       {R"({"op":"class"})", "chain"},
       {R"({"op":"note"})", "text"}};
   for (const auto& [line, field] : lines) {
@@ -202,6 +222,17 @@ TEST_CASE("a field of the wrong kind is named, with what it should be and is", "
       {R"({"op":"insert","simplex":[1],"exist_ok":1})", "should be true or false, but is a number"},
       {R"({"op":"insert","simplex":[1],"simplices":[[2]]})", "\"simplex\" or a field \"simplices\", one of the two"},
       {R"({"op":"collapse","from":null,"to":1})", "field \"from\" of \"collapse\""},
+      {R"({"op":"remove","cells":"t"})", "a list of cells, but is a string"},
+      {R"({"op":"remove","cells":[],"cofaces":1})", "should be true or false"},
+      {R"({"op":"replace"})", "\"flip\", \"subdivide\" or \"contract\", one of the three"},
+      {R"({"op":"replace","flip":"t","contract":["a","b"]})", "one of the three"},
+      {R"({"op":"replace","flip":"t","by":""})", "the name of what is new, or left out"},
+      {R"({"op":"replace","flip":"t","by":null})", "labels"},
+      {R"({"op":"replace","flip":3})", "should be a string"},
+      {R"({"op":"replace","subdivide":"t","by":"v","at":[1]})", "a point"},
+      {R"({"op":"replace","contract":["a"]})", "a list of two labels"},
+      {R"({"op":"replace","contract":["a","b"],"link_condition":0})", "should be true or false"},
+      {R"({"op":"replace","flip":"t","fills":0})", "should be true or false"},
       {R"({"op":"simplex","name":"t","dim":-1})", "from 0 on"},
       {R"({"op":"simplex","name":"t","dim":1000000000})", "1000000000"},
       {R"({"op":"simplex","name":"t","dim":"99999999999999999999"})", "99999999999999999999"},

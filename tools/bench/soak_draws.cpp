@@ -122,6 +122,18 @@ std::optional<ops::Operation> SoakSteps::removal() {
   return cell == ops::none ? std::nullopt : std::optional<ops::Operation>{ops::Remove{{structure().name(cell)}, true}};
 }
 
+/// Of any cell; many have no star that can be flipped, and the step is refused.
+std::optional<ops::Operation> SoakSteps::replacement() {
+  const CellId cell = pick();
+  if (cell == ops::none || structure().name(cell).size() > most_letters) {
+    return std::nullopt;
+  }
+  if (one_in(3)) {
+    return ops::Replace{ops::Replace::Subdivision{structure().name(cell), fresh(), {}}};
+  }
+  return ops::Replace{ops::Replace::Flip{structure().name(cell), fresh(), {}}};
+}
+
 /// A cell of which some incidences go to a copy: those that the face laws tie to one of them.
 std::optional<ops::Operation> SoakSteps::split() {
   constexpr std::size_t most_incidences = 60;

@@ -278,7 +278,7 @@ std::optional<ops::Operation> SoakSteps::growth() {
 
 std::optional<ops::Operation> SoakSteps::reduction() {
   if (one_in(8)) {
-    return removal();
+    return one_in(2) ? replacement() : removal();
   }
   return one_in(3) ? degeneration() : identification();
 }

@@ -83,6 +83,7 @@ class SoakSteps {
   [[nodiscard]] std::optional<ops::Operation> identification();
   [[nodiscard]] std::optional<ops::Operation> degeneration();
   [[nodiscard]] std::optional<ops::Operation> removal();
+  [[nodiscard]] std::optional<ops::Operation> replacement();
   [[nodiscard]] std::optional<ops::Operation> split();
   [[nodiscard]] std::optional<ops::Operation> tear();
   [[nodiscard]] std::optional<ops::Operation> cone(bool is_suspension);
