@@ -166,7 +166,7 @@ TEST_CASE("an unknown field is named, in every op", "[ops]") {
                                  R"({"op":"remove","cells":[],"odd":1})",
                                  R"({"op":"replace","flip":"t","odd":1})",
                                  R"({"op":"replace","subdivide":"t","by":"v","odd":1})",
-                                 R"({"op":"replace","contract":["a","b"],"fills":true,"odd":1})",
+                                 R"({"op":"replace","contract":["a","b"],"odd":1})",
                                  R"({"op":"expect","odd":1})",
                                  R"({"op":"class","chain":[],"odd":1})",
                                  R"({"op":"undo","odd":1})",
