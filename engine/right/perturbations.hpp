@@ -147,8 +147,10 @@ class Perturbations {
     return static_cast<std::size_t>(rules_.degree(rules_[rule].a)) + 1;
   }
   [[nodiscard]] std::size_t until(std::size_t degree, RuleId time) const;
+  /// As the b of a rule, or as the a of one without a value.
   [[nodiscard]] bool is_rewritten_to_zero(Symbol x) const {
-    return rules_.is_rewritten(x) && rules_.value(rules_.removed_by(x)).empty() && gain(rules_.removed_by(x)).empty();
+    const RuleId rule = rules_.removed_by(x);
+    return rule != no_rule && (!rules_.is_rewritten(x) || (rules_.value(rule).empty() && gain(rule).empty()));
   }
   [[nodiscard]] std::size_t taken_in(RuleId rule) const;
   [[nodiscard]] const Gain* find_gain(RuleId rule) const {
