@@ -50,28 +50,39 @@ bool LiveTorsion<R>::follow() {
   return false;
 }
 
+/// The one that knows a symbol, or null.
+template <Ring R>
+auto LiveTorsion<R>::degree_with(Symbol x) -> Degree* {
+  const auto degree = degrees_.find(rewriter_.degree(x));
+  return degree != degrees_.end() && degree->second.group.contains(x) ? &degree->second : nullptr;
+}
+
 template <Ring R>
 void LiveTorsion<R>::take_in_rule(RuleId rule) {
   if constexpr (std::same_as<R, sparse::Integers>) {
     const Rules<R>& rules = rewriter_.all_rules();
-    const Symbol a = rules[rule].a;
-    const auto degree = degrees_.find(rules.degree(a));
-    if (degree == degrees_.end() || !degree->second.group.contains(a)) {
+    const Symbol a = rules[rule].a, b = rules[rule].b;
+    if (Degree* const of_b = b != no_symbol ? degree_with(b) : nullptr) {  // it goes, and others take their share of it
+      of_b->group.add_relation({{b, 1}});
+      ++of_b->eliminated;
+    }
+    Degree* const of_a = degree_with(a);
+    if (of_a == nullptr) {
       return;
     }
     const auto value = rules.value(rule);
-    if (rules[rule].b == no_symbol) {  // a = made + q y
+    if (b == no_symbol) {  // a = made + q y
       const auto& [y, made] = std::pair{value[0], value[1]};
-      degree->second.group.add_combination(made.index,
-                                           RawTerms<R>{{a, 1}, {y.index, -y.coefficient}}.normal(sparse::Integers{}));
+      of_a->group.add_combination(made.index,
+                                  RawTerms<R>{{a, 1}, {y.index, -y.coefficient}}.normal(sparse::Integers{}));
       return;
     }
     sparse::RawTerms<R> relation{{a, -1}};
     for (const auto& term : value) {
       relation.push_back({term.index, term.coefficient});
     }
-    degree->second.group.add_relation(std::move(relation).normal(sparse::Integers{}));
-    ++degree->second.eliminated;
+    of_a->group.add_relation(std::move(relation).normal(sparse::Integers{}));
+    ++of_a->eliminated;
   }
 }
 

@@ -15,9 +15,10 @@ namespace sesame::engine {
 /// cycles is free.
 ///
 /// It is enough to add what is new, in the order in which it was made. A rule that eliminates a known symbol is a
-/// relation, a change of basis names a combination; the moves of Settling change neither the span of the columns nor,
-/// but for these names, the rows they are written in; and a symbol that is eliminated before any column that is kept
-/// has met it is in none. So a step costs its rules and its new columns, and a new column what it is reduced to.
+/// relation, one whose b is known makes that 0 besides; a change of basis names a combination; the moves of Settling
+/// change neither the span of the columns nor, but for these names, the rows they are written in; and a symbol that is
+/// eliminated before any column that is kept has met it is in none. So a step costs its rules and its new columns, and
+/// a new column what it is reduced to.
 template <Ring R>
 class LiveTorsion {
  public:
@@ -41,6 +42,7 @@ class LiveTorsion {
  private:
   void begin_afresh();
   void take_in_rule(RuleId rule);
+  [[nodiscard]] Degree* degree_with(Symbol x);
 
   const Rewriter<R>& rewriter_;
   std::map<int, Degree> degrees_;

@@ -123,7 +123,7 @@ void Rewriter<R>::append_recorded(std::span<const int> degrees, const Eliminatio
 
 template <Ring R>
 std::optional<EliminationRecord> Rewriter<R>::record() const {
-  if (!rules_.combinations().empty() || breaks_ != 0) {
+  if (!rules_.combinations().empty() || breaks_ != 0 || perturbations_.version() != 0) {
     return std::nullopt;
   }
   const R ring = memos_.ring();
@@ -212,7 +212,6 @@ template <Ring R>
 typename Perturbations<R>::Concerned Rewriter<R>::record_perturbation(RuleId time, Symbol first_symbol,
                                                                       std::span<const GeneratorId> changed,
                                                                       const Reached& reached, bool is_deletion) {
-  ++breaks_;
   auto concerned = perturbations_.record(time, first_symbol, changed, reached, is_deletion);
   for (const std::size_t k : concerned.combinations) {
     const auto& combination = rules_.combinations()[k];
@@ -242,6 +241,7 @@ void Rewriter<R>::extend_column_of(Symbol x, const Terms<R, Symbol>& gain) {
 
 template <Ring R>
 void Rewriter<R>::perturb(RuleId time, GeneratorId first, std::span<const GeneratorId> changed) {
+  ++breaks_;
   deletion_gains_.clear();
   const Symbol first_symbol = rules_.symbol_of(first);
   extend_dependents(changed, first_symbol);
@@ -273,10 +273,14 @@ void Rewriter<R>::take_away(RuleId time, GeneratorId deletion, std::span<const G
       deletion_gains_.add(x);
     }
   }
+  bool changes_columns = !concerned.combinations.empty();
   for (const TermType& each : deletion_gains_.gained()) {
+    changes_columns = changes_columns || core().find(each.index) != nullptr;
     extend_column_of(each.index, {{e, each.coefficient}});
     settling_.settle();
+    changes_columns = changes_columns || core().find(each.index) != nullptr;
   }
+  breaks_ += changes_columns ? 1 : 0;  // else they change only where the b of a rule goes
   perturbations_.forget_those_not_felt();
   deletion_gains_.finish(since, perturbations_.last_concerns_rules());
 }

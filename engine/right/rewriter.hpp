@@ -120,8 +120,8 @@ class Rewriter {
   [[nodiscard]] RuleId rules() const { return rules_.size(); }
   /// All rules as they were made: what has become of the small generators.
   [[nodiscard]] const Rules<R>& all_rules() const { return rules_; }
-  /// Grows whenever S has changed otherwise than by new generators and new rules: by a perturbation, a consumption,
-  /// undo.
+  /// Grows whenever S has changed otherwise than by new generators and new rules: by a split, a deletion that changes
+  /// the column of an older symbol, a consumption, undo.
   [[nodiscard]] std::uint64_t breaks() const { return breaks_; }
 
   /// How much there was of everything at some moment.

@@ -347,3 +347,30 @@ TEST_CASE("surfaces whose cells go and come back have the groups from scratch at
   }
   CHECK(engine.first_defect().value_or("") == "");
 }
+
+TEST_CASE("groups with torsion are those of a Smith form, step by step, where cells go", "[engine][removal][torsion]") {
+  const unsigned seed = GENERATE(range(0U, 50U));
+  CAPTURE(seed);
+  Engine engine(ring_named("Z"), {}, seed % 3 == 0 ? RebasePolicy{} : RebasePolicy::never());
+  RandomSteps steps(seed, everything(70));
+  Random& random = steps.random();
+  int names = 0;
+  for (int k = 0; k < 60; ++k) {
+    const std::vector<ops::CellId> cells = current_cells(engine.structure());
+    const auto any = [&] {
+      return engine.structure().name(cells[static_cast<std::size_t>(random.in(0, static_cast<int>(cells.size()) - 1))]);
+    };
+    const std::string name = "m" + std::to_string(++names);
+    ops::Operation op = steps.next(engine.structure());
+    if (!cells.empty() && random.one_in(3)) {
+      op = ops::Remove{{any(), any()}, true};
+    } else if (cells.size() < 120 && random.one_in(3)) {
+      op = random.one_in(2) ? random_relations(name, random) : multiples_of_a_loop(name, random.in(2, 6), true);
+    } else if (!cells.empty() && cells.size() < 120 && random.one_in(4)) {
+      op = ops::MakeSuspension{{name + "n", name + "s"}, std::vector<std::string>{any(), any()}, {}};
+    }
+    CAPTURE(k, ops::to_text(op));
+    (void)engine.apply(op);  // what is refused changes nothing
+    REQUIRE(live_groups(engine) == groups_from_scratch(engine.structure(), sparse::Integers{}));
+  }
+}
