@@ -2,6 +2,7 @@
 /// The cycles of one dimension along a zigzag: a basis of them, and who has which cell.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -33,6 +34,12 @@ class CycleLevel {
   struct Holder {
     Number number;
     bool is_filling;
+  };
+
+  /// A cycle of the basis, and how often the boundary of a new cell has it.
+  struct Used {
+    Number number;
+    typename R::Element times;
   };
 
   // ---- cells
@@ -86,6 +93,17 @@ class CycleLevel {
   [[nodiscard]] std::size_t numbers() const { return cycles_.size(); }
   [[nodiscard]] const std::vector<Cycle>& cycles() const { return cycles_; }
   [[nodiscard]] std::uint64_t open() const { return open_; }
+  /// The open ones, by the operations of their births.
+  [[nodiscard]] std::vector<Number> open_by_birth() const {
+    std::vector<Number> found;
+    for (Number number = 0; number < cycles_.size(); ++number) {
+      if (cycles_[number].is_open) {
+        found.push_back(number);
+      }
+    }
+    std::ranges::sort(found, {}, [&](Number number) { return cycles_[number].birth.operation; });
+    return found;
+  }
   void open(Number number, std::int64_t rank, Moment birth) {
     Cycle& cycle = cycles_[number];
     cycle.rank = rank;

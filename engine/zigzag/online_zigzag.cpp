@@ -2,6 +2,7 @@
 #include <utility>
 #include <variant>
 
+#include "engine/zigzag/cycle_history.hpp"
 #include "engine/zigzag/cycle_level.hpp"
 #include "engine/zigzag/zigzag_tracker.hpp"
 #include "sparse/contract.hpp"
@@ -19,6 +20,11 @@ template <sparse::Ring R>
 class OnlineZigzag final : public ZigzagBarcode {
  public:
   OnlineZigzag(R ring, OnBar on_bar) : ring_{ring}, any_ring_{ring}, on_bar_{std::move(on_bar)}, sum_{ring} {}
+  OnlineZigzag(R ring, OnBar on_bar, OnCycles on_cycles, std::function<bool(int)> wants)
+      : OnlineZigzag(ring, std::move(on_bar)) {
+    on_cycles_ = std::move(on_cycles);
+    history_ = std::make_unique<CycleHistory<R>>(ring, std::move(wants));
+  }
 
   void include(int dimension, Slot slot, std::span<const Slot> facets, Moment moment) override {
     const auto d = static_cast<std::size_t>(dimension);
@@ -66,18 +72,10 @@ class OnlineZigzag final : public ZigzagBarcode {
   }
 
   void for_each_open_bar(const OnBar& visit) const override {
-    for (std::size_t d = 0; d < levels_.size(); ++d) {
-      std::vector<Moment> births;
-      for (const Cycle& cycle : levels_[d].cycles()) {
-        if (cycle.is_open) {
-          births.push_back(cycle.birth);
-        }
-      }
-      std::ranges::sort(births, {}, &Moment::operation);
-      for (const Moment& birth : births) {
-        visit({static_cast<int>(d), birth, {UINT64_MAX, never}});
-      }
-    }
+    for_each_open([&](const MomentBar& bar, Number) { visit(bar); });
+  }
+  void for_each_open_cycle(const OnCycles& visit) const override {
+    for_each_open([&](const MomentBar& bar, Number number) { visit_cycles(bar, number, visit); });
   }
 
   [[nodiscard]] const sparse::AnyRing& ring() const override { return any_ring_; }
@@ -98,13 +96,18 @@ class OnlineZigzag final : public ZigzagBarcode {
   using Cycle = typename Level::Cycle;
   using Holder = typename Level::Holder;
   using Number = typename Level::Number;
+  using Used = typename Level::Used;
   using Element = typename R::Element;
 
-  /// A cycle of the basis, and how often the boundary of the new cell has it.
-  struct Used {
-    Number number;
-    Element times;
-  };
+  /// Calls visit(bar, number) for each class that is alive, by dimension and birth.
+  template <class Visit>
+  void for_each_open(Visit&& visit) const {
+    for (std::size_t d = 0; d < levels_.size(); ++d) {
+      for (const Number number : levels_[d].open_by_birth()) {
+        visit(MomentBar{static_cast<int>(d), levels_[d][number].birth, {UINT64_MAX, never}}, number);
+      }
+    }
+  }
 
   // ---- who has what
 
@@ -134,22 +137,6 @@ class OnlineZigzag final : public ZigzagBarcode {
     } else {  // nobody asks which boundaries have a cell
       add_chain(ring_, x, y, factor, scratch_, [](CellKey) {});
     }
-  }
-  /// Of a cell that the chain has.
-  [[nodiscard]] Element coefficient_at([[maybe_unused]] const Chain& chain, [[maybe_unused]] CellKey cell) const {
-    if constexpr (std::is_same_v<R, sparse::Z2>) {
-      return ring_.one();
-    } else {
-      return find_term<R>(chain, cell)->coefficient;
-    }
-  }
-  [[nodiscard]] Chain scaled(Chain chain, [[maybe_unused]] const Element& factor) const {
-    if constexpr (!std::is_same_v<R, sparse::Z2>) {
-      for (CellTerm<R>& term : chain) {
-        term.coefficient = ring_.multiply(term.coefficient, factor);
-      }
-    }
-    return chain;
   }
 
   // ---- inclusion
@@ -218,6 +205,9 @@ class OnlineZigzag final : public ZigzagBarcode {
   void open(std::size_t d, Number number, std::int64_t rank, Moment moment) {
     levels_[d].open(number, rank, moment);
     toggle(d, {number, false}, levels_[d][number].terms);
+    if (keeps_pasts(d)) {
+      history_->begin(d, number);
+    }
   }
 
   /// The highest class that the boundary has dies. Its number goes to the boundary, as far as boundaries have been
@@ -227,14 +217,21 @@ class OnlineZigzag final : public ZigzagBarcode {
     const Number dying = used_[highest_].number;
     const Element to_one = ring_.inverse(used_[first_open_].times);
     Chain filling = less_fillings(d, cell, first_open_, to_one);
+    Chain was = keeps_pasts(d - 1)
+                    ? history_->pass_on(d - 1, level, std::span{used_}.subspan(first_open_), rest_, sum_, moment)
+                    : Chain{};
     if (first_open_ != highest_) {
       pass_on(d - 1);
     }
     toggle(d - 1, {dying, false}, level[dying].terms);
+    level[dying].terms = std::move(was);
     end(d - 1, dying, moment);
+    if (keeps_pasts(d - 1)) {
+      history_->end(d - 1, dying);
+    }
     level.owner(rest_) = dying;
     Cycle& cycle = level[dying];
-    cycle.terms = scaled(std::move(rest_), to_one);
+    cycle.terms = scaled(ring_, std::move(rest_), to_one);
     cycle.filling = std::move(filling);
     toggle(d, {dying, true}, cycle.filling);
   }
@@ -266,7 +263,18 @@ class OnlineZigzag final : public ZigzagBarcode {
   void end(std::size_t d, Number number, Moment moment) {
     levels_[d].close(number);
     if (const Moment birth = levels_[d][number].birth; birth.operation != moment.operation) {
-      on_bar_({static_cast<int>(d), birth, moment});
+      const MomentBar bar{static_cast<int>(d), birth, moment};
+      on_bar_(bar);
+      visit_cycles(bar, number, on_cycles_);
+    }
+  }
+
+  // ---- cycles of bars
+
+  [[nodiscard]] bool keeps_pasts(std::size_t d) const { return history_ != nullptr && history_->keeps(d); }
+  void visit_cycles(const MomentBar& bar, Number number, const OnCycles& visit) const {
+    if (const auto d = static_cast<std::size_t>(bar.dimension); keeps_pasts(d)) {
+      visit(bar, [&] { return history_->pieces(history_->past(d, number), levels_[d][number].terms, bar); });
     }
   }
 
@@ -291,14 +299,17 @@ class OnlineZigzag final : public ZigzagBarcode {
       const Number number = fillings_with_[k];
       const Cycle& other = below[fillings_with_[shortest_[k]]];
       Cycle& cycle = below[number];
-      const Element factor =
-          ring_.negate(ring_.quotient(coefficient_at(cycle.filling, cell), coefficient_at(other.filling, cell)));
+      const Element factor = ring_.negate(
+          ring_.quotient(coefficient_at(ring_, cycle.filling, cell), coefficient_at(ring_, other.filling, cell)));
       add(d, cycle.filling, {number, true}, other.filling, factor);
       add(d - 1, cycle.terms, {number, false}, other.terms, factor);
     }
     toggle(d, {fillings_with_[0], true}, below[fillings_with_[0]].filling);
     below[fillings_with_[0]].filling = {};
     open(d - 1, fillings_with_[0], --lowest_rank_, moment);
+    if (keeps_pasts(d - 1)) {  // it bounded until now
+      history_->begin(d - 1, fillings_with_[0], below[fillings_with_[0]].terms, moment);
+    }
   }
 
   /// Open cycles have the cell: the lowest of them dies. It is taken from the others in turn, and where that one has an
@@ -311,32 +322,43 @@ class OnlineZigzag final : public ZigzagBarcode {
     for (const Number number : fillings_with_) {
       Chain& filling = levels_[d - 1][number].filling;
       add(d, filling, {number, true}, level[sparsest].terms,
-          ring_.negate(ring_.quotient(coefficient_at(filling, cell), coefficient_at(level[sparsest].terms, cell))));
+          ring_.negate(ring_.quotient(coefficient_at(ring_, filling, cell),
+                                      coefficient_at(ring_, level[sparsest].terms, cell))));
     }
     const Number dying = cycles_with_[0];
     toggle(d, {dying, false}, level[dying].terms);
+    end(d, dying, moment);
     Chain taken = std::move(level[dying].terms);
+    Chain past_of_taken = keeps_pasts(d) ? std::move(history_->past(d, dying)) : Chain{};
     for (const Number number : std::span{cycles_with_}.subspan(1)) {
       Chain& terms = level[number].terms;
-      const Element factor = ring_.negate(ring_.quotient(coefficient_at(terms, cell), coefficient_at(taken, cell)));
+      const Element factor =
+          ring_.negate(ring_.quotient(coefficient_at(ring_, terms, cell), coefficient_at(ring_, taken, cell)));
       if (terms.front().cell > taken.front().cell) {
         add(d, terms, {number, false}, taken, factor);
+        if (keeps_pasts(d)) {
+          history_->add(history_->past(d, number), past_of_taken, factor, level[number].birth);
+        }
       } else {
         level.owner(taken) = number;
         Chain old = terms;
         add(d, terms, {number, false}, taken, factor);
-        terms = scaled(std::move(terms), ring_.inverse(factor));
+        terms = scaled(ring_, std::move(terms), ring_.inverse(factor));
         taken = std::move(old);
+        if (keeps_pasts(d)) {
+          history_->exchange(history_->past(d, number), past_of_taken, factor, level[number].birth);
+        }
       }
     }
     level.owner(taken) = Level::nobody;
-    end(d, dying, moment);
     level.remove(dying);
   }
 
   R ring_;
   sparse::AnyRing any_ring_;
   OnBar on_bar_;
+  OnCycles on_cycles_;
+  std::unique_ptr<CycleHistory<R>> history_;  ///< or null
   std::vector<Level> levels_;
   std::int64_t highest_rank_ = 0, lowest_rank_ = 0;
   std::uint64_t touched_ = 0;
@@ -350,18 +372,29 @@ class OnlineZigzag final : public ZigzagBarcode {
   Chain scratch_;
 };
 
-}  // namespace
-
-std::unique_ptr<ZigzagBarcode> make_online_zigzag_barcode(const sparse::AnyRing& ring, ZigzagBarcode::OnBar on_bar) {
+template <class... Rest>
+std::unique_ptr<ZigzagBarcode> make_over(const sparse::AnyRing& ring, Rest&&... rest) {
   if (const auto* z2 = std::get_if<sparse::Z2>(&ring)) {
-    return std::make_unique<OnlineZigzag<sparse::Z2>>(*z2, std::move(on_bar));
+    return std::make_unique<OnlineZigzag<sparse::Z2>>(*z2, std::forward<Rest>(rest)...);
   }
   if (const auto* q = std::get_if<sparse::Rationals>(&ring)) {
-    return std::make_unique<OnlineZigzag<sparse::Rationals>>(*q, std::move(on_bar));
+    return std::make_unique<OnlineZigzag<sparse::Rationals>>(*q, std::forward<Rest>(rest)...);
   }
   const auto* zp = std::get_if<sparse::Zp>(&ring);
   sparse::expects(zp != nullptr, "a barcode is taken over a field");
-  return std::make_unique<OnlineZigzag<sparse::Zp>>(*zp, std::move(on_bar));
+  return std::make_unique<OnlineZigzag<sparse::Zp>>(*zp, std::forward<Rest>(rest)...);
+}
+
+}  // namespace
+
+std::unique_ptr<ZigzagBarcode> make_online_zigzag_barcode(const sparse::AnyRing& ring, ZigzagBarcode::OnBar on_bar) {
+  return make_over(ring, std::move(on_bar));
+}
+
+std::unique_ptr<ZigzagBarcode> make_online_zigzag_barcode(const sparse::AnyRing& ring, ZigzagBarcode::OnBar on_bar,
+                                                          ZigzagBarcode::OnCycles on_cycles,
+                                                          std::function<bool(int dimension)> wants) {
+  return make_over(ring, std::move(on_bar), std::move(on_cycles), std::move(wants));
 }
 
 }  // namespace sesame::engine

@@ -24,6 +24,7 @@ class CellKey {
   constexpr CellKey() = default;
   constexpr CellKey(std::uint64_t age, std::uint32_t slot) : word_{age << slot_bits | slot} {}
   [[nodiscard]] constexpr std::uint32_t slot() const { return static_cast<std::uint32_t>(word_ % most_slots); }
+  [[nodiscard]] constexpr std::uint64_t age() const { return word_ / most_slots; }
   friend constexpr bool operator==(CellKey, CellKey) = default;
   friend constexpr auto operator<=>(CellKey, CellKey) = default;
 
@@ -69,6 +70,29 @@ template <sparse::Ring R>
 [[nodiscard]] const CellTerm<R>* find_term(const CellChain<R>& chain, CellKey cell) {
   const auto at = std::ranges::lower_bound(chain, cell, std::ranges::greater{}, &CellTerm<R>::cell);
   return at != chain.end() && at->cell == cell ? &*at : nullptr;
+}
+
+/// The coefficient of a cell that the chain has.
+template <sparse::Ring R>
+[[nodiscard]] typename R::Element coefficient_at(const R& ring, [[maybe_unused]] const CellChain<R>& chain,
+                                                 [[maybe_unused]] CellKey cell) {
+  if constexpr (std::is_same_v<R, sparse::Z2>) {
+    return ring.one();
+  } else {
+    return find_term<R>(chain, cell)->coefficient;
+  }
+}
+
+/// The chain times a factor that is not 0.
+template <sparse::Ring R>
+[[nodiscard]] CellChain<R> scaled([[maybe_unused]] const R& ring, CellChain<R> chain,
+                                  [[maybe_unused]] const typename R::Element& factor) {
+  if constexpr (!std::is_same_v<R, sparse::Z2>) {
+    for (CellTerm<R>& term : chain) {
+      term.coefficient = ring.multiply(term.coefficient, factor);
+    }
+  }
+  return chain;
 }
 
 /// A sum of chains that is taken apart from its youngest cell down, while more is added. A value for each slot, and the
@@ -145,7 +169,7 @@ class CellSum {
 /// x += factor y. Calls toggle(cell) for each cell that x gains or loses. `scratch` is memory, and is never smaller
 /// afterwards.
 template <sparse::Ring R, class Toggle>
-void add_chain(const R& ring, CellChain<R>& x, const CellChain<R>& y,
+void add_chain(const R& ring, CellChain<R>& x, std::type_identity_t<std::span<const CellTerm<R>>> y,
                [[maybe_unused]] const typename R::Element& factor, CellChain<R>& scratch, Toggle&& toggle) {
   if (scratch.size() < x.size() + y.size()) {
     scratch.resize(2 * (x.size() + y.size()));

@@ -10,6 +10,7 @@
 
 #include "engine/towers/barcode.hpp"
 #include "ops/simplicial/tower_complex.hpp"
+#include "sparse/rational_chain.hpp"
 #include "sparse/ring.hpp"
 
 namespace sesame::engine {
@@ -25,6 +26,15 @@ struct Moment {
 struct MomentBar {
   int dimension;
   Moment birth, death;
+};
+
+/// A chain of cells of one dimension, each called by how many of them were included before it; these increase.
+using ZigzagChain = sparse::RationalChain<std::uint64_t>;
+
+/// What the cycle of a bar is after an operation and the next ones, until the next piece or the end of the bar.
+struct CyclePiece {
+  Moment from;
+  ZigzagChain cycle;
 };
 
 /// Is told of the cells of a zigzag that come and go, one by one.
@@ -53,6 +63,17 @@ class ZigzagBarcode : public ZigzagTracker {
   [[nodiscard]] virtual std::vector<std::uint64_t> betti() const = 0;
   /// Visits the classes that are alive, by dimension and birth; the death is `never`.
   virtual void for_each_open_bar(const OnBar& visit) const = 0;
+
+  /// Works out the cycles of a bar, in order. Together those of all bars are an interval decomposition: after each
+  /// operation the cycles of the bars that are alive are a basis of the homology; a map of the zigzag sends the cycle
+  /// of a bar to one that is homologous to its next one (a deletion: the next one to such a one as is before it), and
+  /// the first and last ones that no neighbour has to 0, or they have no preimage.
+  using Pieces = std::function<std::vector<CyclePiece>()>;
+  /// Called like OnBar, and when the pieces can be had: during this call.
+  using OnCycles = std::function<void(const MomentBar&, const Pieces&)>;
+  /// Visits the classes that are alive as for_each_open_bar does, with their cycles, if they are kept.
+  virtual void for_each_open_cycle(const OnCycles& visit) const = 0;
+
   [[nodiscard]] virtual const sparse::AnyRing& ring() const = 0;
   /// Terms of chains read or written, and those that are held.
   struct Work {
@@ -66,5 +87,12 @@ class ZigzagBarcode : public ZigzagTracker {
 /// the cell. Requires: the ring is a field.
 [[nodiscard]] std::unique_ptr<ZigzagBarcode> make_online_zigzag_barcode(const sparse::AnyRing& ring,
                                                                         ZigzagBarcode::OnBar on_bar);
+
+/// One that also keeps what the cycles of bars of the dimensions that `wants` says have been: see CycleHistory. Each
+/// change of cycles is one of their pasts, too, which grow with the number of changes while a bar is alive.
+[[nodiscard]] std::unique_ptr<ZigzagBarcode> make_online_zigzag_barcode(const sparse::AnyRing& ring,
+                                                                        ZigzagBarcode::OnBar on_bar,
+                                                                        ZigzagBarcode::OnCycles on_cycles,
+                                                                        std::function<bool(int dimension)> wants);
 
 }  // namespace sesame::engine

@@ -4,16 +4,6 @@
 #include <array>
 
 namespace sesame::replay {
-namespace {
-
-/// The residue of least size: -1 is easier to read than p - 1.
-std::int64_t smallest_residue(const sparse::Integer& n, std::uint32_t p) {
-  const std::int64_t residue = n.modulo(p);
-  return residue > p / 2 ? residue - p : residue;
-}
-
-}  // namespace
-
 void TowerHistory::include(std::span<const Label> labels) {
   if (labels.size() == 1) {
     current_[labels[0]] = static_cast<Vertex>(vertices_.size());
@@ -76,7 +66,7 @@ TowerHistory::NamedChain TowerHistory::image(const engine::InclusionChain& chain
       }
     }
     if (std::adjacent_find(name.begin(), name.begin() + size) == name.begin() + size) {
-      terms.push_back({is_reversed ? -coefficient : coefficient, Name(name.begin(), name.begin() + size)});
+      terms.push_back({is_reversed ? -coefficient : coefficient, {name.begin(), name.begin() + size}});
     }
   }
   std::ranges::sort(terms, {}, &NamedChain::Term::generator);
@@ -87,9 +77,7 @@ TowerHistory::NamedChain TowerHistory::image(const engine::InclusionChain& chain
     for (; next < terms.size() && terms[next].generator == terms[at].generator; ++next) {
       sum += terms[next].coefficient;
     }
-    if (p != 0) {
-      sum = smallest_residue(sum.numerator(), p);
-    }
+    sum = smallest_residue(sum, p);
     if (!sum.is_zero()) {
       image.terms.push_back({std::move(sum), std::move(terms[at].generator)});
     }

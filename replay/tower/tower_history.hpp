@@ -10,7 +10,7 @@
 
 #include "engine/towers/bar_cycles.hpp"
 #include "ops/simplicial/tower_complex.hpp"
-#include "sparse/rational_chain.hpp"
+#include "replay/tower/named_chains.hpp"
 
 namespace sesame::replay {
 
@@ -18,9 +18,8 @@ namespace sesame::replay {
 class TowerHistory {
  public:
   using Label = ops::Label;
-  /// A simplex by its labels, ascending; a cell of a boundary matrix by its number.
   using Name = std::vector<Label>;
-  using NamedChain = sparse::RationalChain<Name>;
+  using NamedChain = replay::NamedChain;
 
   /// A simplex is included, oriented by the order of its labels here.
   void include(std::span<const Label> labels);

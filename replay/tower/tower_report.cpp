@@ -13,35 +13,6 @@ using engine::Bar;
 using engine::Barcode;
 using engine::never;
 
-std::string chain_line(const TowerHistory::NamedChain& chain) {
-  std::string text;
-  for (const auto& [coefficient, name] : chain.terms) {
-    const bool is_negative = coefficient < 0;
-    text += text.empty() ? (is_negative ? "-" : "") : (is_negative ? " - " : " + ");
-    const sparse::Rational size = sparse::abs(coefficient);
-    if (size != 1) {
-      text += size.to_string() + " ";
-    }
-    text += fmt::format("{{{}}}", fmt::join(name, " "));
-  }
-  return text.empty() ? "0" : text;
-}
-
-void add_chain(TextBuffer& text, const TowerHistory::NamedChain& chain) {
-  text.add('[');
-  bool is_first = true;
-  for (const auto& [coefficient, name] : chain.terms) {
-    const bool is_word = coefficient.to_int64().has_value();  // other numbers are strings, as everywhere in JSON
-    text.add(is_first ? "[" : ",[").add(is_word ? "" : "\"").add(coefficient.to_string()).add(is_word ? ",[" : "\",[");
-    is_first = false;
-    for (std::size_t k = 0; k < name.size(); ++k) {
-      text.add(k == 0 ? "" : ",").add_integer(name[k]);
-    }
-    text.add("]]");
-  }
-  text.add(']');
-}
-
 void add_bar(TextBuffer& text, const Bar& bar) {
   text.add('[').add_integer(bar.dimension).add(',').add_json_number(bar.birth).add(',');
   if (bar.death == never) {
@@ -199,24 +170,11 @@ void CycleReport::for_each_bar(Visit&& visit) const {
   }
 }
 
-std::string CycleReport::line_of(const TowerHistory::NamedChain& chain) const {
-  return is_too_long(chain) ? fmt::format("a chain of {} terms", chain.terms.size()) : chain_line(chain);
-}
-
-void CycleReport::add_member(TextBuffer& text, std::string_view name, const TowerHistory::NamedChain& chain) const {
-  text.add(",\"").add(name);
-  if (is_too_long(chain)) {
-    text.add("_terms\":").add_integer(chain.terms.size());
-  } else {
-    text.add("\":");
-    add_chain(text, chain);
-  }
-}
-
 void CycleReport::write_table(std::ostream& out) const {
   for_each_bar([&](const Bar& bar, const auto& cycle, const auto& second) {
-    out << fmt::format("H{} {}\n  born as  {}\n  {}  {}\n", bar.dimension, interval_text(bar), line_of(cycle),
-                       bar.death == never ? "now    " : "bounds ", line_of(second));
+    out << fmt::format("H{} {}\n  born as  {}\n  {}  {}\n", bar.dimension, interval_text(bar),
+                       chain_line(cycle, options_.most_terms), bar.death == never ? "now    " : "bounds ",
+                       chain_line(second, options_.most_terms));
   });
 }
 
@@ -236,8 +194,8 @@ void CycleReport::add_json(TextBuffer& text) const {
     } else {
       text.add_json_number(bar.death);
     }
-    add_member(text, "cycle", cycle);
-    add_member(text, bar.death == never ? "now" : "bounds", second);
+    add_chain_member(text, "cycle", cycle, options_.most_terms);
+    add_chain_member(text, bar.death == never ? "now" : "bounds", second, options_.most_terms);
     text.add('}');
   });
   text.add(']');
@@ -283,7 +241,7 @@ void add_rings(TextBuffer& text, std::span<const TowerResult> results) {
 
 }  // namespace
 
-void write_tower_json(std::ostream& out, std::span<const TowerResult> results, const CycleReport* cycles,
+void write_tower_json(std::ostream& out, std::span<const TowerResult> results, const ClassReport* classes,
                       std::chrono::steady_clock::time_point start) {
   TextBuffer text(out);
   text.add('{');
@@ -292,9 +250,9 @@ void write_tower_json(std::ostream& out, std::span<const TowerResult> results, c
   } else {
     add_rings(text, results);
   }
-  if (cycles != nullptr) {
+  if (classes != nullptr) {
     text.add(R"(,"generators":)");
-    cycles->add_json(text);
+    classes->add_json(text);
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   text.add(R"(,"seconds":)").add_number(seconds.count()).add("}\n");

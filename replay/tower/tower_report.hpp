@@ -57,9 +57,18 @@ void write_tower_table(std::ostream& out, const TowerResult& result);
 /// Requires: results that keep their barcodes.
 void write_differences(std::ostream& out, std::span<const TowerResult> results);
 
+/// What is said of the classes of bars.
+class ClassReport {
+ public:
+  virtual ~ClassReport() = default;
+  virtual void write_table(std::ostream& out) const = 0;
+  /// A JSON array with an object for each bar.
+  virtual void add_json(TextBuffer& text) const = 0;
+};
+
 /// Writes a cycle for each bar, the chain that it bounds from its death on, or for one that is open what it is now.
 /// Bars that `selection` has not are left out.
-class CycleReport {
+class CycleReport final : public ClassReport {
  public:
   /// `stop`, set from outside: no more bars after the one at hand. Requires: the tracker keeps cycles.
   CycleReport(engine::BarcodeTracker& tracker, const TowerHistory& history, std::uint64_t operations,
@@ -71,19 +80,14 @@ class CycleReport {
         options_{std::move(options)},
         stop_{stop} {}
 
-  void write_table(std::ostream& out) const;
+  void write_table(std::ostream& out) const override;
   /// A JSON array of {"dim","birth","death","cycle","bounds"}, or "now" instead of "bounds"; a chain is a list of
   /// [coefficient,[labels]]; of one that is too long there is the length, "cycle_terms" and so on.
-  void add_json(TextBuffer& text) const;
+  void add_json(TextBuffer& text) const override;
 
  private:
   template <class Visit>
   void for_each_bar(Visit&& visit) const;
-  [[nodiscard]] bool is_too_long(const TowerHistory::NamedChain& chain) const {
-    return chain.terms.size() > options_.most_terms;
-  }
-  [[nodiscard]] std::string line_of(const TowerHistory::NamedChain& chain) const;
-  void add_member(TextBuffer& text, std::string_view name, const TowerHistory::NamedChain& chain) const;
 
   engine::BarcodeTracker& tracker_;
   const TowerHistory& history_;
@@ -94,9 +98,9 @@ class CycleReport {
 };
 
 /// One object on one line. For one ring, the fields of its barcode; for several, a list "rings" of such objects and
-/// "differences". With "generators" when there are cycles (which are for one ring), and with the seconds since `start`.
-/// Requires: results that keep their barcodes.
-void write_tower_json(std::ostream& out, std::span<const TowerResult> results, const CycleReport* cycles,
+/// "differences". With "generators" when there are classes (which are for one ring), and with the seconds since
+/// `start`. Requires: results that keep their barcodes.
+void write_tower_json(std::ostream& out, std::span<const TowerResult> results, const ClassReport* classes,
                       std::chrono::steady_clock::time_point start);
 
 }  // namespace sesame::replay

@@ -1,8 +1,18 @@
 #include "replay/zigzag/zigzag_replay.hpp"
 
+#include <utility>
+
 #include "replay/tower/tower_replay.hpp"
 
 namespace sesame::replay {
+
+ZigzagReplay::ZigzagReplay(std::vector<engine::ZigzagTracker*> trackers, engine::Dimensions dimensions,
+                           ZigzagHistory* history)
+    : trackers_{std::move(trackers)}, dimensions_{dimensions}, history_{history} {
+  if (history_ != nullptr) {
+    trackers_.push_back(history_);
+  }
+}
 
 void ZigzagReplay::include(Cell cell, std::span<const Slot> facets, engine::Moment moment) {
   if (is_told(cell)) {
@@ -51,6 +61,9 @@ Status ZigzagReplay::apply(const TowerOperation& operation) {
     }
     case TowerOperation::Kind::column:
       return told({Errc::bad_input, "a zigzag is one of simplices that are listed by their vertices"});
+  }
+  if (history_ != nullptr) {
+    history_->end_operation(operation);
   }
   ++operations_;
   return Done{};

@@ -10,6 +10,7 @@
 #include "engine/zigzag/zigzag_tracker.hpp"
 #include "ops/simplicial/zigzag_complex.hpp"
 #include "replay/tower/tower_reader.hpp"
+#include "replay/zigzag/zigzag_history.hpp"
 
 namespace sesame::replay {
 
@@ -17,9 +18,9 @@ namespace sesame::replay {
 class ZigzagReplay {
  public:
   /// Trackers have to outlive this object. They are told nothing of cells more than one dimension above `dimensions`.
+  /// `history`, or null, is told of all that they are, too.
   explicit ZigzagReplay(std::vector<engine::ZigzagTracker*> trackers,
-                        engine::Dimensions dimensions = engine::all_dimensions)
-      : trackers_{std::move(trackers)}, dimensions_{dimensions} {}
+                        engine::Dimensions dimensions = engine::all_dimensions, ZigzagHistory* history = nullptr);
 
   /// Applies the next operation, or leaves everything as it was. Errors, without the place: unknown_name when a face of
   /// a simplex is missing; bad_input.
@@ -43,6 +44,7 @@ class ZigzagReplay {
 
   std::vector<engine::ZigzagTracker*> trackers_;
   engine::Dimensions dimensions_;
+  ZigzagHistory* history_;
   ops::ZigzagComplex complex_;
   std::uint64_t operations_ = 0;
 };

@@ -70,6 +70,42 @@ def random_zigzag(seed, operations, labels=12):
     return "".join(line + "\n" for line in lines)
 
 
+def boundary(chain):
+    """Modulo 2; chains are sets of simplices, which are tuples."""
+    faces = set()
+    for simplex in chain:
+        if len(simplex) > 1:
+            for k in range(len(simplex)):
+                faces ^= {simplex[:k] + simplex[k + 1:]}
+    return faces
+
+
+def bounds(cycle, complex_):
+    """Whether a chain of dimension d is a boundary modulo 2: elimination by the largest simplices."""
+    dim = len(next(iter(cycle))) if cycle else 0
+    by_largest = {}
+
+    def reduced(chain):
+        while chain and (largest := max(chain)) in by_largest:
+            chain = chain ^ by_largest[largest]
+        return chain
+
+    for simplex in complex_:
+        if len(simplex) == dim + 1 and (chain := reduced(boundary({simplex}))):
+            by_largest[max(chain)] = chain
+    return not reduced(cycle)
+
+
+def complexes(text):
+    """That after each operation, of lines i and d."""
+    there, found = set(), []
+    for line in text.splitlines():
+        kind, *labels = line.split()
+        there = there ^ {tuple(sorted(map(int, labels)))}
+        found.append((kind, there))
+    return found
+
+
 class Zigzag(unittest.TestCase):
     def setUp(self):
         directory = tempfile.TemporaryDirectory()
@@ -130,6 +166,90 @@ class Zigzag(unittest.TestCase):
                     self.assertEqual(file["bars"], alone["bars"])
                     self.assertEqual(json.loads(piped.stdout)["bars"], alone["bars"])
                     self.assertGreater(len(alone["bars"]), 50)
+
+    # ------------------------------------------------------------------------------------------------ cycles
+
+    def test_every_bar_has_its_cycles(self):
+        done = self.run_sesame("zigzag", EXAMPLES / "filled_and_cut.zigzag", "--json", "--generators", "--ring", "Z/3")
+        found = json.loads(done.stdout)
+        triangle = [[1, [0, 1]], [-1, [0, 2]], [1, [1, 2]]]
+        reversed_triangle = [[-coefficient, edge] for coefficient, edge in triangle]
+        expected = [
+            {"dim": 0, "birth": 0, "death": None, "pieces": [{"from": 0, "until": None, "cycle": [[1, [0]]]}]},
+            {"dim": 0, "birth": 1, "death": 3,
+             "pieces": [{"from": 1, "until": 3, "cycle": [[-1, [0]], [1, [1]]]}]},
+            {"dim": 0, "birth": 2, "death": 4,
+             "pieces": [{"from": 2, "until": 4, "cycle": [[-1, [0]], [1, [2]]]}]},
+            {"dim": 1, "birth": 5, "death": 6, "pieces": [{"from": 5, "until": 6, "cycle": triangle}]},
+            {"dim": 1, "birth": 7, "death": 8, "pieces": [{"from": 7, "until": 8, "cycle": reversed_triangle}]}]
+        self.assertEqual(found["bars"], CIRCLE_BARS)
+        self.assertEqual(found["generators"], expected)
+        text = self.run_sesame("zigzag", self.file(CIRCLE), "--generators=1").stdout.decode()
+        self.assertIn("H1 [5, 6)\n  [5, 6)  {0 1} + {0 2} + {1 2}\nH1 [7, 8)\n", text)
+
+    def test_cycles_are_written_of_some_bars_and_up_to_a_length(self):
+        loops = self.json_of(CIRCLE, "--generators=1", "--max-terms", "2")["generators"]
+        self.assertEqual([each["pieces"] for each in loops],
+                         [[{"from": 5, "until": 6, "cycle_terms": 3}], [{"from": 7, "until": 8, "cycle_terms": 3}]])
+        self.assertEqual({each["dim"] for each in self.json_of(CIRCLE, "--generators", "--max-dim", "0")["generators"]}, {0})
+        kept = self.json_of(CIRCLE, "--generators", "--no-open", "--min-length", "2")["generators"]
+        self.assertEqual([(each["birth"], each["death"]) for each in kept], [(1, 3), (2, 4)])
+        self.assertEqual(self.json_of(CIRCLE, "--generators=1", "--until", "6")["generators"][0]["pieces"][0]["until"], None)
+        self.assertIn("a chain of 3 terms",
+                      self.run_sesame("zigzag", self.file(CIRCLE), "--generators", "--max-terms", "2").stdout.decode())
+        for options in (("--generators=1-0",), ("--max-terms", "2")):
+            self.assertEqual(self.run_sesame("zigzag", self.file(CIRCLE), *options).returncode, 1)
+
+    def test_pieces_have_the_labels_of_their_times(self):
+        # Vertex 7 has the larger star, so it stays and is called 8: the loop is the same, its edges have other names.
+        square = "i 0\ni 7\ni 2\ni 0 7\ni 7 2\ni 0 2\ni 8\nc 7 8\n"
+        (loop,) = self.json_of(square, "--generators=1")["generators"]
+        self.assertEqual(loop["pieces"], [{"from": 5, "until": 7, "cycle": [[1, [0, 2]], [1, [0, 7]], [1, [2, 7]]]},
+                                          {"from": 7, "until": None, "cycle": [[1, [0, 2]], [1, [0, 8]], [1, [2, 8]]]}])
+
+    def assert_cycles_are_consistent(self, text, generators):
+        moments = complexes(text)
+        alive = [[0] * 4 for _ in moments]
+        for each in generators:
+            end = len(moments) if each["death"] is None else each["death"]
+            cycles, at = {}, each["birth"]
+            for piece in each["pieces"]:
+                self.assertEqual(piece["from"], at)
+                at = piece["until"]
+                for k in range(piece["from"], end if at is None else at):
+                    cycles[k] = {tuple(simplex) for _, simplex in piece["cycle"]}
+            self.assertEqual(at, each["death"])
+            for k, cycle in cycles.items():
+                kind, there = moments[k]
+                self.assertTrue(cycle <= there)
+                self.assertFalse(boundary(cycle))
+                alive[k][each["dim"]] += 1
+                if k > each["birth"]:
+                    self.assertTrue(bounds(cycle ^ cycles[k - 1], there | moments[k - 1][1]))
+                elif kind != "i":
+                    self.assertTrue(bounds(cycle, moments[k - 1][1]))
+            if end < len(moments) and moments[end][0] == "i":
+                self.assertTrue(bounds(cycles[end - 1], moments[end][1]))
+        return alive
+
+    def test_cycles_are_homologous_from_one_operation_to_the_next(self):
+        for seed in range(8 if IS_HEAVY else 2):
+            text = random_zigzag(seed, 250, labels=7).replace("r ", "d ")
+            with self.subTest(seed=seed):
+                done = self.json_of(text, "--generators")
+                alive = self.assert_cycles_are_consistent(text, done["generators"])
+                self.assertEqual(len(done["generators"]), len(done["bars"]))
+                states = self.run_sesame("zigzag", self.file(text), "--json", "--every", "1").stdout.splitlines()[:-1]
+                for k, state in enumerate(map(json.loads, states)):
+                    self.assertEqual(alive[k], (state["betti"] + [0] * 4)[:4])
+
+    def test_cycles_change_nothing_else(self):
+        text = random_zigzag(3, 300)
+        alone = self.json_of(text)
+        done = self.json_of(text, "--generators", "--verify")
+        self.assertEqual((alone["bars"], alone["hidden"]), (done["bars"], done["hidden"]))
+        piped = json.loads(self.run_sesame("zigzag", "-", "--json", "--generators", stdin=text.encode()).stdout)
+        self.assertEqual(piped["generators"], done["generators"])
 
     # ------------------------------------------------------------------------------------------------ as tower
 
@@ -206,7 +326,7 @@ class Zigzag(unittest.TestCase):
         self.assertEqual(json.loads(piped.stdout)["bars"], done["bars"])
         self.assert_error(text + '{"op":"product","name":"P","left":"e","right":"e"}\n', 7, "step 6|no body|there is no")
         for options, message in ((("--verify",), "--verify is for"), (("--ring", "Z"), "over a field"),
-                                 (("--every", "1"), "are for towers")):
+                                 (("--every", "1"), "are for towers"), (("--generators",), "none of those of a script")):
             done = self.run_sesame("zigzag", self.file(text), *options)
             self.assertEqual((done.returncode, message in done.stderr.decode()), (1, True), done.stderr)
         self.assertEqual(self.run_sesame("zigzag", self.file("i 0\n"), "--format", "script").returncode, 2)

@@ -133,6 +133,12 @@ Status TowerRun::check_arguments() const {
         "over Z there are no barcodes but a sequence of groups; --pers, --csv, --svg, --html, --generators and "
         "--every need a field"};
   }
+  if (format == TowerFormat::script && arguments_.command == "zigzag" && arguments_.generators) {
+    return Error{
+        Errc::refused,
+        "--generators has the cycles of bars of lists of simplices that come and go, none of those of a script; "
+        "sesame replay has the generators of a script after its steps"};
+  }
   if (format == TowerFormat::script && (rings_.size() > 1 || arguments_.generators || arguments_.every > 0)) {
     return Error{Errc::refused,
                  "--rings, --generators and --every are for towers; sesame replay has the generators of a script"};
@@ -243,7 +249,7 @@ replay::DrawingOptions TowerRun::drawing(const Drawn& drawn) const {
   return options;
 }
 
-void TowerRun::write(std::span<const TowerResult> results, const replay::CycleReport* cycles,
+void TowerRun::write(std::span<const TowerResult> results, const replay::ClassReport* classes,
                      const Drawn& drawn) const {
   if (outputs_.csv != nullptr) {
     replay::write_betti_csv(*outputs_.csv, *results[0].barcode);
@@ -256,7 +262,7 @@ void TowerRun::write(std::span<const TowerResult> results, const replay::CycleRe
                                               drawn.note, points(), drawn.operations});
   }
   if (arguments_.json) {
-    replay::write_tower_json(std::cout, results, cycles, start_);
+    replay::write_tower_json(std::cout, results, classes, start_);
     return;
   }
   if (!prints()) {
@@ -268,8 +274,8 @@ void TowerRun::write(std::span<const TowerResult> results, const replay::CycleRe
   if (results.size() > 1) {
     replay::write_differences(std::cout, results);
   }
-  if (cycles != nullptr) {
-    cycles->write_table(std::cout);
+  if (classes != nullptr) {
+    classes->write_table(std::cout);
   }
 }
 

@@ -91,7 +91,8 @@ class TowerRun {
     std::string note;                                   ///< what else a page says
   };
   /// Writes a result for each ring, into files, as JSON or as tables.
-  void write(std::span<const replay::TowerResult> results, const replay::CycleReport* cycles, const Drawn& drawn) const;
+  void write(std::span<const replay::TowerResult> results, const replay::ClassReport* classes,
+             const Drawn& drawn) const;
   void write_groups(replay::GroupSequence& groups, std::uint64_t operations) const;
   /// With --every: whether cells and Betti numbers are to be said after this operation.
   [[nodiscard]] bool reports_state() const {

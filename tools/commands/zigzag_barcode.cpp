@@ -5,6 +5,7 @@
 #include "engine/zigzag/offline_zigzag.hpp"
 #include "engine/zigzag/zigzag_tracker.hpp"
 #include "replay/zigzag/zigzag_bars.hpp"
+#include "replay/zigzag/zigzag_cycles.hpp"
 #include "replay/zigzag/zigzag_replay.hpp"
 #include "tools/commands/bar_sink.hpp"
 #include "tools/commands/tower_loops.hpp"
@@ -56,6 +57,27 @@ Status verify(const engine::OfflineZigzag& zigzag, const sparse::AnyRing& ring, 
                            : Error{Errc::law_broken, "the two ways of computing the barcode differ; this is a bug"};
 }
 
+/// What --generators asks for: who takes the cycles of bars, and the names of their simplices.
+struct Cycles {
+  replay::ZigzagHistory history;
+  replay::ZigzagCycles report;
+
+  explicit Cycles(const TowerRun& run)
+      : history{std::visit([](const auto& ring) { return ring.characteristic(); }, run.rings()[0])},
+        report{history, run.arguments().json ? replay::ZigzagCycles::Form::json : replay::ZigzagCycles::Form::table,
+               run.dimensions(), run.arguments().selection, *run.arguments().generators} {}
+};
+
+std::unique_ptr<engine::ZigzagBarcode> online_barcode(const sparse::AnyRing& ring,
+                                                      const engine::ZigzagBarcode::OnBar& take, Cycles* cycles) {
+  if (cycles == nullptr) {
+    return engine::make_online_zigzag_barcode(ring, take);
+  }
+  return engine::make_online_zigzag_barcode(
+      ring, take, [cycles](const auto& bar, const auto& pieces) { cycles->report.add(bar, pieces); },
+      [cycles](int dimension) { return cycles->report.wants(dimension); });
+}
+
 }  // namespace
 
 Outcome run_zigzag(TowerRun& run) {
@@ -75,10 +97,11 @@ Outcome run_zigzag(TowerRun& run) {
       run.dimensions());
   const auto take = [&](const engine::MomentBar& bar) { bars.add(bar); };
   // What is read from a file ends, and nobody waits for what is known on the way.
-  const bool is_online = arguments.verifies || arguments.every > 0 || !std::filesystem::is_regular_file(arguments.file);
+  const bool is_online = arguments.verifies || arguments.generators || arguments.every > 0 ||
+                         !std::filesystem::is_regular_file(arguments.file);
+  const std::unique_ptr<Cycles> cycles = arguments.generators ? std::make_unique<Cycles>(run) : nullptr;
   engine::OfflineZigzag offline;
-  const std::unique_ptr<engine::ZigzagBarcode> online =
-      is_online ? engine::make_online_zigzag_barcode(ring, take) : nullptr;
+  const std::unique_ptr<engine::ZigzagBarcode> online = is_online ? online_barcode(ring, take, cycles.get()) : nullptr;
   std::vector<engine::ZigzagTracker*> told;
   if (is_online) {
     told.push_back(online.get());
@@ -86,7 +109,7 @@ Outcome run_zigzag(TowerRun& run) {
   if (!is_online || arguments.verifies) {
     told.push_back(&offline);
   }
-  replay::ZigzagReplay zigzag(told, run.dimensions());
+  replay::ZigzagReplay zigzag(told, run.dimensions(), cycles ? &cycles->history : nullptr);
   TowerRun::Drawn drawn;
   bool has_deletions = false;
   const Outcome outcome =
@@ -103,6 +126,9 @@ Outcome run_zigzag(TowerRun& run) {
   }
   if (online) {
     online->for_each_open_bar(take);
+    if (cycles) {
+      online->for_each_open_cycle([&](const auto& bar, const auto& pieces) { cycles->report.add(bar, pieces); });
+    }
   } else {
     find_bars(offline, ring, take);
   }
@@ -122,7 +148,7 @@ Outcome run_zigzag(TowerRun& run) {
   drawn.has_contractions |= has_deletions;  // then nothing is left out as if the complex had been cut off
   drawn.top_dimension = static_cast<int>(zigzag.cells().size()) - 1;
   drawn.note = "The classes of the bars of a zigzag are not on this page.";
-  run.write({&result, 1}, nullptr, drawn);
+  run.write({&result, 1}, cycles ? &cycles->report : nullptr, drawn);
   return outcome;
 }
 

@@ -43,6 +43,8 @@ void add_zigzag_command(CLI::App& app, int& status) {
   command->add_flag("--json", arguments->json,
                     "One JSON object on standard output; with --every more of them before it");
   add_barcode_outputs(*command, *arguments);
+  add_generator_options(*command, arguments->generators,
+                        "For each bar a cycle at each time of it, in pieces; =1 or =0-2,4: of these dimensions only");
   command->add_flag("--add-faces", arguments->add_faces,
                     "Add the faces that a simplex lacks, at its time; those that are there already are counted");
   add_bar_choices(*command, *arguments);
