@@ -33,8 +33,8 @@ class MomentList {
 /// complex from then on is what is left. The last e, ..., the first e, the first b, ..., the last b is a filtration,
 /// and its pairs are the bars of the zigzag: of b and b from inclusion to inclusion; of e and e from exclusion to
 /// exclusion; of e and b between the exclusion and the inclusion, whichever comes first; what has no partner does not
-/// end. Sources: T. K. Dey, T. Hou, "Fast computation of zigzag persistence" (2022), for the reduction to a filtration;
-/// C. Chen, M. Kerber, "Persistent homology computation with a twist" (2011).
+/// end. The pairs are those of FiltrationPairs.
+/// Source: T. K. Dey, T. Hou, "Fast computation of zigzag persistence" (2022), for the reduction to a filtration.
 class OfflineZigzag final : public ZigzagTracker {
  public:
   using OnBar = ZigzagBarcode::OnBar;
@@ -47,18 +47,19 @@ class OfflineZigzag final : public ZigzagTracker {
   /// The most cells that there ever were at once.
   [[nodiscard]] std::size_t most_present() const { return most_present_; }
 
-  /// Tells somebody of everything, in order; the slots are others.
+  /// Tells somebody of everything, in order.
   void tell(ZigzagTracker& tracker) const;
 
   /// All bars but those of one operation, those that end by the order of their deaths, then the others; death = never
   /// for these. Requires: the ring is a field. Cost: the reduction of a matrix with a column for each change.
-  void for_each_bar(const sparse::AnyRing& ring, const OnBar& visit) const;
+  ZigzagBarcode::Work for_each_bar(const sparse::AnyRing& ring, const OnBar& visit) const;
 
  private:
   friend class ZigzagFiltration;
   static constexpr std::uint32_t never_excluded = UINT32_MAX;
 
   sparse::GrowingArray<std::uint8_t> dimensions_;  ///< per inclusion
+  sparse::GrowingArray<Slot> slots_;               ///< per inclusion
   sparse::GrowingArray<std::uint32_t> facets_;     ///< of all inclusions, by inclusion
   sparse::GrowingArray<std::uint64_t> first_;      ///< per inclusion: where its facets begin
   sparse::GrowingArray<std::uint32_t> exclusion_;  ///< per inclusion

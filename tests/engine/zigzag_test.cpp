@@ -1,6 +1,11 @@
 #include <algorithm>
 #include <numeric>
+#include <set>
+#include <utility>
 
+#include "engine/zigzag/deferred_zigzag.hpp"
+#include "engine/zigzag/filtration_pairs.hpp"
+#include "engine/zigzag/reduced_columns.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/tracked_zigzags.hpp"
 
@@ -172,6 +177,113 @@ TEST_CASE("large zigzags have the same bars while they go on and afterwards", "[
       REQUIRE(tracked.online == tracked.offline);
       REQUIRE(tracked.online.size() > 100);
     }
+  }
+}
+
+TEST_CASE("boundaries have the pairs that coboundaries have", "[zigzag]") {
+  const auto pairs_of = []<class R>(R ring, const engine::ZigzagFiltration& filtration, std::uint64_t most_entries) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    engine::FiltrationPairs<R>(ring, filtration, most_entries).for_each([&](std::uint32_t place, std::uint32_t killer) {
+      pairs.emplace_back(place, killer);
+    });
+    return pairs;
+  };
+  for (std::uint32_t seed = 0; seed < 6; ++seed) {
+    CAPTURE(seed);
+    ZigzagShape shape = shape_of(seed);
+    shape.steps = 1500;
+    shape.labels = 14 + seed;
+    engine::OfflineZigzag offline;
+    ops::ZigzagComplex complex;
+    const std::vector<ZigzagStep> zigzag = tests::random_zigzag(seed, shape);
+    for (std::size_t k = 0; k < zigzag.size(); ++k) {
+      tests::apply(zigzag[k], complex, {&offline}, {k, static_cast<double>(k)});
+    }
+    const engine::ZigzagFiltration filtration(offline);
+    const auto require_same = [&](auto ring) {
+      const auto pairs = pairs_of(ring, filtration, 64);
+      REQUIRE(pairs_of(ring, filtration, 0) == pairs);
+      REQUIRE(2 * pairs.size() > filtration.size());
+    };
+    require_same(sparse::Z2{});
+    require_same(std::get<sparse::Zp>(sparse::parse_ring("Z/3").value()));
+    require_same(sparse::Rationals{});
+  }
+}
+
+TEST_CASE("a barcode that is asked for at the end is the same, remembered or handed over on the way", "[zigzag]") {
+  std::size_t handed_over = 0, remembered = 0;
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    ZigzagShape shape = shape_of(seed);
+    shape.steps = 4000;
+    shape.labels = seed % 2 == 0 ? 5 : 25;  // few make small complexes, of which nothing is left soon
+    shape.deletions_in_16 = 7;
+    const std::vector<ZigzagStep> zigzag = tests::random_zigzag(seed, shape);
+    for (const char* ring : {"Z/2", "Z/3", "Q"}) {
+      CAPTURE(seed, ring);
+      std::vector<PlainBar> bars;
+      engine::DeferredZigzag deferred(sparse::parse_ring(ring).value(), [&](const engine::MomentBar& bar) {
+        REQUIRE((bars.empty() || bars.back().death < 0 || tests::plain_bar(bar).death >= bars.back().death ||
+                 tests::plain_bar(bar).death < 0));
+        bars.push_back(tests::plain_bar(bar));
+      });
+      ops::ZigzagComplex complex;
+      for (std::size_t k = 0; k < zigzag.size(); ++k) {
+        tests::apply(zigzag[k], complex, {&deferred}, {k, static_cast<double>(k)});
+      }
+      deferred.finish();
+      ++(deferred.is_online() ? handed_over : remembered);
+      std::ranges::sort(bars);
+      REQUIRE(bars == TrackedZigzag(zigzag, ring).online);
+    }
+  }
+  CHECK(handed_over > 0);
+  CHECK(remembered > 0);
+}
+
+TEST_CASE("columns of Z/2 that are kept as rows and as words add up as sets", "[zigzag]") {
+  using Columns = engine::ReducedColumns<sparse::Z2>;
+  constexpr std::uint32_t rows = 600'000;  // which has words of all levels
+  Columns columns(sparse::Z2{}, rows, 40);
+  std::vector<std::set<std::uint32_t>> plain;
+  std::uint64_t state = 1;
+  const auto draw = [&](std::uint64_t below) {
+    state = state * 6364136223846793005 + 1442695040888963407;
+    return static_cast<std::uint32_t>((state >> 33) % below);
+  };
+  for (std::uint32_t number = 0; number < 40; ++number) {
+    CAPTURE(number);
+    std::set<std::uint32_t> set;
+    std::vector<engine::SignedRow> entries;
+    const std::uint32_t begin = draw(rows - 1000);
+    for (std::uint32_t k = 0; k < 300; ++k) {  // close together, or all over
+      const std::uint32_t row = number % 2 == 0 ? begin + draw(900) : draw(rows);
+      if (set.insert(row).second) {
+        entries.emplace_back(row, false);
+      }
+    }
+    columns.begin(entries);
+    for (std::uint32_t other = 0; other < number; other += 1 + number / 4) {
+      columns.eliminate(std::size_t{other});
+      for (const std::uint32_t row : plain[other]) {
+        if (!set.insert(row).second) {
+          set.erase(row);
+        }
+      }
+    }
+    REQUIRE(columns.lead() == *set.rbegin());
+    columns.store(number);
+    REQUIRE(columns.lead() == Columns::no_row);
+    REQUIRE(columns.has(number));
+    plain.push_back(std::move(set));
+  }
+  for (std::uint32_t number = 0; number < 40; ++number) {
+    columns.eliminate(std::size_t{number});
+    for (std::set<std::uint32_t> left = plain[number]; !left.empty(); left.erase(std::prev(left.end()))) {
+      REQUIRE(columns.lead() == *left.rbegin());
+      columns.eliminate(std::vector<engine::SignedRow>{{*left.rbegin(), false}});
+    }
+    REQUIRE(columns.lead() == Columns::no_row);
   }
 }
 

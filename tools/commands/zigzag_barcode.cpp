@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "engine/zigzag/deferred_zigzag.hpp"
 #include "engine/zigzag/offline_zigzag.hpp"
 #include "engine/zigzag/zigzag_tracker.hpp"
 #include "replay/zigzag/zigzag_bars.hpp"
@@ -28,20 +29,6 @@ void report_state(const TowerRun& run, const TowerOperation& operation, const re
     run.write_state(operation.time, zigzag.cells(), barcode.ring(), betti);
     std::cout << std::flush;  // somebody may be waiting at the end of a pipe
   }
-}
-
-/// The bars of a zigzag that is over. The matrix of its filtration has a column for each change, however long ago;
-/// where most of what there was is gone, a basis of what is there is less.
-void find_bars(const engine::OfflineZigzag& zigzag, const sparse::AnyRing& ring,
-               const engine::ZigzagBarcode::OnBar& take) {
-  constexpr std::size_t most_generations = 4;
-  if (zigzag.inclusions() <= most_generations * zigzag.most_present()) {
-    zigzag.for_each_bar(ring, take);
-    return;
-  }
-  const std::unique_ptr<engine::ZigzagBarcode> barcode = engine::make_online_zigzag_barcode(ring, take);
-  zigzag.tell(*barcode);
-  barcode->for_each_open_bar(take);
 }
 
 /// What --verify compares: the bars by the other of the two ways. Errors: law_broken, when they are not the same.
@@ -100,13 +87,14 @@ Outcome run_zigzag(TowerRun& run) {
   const bool is_online = arguments.verifies || arguments.generators || arguments.every > 0 ||
                          !std::filesystem::is_regular_file(arguments.file);
   const std::unique_ptr<Cycles> cycles = arguments.generators ? std::make_unique<Cycles>(run) : nullptr;
-  engine::OfflineZigzag offline;
+  engine::OfflineZigzag offline;  // for --verify
+  engine::DeferredZigzag deferred(ring, take);
   const std::unique_ptr<engine::ZigzagBarcode> online = is_online ? online_barcode(ring, take, cycles.get()) : nullptr;
-  std::vector<engine::ZigzagTracker*> told;
+  std::vector<engine::ZigzagTracker*> told{&deferred};
   if (is_online) {
-    told.push_back(online.get());
+    told[0] = online.get();
   }
-  if (!is_online || arguments.verifies) {
+  if (arguments.verifies) {
     told.push_back(&offline);
   }
   replay::ZigzagReplay zigzag(told, run.dimensions(), cycles ? &cycles->history : nullptr);
@@ -130,7 +118,7 @@ Outcome run_zigzag(TowerRun& run) {
       online->for_each_open_cycle([&](const auto& bar, const auto& pieces) { cycles->report.add(bar, pieces); });
     }
   } else {
-    find_bars(offline, ring, take);
+    deferred.finish();
   }
   bars.flush();
   if (arguments.verifies) {
