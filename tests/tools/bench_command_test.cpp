@@ -61,6 +61,7 @@ TEST_CASE("bench lists scenarios, experiments and methods", "[bench]") {
   const CommandRun run = bench("--list");
   CHECK(run.status == 0);
   CHECK_THAT(run.out, Contains("menger-4-random") && Contains("expected exponent 1") && Contains("method recompute"));
+  CHECK_THAT(run.out, Contains("zigzag-growing") && Contains("temporal-network") && Contains("edit "));
 }
 
 TEST_CASE("bench writes a report that can be compared with the next one", "[bench]") {

@@ -233,6 +233,24 @@ TEST_CASE("a square is glued to a torus and cut open to a square again", "[bench
   }
 }
 
+TEST_CASE("a torus whose triangles are removed and inserted again has a loop more for each but one that is away",
+          "[bench]") {
+  const std::uint64_t seed = GENERATE(1U, 2U);
+  Engine engine;
+  std::int64_t away = 0, most = 0, whole = 0;
+  for (const ops::Operation& operation : tools::torus_with_triangles_edited(4, 200, seed)) {
+    carry_out(engine, operation);
+    away = 32 - static_cast<std::int64_t>(cells_of(engine).at(2));
+    most = std::max(most, away);
+    whole += away == 0 ? 1 : 0;
+    CHECK(live_groups(engine) == (away == 0 ? torus_groups : Groups{group(1), group(static_cast<Index>(1 + away))}));
+  }
+  CHECK(engine.undoable() == 201);
+  CHECK(most > 3);
+  CHECK(whole > 1);
+  CHECK(text_of(tools::torus_with_triangles_edited(3, 20, 1)) != text_of(tools::torus_with_triangles_edited(3, 20, 2)));
+}
+
 TEST_CASE("separate Klein bottles have a summand of order 2 each", "[bench]") {
   check(tools::separate_klein_bottles(3), {3, 6, 3}, {group(3), group(3, {Integer{2}, Integer{2}, Integer{2}})});
 }

@@ -105,6 +105,30 @@ TEST_CASE("a filtration is measured with every method that is there", "[bench]")
   CHECK(measure(scenario, 5, "cycles", once).verdict == Verdict::right);
 }
 
+TEST_CASE("a zigzag is measured in both ways, which find the same bars", "[bench]") {
+  for (const char* name : {"zigzag-growing", "zigzag-oscillating", "temporal-network"}) {
+    const Scenario* scenario = find_scenarios({name})->at(0);
+    CAPTURE(name);
+    REQUIRE(methods_of(*scenario) == std::vector<std::string>{"online", "offline"});
+    std::set<std::uint64_t> bars;
+    for (const std::string& method : methods_of(*scenario)) {
+      CAPTURE(method);
+      const Measurement m = measure(*scenario, 2'000, method, once);
+      CAPTURE(m.remark);
+      CHECK(m.verdict == Verdict::right);
+      CHECK(m.steps >= 2'000);
+      CHECK(m.checked == m.steps);
+      bars.insert(count_of(m, "bars"));
+      Scenario wrong = *scenario;
+      wrong.answer = [](std::uint64_t) { return Answer{{7}}; };
+      CHECK_THAT(measure(wrong, 500, method, once).remark, Contains("right is Betti numbers 7"));
+    }
+    CHECK(bars.size() == 1);
+    CHECK(*bars.begin() > 500);
+  }
+  CHECK(find_scenarios({"zigzag"})->size() == 3);
+}
+
 TEST_CASE("counts are the same in every run", "[bench]") {
   const Scenario scenario = torus_with({{1, 2, 1}});
   const Measurement one = measure(scenario, 6, "live", {0, 60}), other = measure(scenario, 6, "live", {0, 60});

@@ -69,6 +69,10 @@ Status check(const engine::Homology& found, const Answer& answer) {
   return check(found.betti, found.torsion, answer.betti, std::move(torsion));
 }
 
+Status check(const std::vector<std::uint64_t>& betti, const Answer& answer) {
+  return check(engine::Homology{{betti.begin(), betti.end()}, {}, {}, {}}, answer);
+}
+
 AnswerCheck::AnswerCheck(const Scenario& scenario, std::uint64_t size, const std::string& method, std::size_t steps)
     : last_{scenario.answer(size)}, steps_{steps} {
   if (const auto& construction = std::get<Construction>(scenario.input); construction.follow) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "engine/homology_tracker.hpp"
 #include "ops/plan/workspace.hpp"
@@ -28,6 +29,8 @@ template <class Numbers>
 
 /// Whether groups are those of the answer. Errors, expectation: what differs.
 [[nodiscard]] Status check(const engine::Homology& found, const Answer& answer);
+/// The same of Betti numbers over a field.
+[[nodiscard]] Status check(const std::vector<std::uint64_t>& betti, const Answer& answer);
 
 /// Follows a run of a method and compares its answers.
 ///

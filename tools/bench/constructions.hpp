@@ -61,6 +61,11 @@ struct Assembly {
 /// Requires: there is no undo in it.
 [[nodiscard]] Operations replayed_backwards(Operations operations);
 
+/// The torus of n x n squares cut into triangles, n >= 3, in one insertion; then `times` times a random triangle is
+/// removed, or one of those that have been is inserted again. With m > 0 triangles away H = Z, Z^(1 + m); with all of
+/// them there H = Z, Z^2, Z.
+[[nodiscard]] Operations torus_with_triangles_edited(std::uint32_t n, std::uint64_t times, std::uint64_t seed);
+
 // ---- complexes, cones, products
 
 /// All edges between the vertices, then `triangles` different random triangles (as many as there are when that is

@@ -64,6 +64,15 @@ Scenario edited(const char* name, const char* what, std::uint32_t edges, bool wi
   return scenario(name, what, steps, editing, std::max<std::size_t>(1, edges / 1000));
 }
 
+/// After steps of which the first one makes everything.
+std::int64_t triangles_away(const Operations& operations) {
+  const auto removals = std::ranges::count_if(
+      operations, [](const ops::Operation& operation) { return std::holds_alternative<ops::Remove>(operation); });
+  return 2 * removals - static_cast<std::int64_t>(operations.size() - 1);
+}
+
+Answer torus_without(std::int64_t triangles) { return triangles == 0 ? Answer{{1, 2, 1}} : Answer{{1, 1 + triangles}}; }
+
 }  // namespace
 
 void add_editing(std::vector<Scenario>& list) {
@@ -97,6 +106,10 @@ void add_editing(std::vector<Scenario>& list) {
                     return Answer{{1, 2 * static_cast<std::int64_t>(n)}};
                   },
                   "Z", true});
+  const auto edits = [](Size n) { return torus_with_triangles_edited(static_cast<std::uint32_t>(n), 2 * n * n, 1); };
+  list.push_back({"edit", "editing", "a torus of triangles, of which random ones are removed and inserted again",
+                  "squares of two triangles a side", 30, 8, Construction{edits},
+                  [edits](Size n) { return torus_without(triangles_away(edits(n))); }, "Z", true});
 }
 
 }  // namespace sesame::tools

@@ -1,8 +1,13 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <string>
 #include <utility>
 
 #include "sparse/contract.hpp"
 #include "tools/bench/constructions.hpp"
+#include "tools/bench/draws.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -65,6 +70,39 @@ Operations glued_and_cut_square(std::uint64_t times) {
                                              {"q.0x0", "a" + k, {{bottom, 0}, {right, 1}}},
                                              {"q.0x0", "b" + k, {{left, 0}, {top, 1}}},
                                              {"q.0x0", "c" + k, {{top, 0}, {right, 0}}}}});
+  }
+  return operations;
+}
+
+Operations torus_with_triangles_edited(std::uint32_t n, std::uint64_t times, std::uint64_t seed) {
+  sparse::expects(n >= 3, "a torus of triangles has three squares at least either way");
+  const auto label = [n](std::uint32_t i, std::uint32_t j) { return fmt::format("{:06}", i % n * n + j % n); };
+  std::vector<std::vector<std::string>> there, away;  // triangles, by their labels
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t j = 0; j < n; ++j) {
+      there.push_back({label(i, j), label(i + 1, j), label(i + 1, j + 1)});
+      there.push_back({label(i, j), label(i, j + 1), label(i + 1, j + 1)});
+    }
+  }
+  std::ranges::for_each(there, [](auto& triangle) { std::ranges::sort(triangle); });
+  ops::Insert all;
+  for (const auto& triangle : there) {
+    all.simplices.push_back(triangle);
+  }
+  Operations operations{std::move(all)};
+  Draws draws(seed);
+  for (std::uint64_t time = 0; time < times; ++time) {
+    const bool removes = away.empty() || (!there.empty() && draws.below(2) == 0);
+    auto& from = removes ? there : away;
+    std::swap(from[draws.below(from.size())], from.back());
+    const auto& triangle = from.back();
+    if (removes) {
+      operations.emplace_back(ops::Remove{{fmt::format("{{{}}}", fmt::join(triangle, ","))}, false});
+    } else {
+      operations.emplace_back(ops::Insert{{triangle}});
+    }
+    (removes ? away : there).push_back(triangle);
+    from.pop_back();
   }
   return operations;
 }

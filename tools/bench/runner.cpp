@@ -52,8 +52,9 @@ Runs runs_of(const Scenario& scenario, std::uint64_t size, const std::string& me
     return text ? Json::parse(*text).get<Sample>() : failed(text.error().what);
   };
   const bool is_construction = std::holds_alternative<Construction>(scenario.input);
-  const auto run = is_construction ? run_construction : run_tracker;
-  const auto check = is_construction ? check_construction : check_tracker;
+  const bool is_zigzag = std::holds_alternative<Zigzag>(scenario.input);
+  const auto run = is_construction ? run_construction : is_zigzag ? run_zigzag : run_tracker;
+  const auto check = is_construction ? check_construction : is_zigzag ? check_zigzag : check_tracker;
   return {[=, &scenario](bool is_first) {
             return sample_of([&] { return run(scenario, size, method, {most_seconds, is_first}, *times); });
           },

@@ -16,19 +16,25 @@
 namespace sesame::tools {
 
 /// Runs in this process, whose memory is counted. Only the last answer is looked at.
-/// Requires: a method of the scenario that is no program; a construction, or else a filtration or a tower.
+/// Requires: a method of the scenario that is no program; a construction, or a filtration or a tower, or a zigzag. Of
+/// a zigzag the last step has what is found when all operations are known.
 [[nodiscard]] Sample run_construction(const Scenario& scenario, std::uint64_t size, const std::string& method,
                                       const RunOptions& options, StepTimes& times);
 [[nodiscard]] Sample run_tracker(const Scenario& scenario, std::uint64_t size, const std::string& method,
                                  const RunOptions& options, StepTimes& times);
+[[nodiscard]] Sample run_zigzag(const Scenario& scenario, std::uint64_t size, const std::string& method,
+                                const RunOptions& options, StepTimes& times);
 
 /// Carries the first steps out once more and checks the answer after each of them: those of constructions as
 /// AnswerCheck says; in filtrations and towers the Euler characteristic, and with another tracker the Betti numbers and
-/// the bars so far. Nothing but verdict, remark, steps and `checked` has a meaning. Requires: as above.
+/// the bars so far; in zigzags the Euler characteristic, and after the last of the steps the bars, which are found in
+/// both ways. Nothing but verdict, remark, steps and `checked` has a meaning. Requires: as above.
 [[nodiscard]] Sample check_construction(const Scenario& scenario, std::uint64_t size, const std::string& method,
                                         std::uint64_t steps, double most_seconds, StepTimes& times);
 [[nodiscard]] Sample check_tracker(const Scenario& scenario, std::uint64_t size, const std::string& method,
                                    std::uint64_t steps, double most_seconds, StepTimes& times);
+[[nodiscard]] Sample check_zigzag(const Scenario& scenario, std::uint64_t size, const std::string& method,
+                                  std::uint64_t steps, double most_seconds, StepTimes& times);
 
 /// Bars in any order: how many, and a number that other bars are most unlikely to have.
 struct BarSet {
@@ -42,8 +48,10 @@ struct BarSet {
 /// All bars of a filtration, those that do not end too; times are the places of its cells.
 [[nodiscard]] BarSet bars_of(const Scenario& scenario, std::uint64_t size);
 
-/// The methods that are trackers of this process, and those that are programs.
+/// The methods that are trackers of this process, those that are ways of finding the bars of a zigzag, and those that
+/// are programs.
 [[nodiscard]] std::span<const std::string> tracker_methods();
+[[nodiscard]] std::span<const std::string> zigzag_methods();
 [[nodiscard]] std::span<const std::string> program_methods();
 
 /// A program on a filtration: it reads a file and writes the pairs or bars to another one, and what is measured is all

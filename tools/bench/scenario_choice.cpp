@@ -22,6 +22,7 @@ std::vector<std::string> all_method_names() {
     names.push_back(entry.name);
   }
   names.insert(names.end(), tracker_methods().begin(), tracker_methods().end());
+  names.insert(names.end(), zigzag_methods().begin(), zigzag_methods().end());
   names.insert(names.end(), program_methods().begin(), program_methods().end());
   return names;
 }
@@ -60,6 +61,9 @@ std::vector<std::string> methods_of(const Scenario& scenario) {
       names.push_back(entry.name);
     }
     return names;
+  }
+  if (std::holds_alternative<Zigzag>(scenario.input)) {
+    return {zigzag_methods().begin(), zigzag_methods().end()};
   }
   names.assign(tracker_methods().begin(), tracker_methods().end());
   if (std::holds_alternative<CellFiltration>(scenario.input)) {

@@ -9,6 +9,7 @@
 #include "tools/bench/editing_scenarios.hpp"
 #include "tools/bench/surface_count.hpp"
 #include "tools/bench/torsion_scenarios.hpp"
+#include "tools/bench/zigzag_scenarios.hpp"
 
 namespace sesame::tools {
 namespace {
@@ -383,6 +384,7 @@ const std::vector<Scenario>& scenarios() {
     add_comparisons(list);
     add_filtrations(list);
     add_towers(list);
+    add_zigzags(list);
     return list;
   }();
   return all;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,13 +43,18 @@ struct RandomTower {
   TowerOptions options;
 };
 
+/// A zigzag, written as its operations, one a line.
+struct Zigzag {
+  std::function<void(std::ostream& out, std::uint64_t size)> write;
+};
+
 struct Scenario {
   std::string name, family, what;
   std::string size_name;  ///< what the size is a number of
   std::uint64_t size = 0, quick_size = 0;
-  std::variant<Construction, CellFiltration, RandomTower> input;
+  std::variant<Construction, CellFiltration, RandomTower, Zigzag> input;
   /// What is known of the homology at a size; where nothing is, the Euler characteristic is still checked for cell
-  /// filtrations and towers.
+  /// filtrations, towers and zigzags.
   std::function<std::optional<Answer>(std::uint64_t size)> answer;
   std::string ring = "Z";
   bool all_methods = false;  ///< small enough for every method; else only the first runs unless others are asked for

@@ -1,89 +1,16 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <fstream>
 
 #include "engine/towers/barcode_tracker.hpp"
-#include "replay/tower/tower_reader.hpp"
 #include "replay/tower/tower_replay.hpp"
 #include "sparse/contract.hpp"
 #include "tools/bench/answer_check.hpp"
+#include "tools/bench/loaded_operations.hpp"
 #include "tools/bench/runs.hpp"
 
 namespace sesame::tools {
 namespace {
-
-using replay::TowerOperation;
-
-/// Operations that are all in memory, in one list of numbers each after the other, as a reader of a binary file has
-/// them: so a tracker can look ahead as it does there.
-class LoadedOperations {
- public:
-  explicit LoadedOperations(const Filtration& filtration) : kind_{TowerOperation::Kind::column} {
-    for (std::size_t k = 0; k < filtration.size(); ++k) {
-      const auto faces = filtration.faces[k];
-      begin(kind_, filtration.dimensions[k]);
-      words_.push_back(faces.size());
-      words_.insert(words_.end(), faces.begin(), faces.end());
-    }
-  }
-
-  /// Requires: a tower that the reader understands, as write_random_tower makes them.
-  explicit LoadedOperations(replay::TowerReader& reader) : kind_{TowerOperation::Kind::insert} {
-    TowerOperation operation;
-    while (true) {
-      const Result<bool> got = reader.next(operation);
-      sparse::expects(got.has_value(), "a tower that was made is one that can be read");
-      if (!*got) {
-        break;
-      }
-      begin(operation.kind, operation.dimension);
-      words_.push_back(operation.labels.size());
-      words_.insert(words_.end(), operation.labels.begin(), operation.labels.end());
-    }
-  }
-
-  [[nodiscard]] std::size_t size() const { return heads_.size(); }
-  [[nodiscard]] TowerOperation operator[](std::size_t k) const {
-    const auto& [kind, dimension, at] = heads_[k];
-    const std::span<const std::uint64_t> rest{words_.data() + at, words_.data() + words_.size()};
-    const auto count = static_cast<std::size_t>(rest[0]);
-    const bool is_column = kind == TowerOperation::Kind::column;
-    return {kind, static_cast<double>(k), dimension, rest.subspan(1, count),
-            is_column ? rest.subspan(1 + count) : std::span<const std::uint64_t>{}};
-  }
-
- private:
-  struct Head {
-    TowerOperation::Kind kind;
-    int dimension;
-    std::size_t at;  ///< where in words_ the number of labels stands
-  };
-  void begin(TowerOperation::Kind kind, int dimension) {
-    words_.push_back(static_cast<std::uint64_t>(dimension));
-    heads_.push_back({kind, dimension, words_.size()});
-  }
-
-  TowerOperation::Kind kind_;
-  std::vector<Head> heads_;
-  std::vector<std::uint64_t> words_;
-};
-
-LoadedOperations operations_of(const Scenario& scenario, std::uint64_t size) {
-  if (const auto* filtration = std::get_if<CellFiltration>(&scenario.input)) {
-    return LoadedOperations(filtration->make(size));
-  }
-  const ScratchDirectory directory;
-  TowerOptions tower = std::get<RandomTower>(scenario.input).options;
-  tower.operations = size;
-  {
-    std::ofstream file(directory.path("tower"));
-    write_random_tower(file, tower);
-  }
-  const auto reader = replay::TowerReader::open(directory.path("tower"), replay::TowerFormat::tower);
-  sparse::expects(reader.has_value(), "a tower that was written can be opened");
-  return LoadedOperations(**reader);
-}
 
 /// A tracker, and what it has reported.
 class Tracked {
@@ -116,10 +43,6 @@ class Tracked {
   std::unique_ptr<engine::BarcodeTracker> tracker_;
 };
 
-engine::Homology homology_of(const std::vector<std::uint64_t>& betti) {
-  return {{betti.begin(), betti.end()}, {}, {}, {}};
-}
-
 Status check_euler(const Tracked& tracked, const replay::TowerReplay& tower) {
   if (alternating_sum(tracked.betti()) != alternating_sum(tower.cells())) {
     return Error{Errc::expectation, "the Euler characteristics of cells and of homology differ"};
@@ -129,7 +52,7 @@ Status check_euler(const Tracked& tracked, const replay::TowerReplay& tower) {
 
 Status check_end(const Tracked& tracked, const replay::TowerReplay& tower, const std::optional<Answer>& answer) {
   Status right = check_euler(tracked, tower);
-  return right && answer ? check(homology_of(tracked.betti()), *answer) : right;
+  return right && answer ? check(tracked.betti(), *answer) : right;
 }
 
 Status check_against(const Tracked& tracked, const Tracked& other) {
@@ -165,7 +88,7 @@ std::span<const std::string> tracker_methods() {
 
 Sample run_tracker(const Scenario& scenario, std::uint64_t size, const std::string& method, const RunOptions& options,
                    StepTimes& times) {
-  const LoadedOperations operations = operations_of(scenario, size);
+  const LoadedOperations operations(scenario, size);
   const Tracked tracked(scenario, method);
   replay::TowerReplay tower({tracked.get()});
   Sample sample =
@@ -186,7 +109,7 @@ Sample run_tracker(const Scenario& scenario, std::uint64_t size, const std::stri
 
 Sample check_tracker(const Scenario& scenario, std::uint64_t size, const std::string& method, std::uint64_t steps,
                      double most_seconds, StepTimes& times) {
-  const LoadedOperations operations = operations_of(scenario, size);
+  const LoadedOperations operations(scenario, size);
   const Tracked tracked(scenario, method), other(scenario, method == "cycles" ? "sesame" : "cycles");
   replay::TowerReplay tower({tracked.get(), other.get()});
   const auto checked_step = [&](std::size_t k) -> Status {
@@ -208,7 +131,7 @@ Sample check_tracker(const Scenario& scenario, std::uint64_t size, const std::st
 }
 
 BarSet bars_of(const Scenario& scenario, std::uint64_t size) {
-  const LoadedOperations operations = operations_of(scenario, size);
+  const LoadedOperations operations(scenario, size);
   const Tracked tracked(scenario, "sesame");
   replay::TowerReplay tower({tracked.get()});
   for (std::size_t k = 0; k < operations.size(); ++k) {
