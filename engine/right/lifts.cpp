@@ -156,10 +156,12 @@ typename Lifts<R>::Expansion Lifts<R>::expansion(Symbol x, RuleId time) {
 template <Ring R>
 Terms<R, Symbol> Lifts<R>::gain_of(const Expansion& v, Symbol first) {
   RawTerms<R, Symbol> gain;
+  const Symbol end = perturbations_.expected();
   for (const TermOfB& part : v.generators) {
     boundary_.for_each_in_column(part.index, [&](const TermOfB& term) {
-      if (term.index > part.index && rules_.symbol_of(term.index) >= first) {
-        gain.push_back({rules_.symbol_of(term.index), ring_.multiply(part.coefficient, term.coefficient)});
+      const Symbol e = rules_.symbol_of(term.index);
+      if (term.index > part.index && e >= first && e < end) {
+        gain.push_back({e, ring_.multiply(part.coefficient, term.coefficient)});
       }
     });
   }

@@ -52,6 +52,7 @@ typename Perturbations<R>::Concerned Perturbations<R>::record(RuleId time, Symbo
     }
   }
   steps_.push_back(std::move(step));
+  expected_ = no_symbol;
   ++recorded_;
   for (std::size_t k = 0; k < rules_.combinations().size() && !since.empty(); ++k) {
     const auto& combination = rules_.combinations()[k];
@@ -153,6 +154,7 @@ void Perturbations<R>::extend_column(std::size_t combination, const Terms<R, Sym
 
 template <Ring R>
 void Perturbations<R>::undo(std::size_t size, RuleId rules) {
+  expected_ = no_symbol;
   while (steps_.size() > size) {
     undo_last();
   }

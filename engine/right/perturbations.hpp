@@ -42,6 +42,9 @@ class Perturbations {
   };
   /// The symbols whose lifts may have a changed generator, by increasing number; nothing: any may.
   using Reached = std::optional<std::vector<Symbol>>;
+  /// Boundaries have gained terms in symbols from one on, by a perturbation that is not recorded yet: until it is,
+  /// rules do not take these terms in, as they would do so twice.
+  void expect(Symbol first) { expected_ = first; }
   /// Takes note of a perturbation of the boundaries of `changed`, in symbols from `first` on, which were made at `time`
   /// or later. Cost: the changed generators, the combinations, and, when a changed one may be in a lift, the symbols
   /// that are reached, or the small symbols of its degree.
@@ -80,6 +83,8 @@ class Perturbations {
   }
   /// Whether there has been a perturbation that a rule has not taken in and that may change it.
   [[nodiscard]] bool is_behind(RuleId rule) const;
+  /// The first symbol that rules do not take in yet.
+  [[nodiscard]] Symbol expected() const { return expected_; }
   /// The first new symbol of the perturbations that a rule has not taken in. Requires: there is one.
   [[nodiscard]] Symbol first_missing(RuleId rule) const { return of_degree_[degree_of_b(rule)][taken_in(rule)].first; }
 
@@ -168,6 +173,7 @@ class Perturbations {
   std::vector<Gain> gains_;
   std::vector<std::uint32_t> place_;  ///< per rule, as far as needed: of its gain
   std::uint64_t last_serial_ = 0, recorded_ = 0;
+  Symbol expected_ = no_symbol;
 };
 
 }  // namespace sesame::engine

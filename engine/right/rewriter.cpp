@@ -256,6 +256,7 @@ void Rewriter<R>::perturb(RuleId time, GeneratorId first, std::span<const Genera
 template <Ring R>
 void Rewriter<R>::take_away(RuleId time, GeneratorId deletion, std::span<const GeneratorId> changed) {
   const Symbol e = rules_.symbol_of(deletion);
+  perturbations_.expect(e);  // lifts are worked out before it is recorded
   extend_dependents(changed, e);
   deletion_gains_.begin(deletion, changed);
   const bool has_combinations = !rules_.combinations().empty();  // they would have to be found, too

@@ -161,6 +161,7 @@ TEST_CASE("the barcode of a history with splits and removals is that of its maps
   Engine engine(ring_named(p == 2 ? "Z/2" : "Z/3"));
   StreamShape shape = everything(25);
   shape.products = shape.pyramids = false;
+  shape.replacements = false;  // they are two maps: see replacement_test.cpp
   RandomSteps random(seed, shape);
   PlainHistory plain(p);
   for (int k = 0; k < 24; ++k) {

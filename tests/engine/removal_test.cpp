@@ -374,3 +374,26 @@ TEST_CASE("groups with torsion are those of a Smith form, step by step, where ce
     REQUIRE(live_groups(engine) == groups_from_scratch(engine.structure(), sparse::Integers{}));
   }
 }
+
+TEST_CASE("every law holds where rules are brought up to date late: removals, replacements, few questions",
+          "[engine][removal][replacement][stream]") {
+  const std::string ring = GENERATE("Z", "Z/3");
+  const unsigned seed = GENERATE(range(0U, 30U));
+  CAPTURE(ring, seed);
+  Engine engine(ring_named(ring), {}, RebasePolicy::never());
+  StreamShape shape = everything(40);
+  shape.products = shape.pyramids = seed % 2 == 0;
+  shape.splits = seed % 3 == 0;
+  RandomSteps random(seed, shape);
+  for (int k = 1; k <= 90; ++k) {
+    const ops::Operation op = random.next(engine.structure());
+    CAPTURE(k, ops::to_text(op));
+    carry_out(engine, op);
+    if (random.random().one_in(12)) {
+      REQUIRE(engine.undo(std::min<std::uint64_t>(engine.undoable(), 2)));
+    }
+    if (k % 15 == 0) {
+      REQUIRE(engine.first_defect().value_or("") == "");
+    }
+  }
+}
