@@ -23,6 +23,8 @@ namespace sesame::engine {
 ///
 /// Cost: of a sum of pasts, their wires. Source: T. K. Dey, T. Hou, D. Morozov, "A fast algorithm for computing zigzag
 /// representatives" (2024), whose bundles are these pasts; they have the first cycle instead of the last one, too.
+///
+/// Threads: one at a time, for queries too.
 template <sparse::Ring R>
 class CycleHistory {
  public:

@@ -19,6 +19,8 @@ namespace sesame::ops {
 /// one vertex: what is replaced are open cells.
 ///
 /// Cost: for each cell of the star the number of its faces, times its dimension.
+///
+/// Threads: one at a time, for queries too.
 class StarOfSimplex {
  public:
   /// `star`: the open star, A first. Errors: refused, when a cell is no simplex, or has A as a face more than once.
