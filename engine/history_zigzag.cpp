@@ -25,7 +25,7 @@ using ops::CellId;
 /// on.
 std::vector<ops::Operation> maps_of(const ops::Operation& operation) {
   const auto* replace = std::get_if<ops::Replace>(&operation);
-  if (replace == nullptr || std::holds_alternative<ops::Replace::Contraction>(replace->move)) {
+  if (replace == nullptr || replace->fills || std::holds_alternative<ops::Replace::Contraction>(replace->move)) {
     return {operation};
   }
   const auto* flip = std::get_if<ops::Replace::Flip>(&replace->move);
