@@ -18,13 +18,19 @@ class CorrectableDeletions {
  public:
   struct Deletion {
     Symbol e;
-    std::vector<GeneratorId> changed;  ///< generators whose boundary gained a multiple of e
+    std::vector<GeneratorId> changed;  ///< generators whose boundary has a multiple of e: old ones, and some that came
   };
 
   void record(int degree, Symbol e, std::vector<GeneratorId> changed) {
     const auto list = static_cast<std::size_t>(degree + 1);
     of_degree_.resize(std::max(of_degree_.size(), list + 1));
     of_degree_[list].push_back({e, std::move(changed)});
+  }
+  /// A new generator has e in its boundary, as one that is attached to lazy cells may. Nothing when e is none of these.
+  void add_changed(int degree, Symbol e, GeneratorId generator) {
+    if (const std::size_t at = place(degree, e); at < of_degree(degree).size()) {
+      of_degree_[static_cast<std::size_t>(degree + 1)][at].changed.push_back(generator);
+    }
   }
   void forget(int degree) {
     if (static_cast<std::size_t>(degree + 1) < of_degree_.size()) {

@@ -126,16 +126,14 @@ typename R::Element CorrectedLifts<R>::excess_of(const Sum& sum, const Correctab
   return excess;
 }
 
-/// The deletions, from a place on, that have changed the boundary of a generator.
+/// The deletions, from a place on, whose e are in the boundary of a generator.
 template <Ring R>
 void CorrectedLifts<R>::enqueue(GeneratorId generator, std::size_t from, Queue& queue) const {
   const std::size_t none = deletions_.of_degree(degree()).size();
   boundary_.for_each_in_column(generator, [&](const TermOfB& term) {
-    if (term.index > generator) {
-      const std::size_t k = deletions_.place(degree(), rules_.symbol_of(term.index));
-      if (k >= from && k != none) {
-        queue.push(k);
-      }
+    const std::size_t k = deletions_.place(degree(), rules_.symbol_of(term.index));
+    if (k >= from && k != none) {
+      queue.push(k);
     }
   });
 }

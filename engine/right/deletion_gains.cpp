@@ -13,6 +13,16 @@ void DeletionGains<R>::clear() {
   seen_ = rules_.size();
 }
 
+template <Ring R>
+void DeletionGains<R>::append(GeneratorId generator) {
+  const int below = rules_.degree(rules_.symbol_of(generator)) - 1;
+  if (!correctable_.of_degree(below).empty()) {
+    boundary_.for_each_in_column(generator, [&](const TermOfB& term) {
+      correctable_.add_changed(below, rules_.symbol_of(term.index), generator);
+    });
+  }
+}
+
 // ------------------------------------------------------------------------------------------------------ small symbols
 
 template <Ring R>

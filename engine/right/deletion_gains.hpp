@@ -44,6 +44,8 @@ class DeletionGains {
         known_{ring},
         corrected_{ring, boundary, rules, lifts, effort, known_, correctable_} {}
 
+  /// A new generator is there. Cost: its boundary.
+  void append(GeneratorId generator);
   /// A cell was taken away: `deletion` is the generator, and the boundaries of `changed` have gained multiples of it.
   void begin(GeneratorId deletion, std::span<const GeneratorId> changed);
   /// The small symbols whose lifts may have a changed generator, by increasing number; nothing: it is not known which.

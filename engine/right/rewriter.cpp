@@ -25,6 +25,7 @@ Rewriter<R>::Rewriter(R ring, const sparse::ColumnStore<R, GeneratorId>& boundar
 template <Ring R>
 void Rewriter<R>::append(int degree) {
   const Symbol x = rules_.append_generator(degree);
+  deletion_gains_.append(rules_.generator_in(x));
   memos_.rewrite(
       [this, generator = rules_.generator_in(x)](auto visit) {
         boundary_.for_each_in_column(
