@@ -254,6 +254,26 @@ void Rewriter<R>::perturb(RuleId time, GeneratorId first, std::span<const Genera
   settling_.settle();
 }
 
+/// The boundaries of small symbols gain multiples of e. Returns whether a column of the core is another one then: not
+/// when a cycle is eliminated with e, of which the others gain nothing then. Else all gain what they do before any is
+/// settled, for the moves of that need to know their boundaries.
+template <Ring R>
+bool Rewriter<R>::settle_gains(Symbol e) {
+  const std::vector<TermType> gained = deletion_gains_.gained();
+  const auto cycle = std::find_if(gained.begin(), gained.end(), [this](const TermType& gain) {
+    return memos_.ring().is_unit(gain.coefficient) && core().find(gain.index) == nullptr;
+  });
+  if (cycle != gained.end()) {
+    extend_column_of(cycle->index, {{e, cycle->coefficient}});
+  } else {
+    for (const TermType& gain : gained) {
+      extend_column_of(gain.index, {{e, gain.coefficient}});
+    }
+  }
+  settling_.settle();
+  return cycle == gained.end() && !gained.empty();
+}
+
 template <Ring R>
 void Rewriter<R>::take_away(RuleId time, GeneratorId deletion, std::span<const GeneratorId> changed) {
   const Symbol e = rules_.symbol_of(deletion);
@@ -275,13 +295,7 @@ void Rewriter<R>::take_away(RuleId time, GeneratorId deletion, std::span<const G
       deletion_gains_.add(x);
     }
   }
-  bool changes_columns = !concerned.combinations.empty();
-  for (const TermType& each : deletion_gains_.gained()) {
-    changes_columns = changes_columns || core().find(each.index) != nullptr;
-    extend_column_of(each.index, {{e, each.coefficient}});
-    settling_.settle();
-    changes_columns = changes_columns || core().find(each.index) != nullptr;
-  }
+  const bool changes_columns = settle_gains(e) || !concerned.combinations.empty();
   breaks_ += changes_columns ? 1 : 0;  // else they change only where the b of a rule goes
   perturbations_.forget_those_not_felt();
   deletion_gains_.finish(since, perturbations_.last_concerns_rules());

@@ -147,6 +147,7 @@ class Rewriter {
                                                            std::span<const GeneratorId> changed, const Reached& reached,
                                                            bool is_deletion);
   void extend_column_of(Symbol x, const Terms<R, Symbol>& gain);
+  bool settle_gains(Symbol e);
 
   const sparse::ColumnStore<R, GeneratorId>& boundary_;
   Effort effort_;
