@@ -127,16 +127,17 @@ std::vector<sparse::Term<R, Symbol>> DeletionGains<R>::gained() {
 template <Ring R>
 void DeletionGains<R>::finish(RuleId since, bool concerns_rules) {
   const Symbol e = rules_.symbol_of(deletion_);
+  const bool is_eliminated = rules_.size() == since + 1 && rules_[since].a == e;
+  const bool is_plain = is_eliminated || rules_.size() == since;  // else e may be part of another basis
   if (!gained_.empty()) {
-    if (rules_.size() == since + 1 && rules_[since].a == e) {
+    if (is_eliminated) {
       follow(since);
     } else {
       clear();
     }
   }
   seen_ = rules_.size();
-  const RuleId rule = rules_.removed_by(e);
-  if (rule != no_rule && !rules_.value(rule).empty()) {
+  if (!is_plain || (is_eliminated && !rules_.value(since).empty())) {
     correctable_.forget(degree());
   } else if (concerns_rules) {
     correctable_.record(degree(), e, {changed_.begin(), changed_.end()});
