@@ -26,8 +26,9 @@ class Engine;
 ///
 /// Groups, witnesses and the answers about chains are those of the engine at that moment; representatives, and the
 /// basis in which classes are written, are those of an equivalence that is begun afresh, as after a rebase. (So the
-/// chain of a generator that the engine gave can be asked about here, and the other way round.) Cells have the same ids
-/// and names.
+/// chain of a generator that the engine gave can be asked about here, and the other way round.) Cells have the same
+/// names, and the same ids, but for those of lazy cells where steps are copied (see `of`): these depend on what was
+/// asked on the way, and chains are to be told by names.
 ///
 /// Thread-safe: any number of threads may ask one view, and one after another they are answered; views of one engine
 /// share nothing, and are asked side by side. Taking a view is for the thread of the engine.

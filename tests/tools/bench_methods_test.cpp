@@ -111,7 +111,7 @@ template <class Ask>
 void follow_random_steps(unsigned seed, const Ask& ask) {
   Engine engine(sparse::Integers{}, ops::Limits{.cells_of_explicit_cone = 1'000'000});
   StreamShape shape = everything(30);
-  shape.products = shape.removals = false;
+  shape.products = shape.removals = shape.replacements = false;
   RandomSteps steps(seed, shape);
   for (int k = 0; k < 30; ++k) {
     const ops::Operation operation = steps.next(engine.structure());
