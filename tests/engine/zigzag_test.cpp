@@ -318,7 +318,7 @@ TEST_CASE("a stream on a complex that keeps its size keeps its memory", "[zigzag
   };
   for (std::uint64_t v = 0; v < 4000; ++v) {
     apply('i', {v});
-    for (const std::uint64_t back : {1, 2}) {
+    for (const std::uint64_t back : {std::uint64_t{1}, std::uint64_t{2}}) {
       if (v >= back) {
         apply('i', {v - back, v});
       }

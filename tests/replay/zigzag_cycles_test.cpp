@@ -232,7 +232,7 @@ TEST_CASE("cycles of a long zigzag are right when parts of pasts have gone", "[z
 TEST_CASE("after operations at one time the cycles are a basis of the last complex", "[zigzag]") {
   for (std::uint32_t seed = 0; seed < 40; ++seed) {
     const std::vector<ZigzagStep> zigzag = tests::random_zigzag(seed, shape_with_contractions(seed));
-    for (const std::size_t at_once : {2, 5}) {
+    for (const std::size_t at_once : {std::size_t{2}, std::size_t{5}}) {
       CAPTURE(seed, at_once);
       const PlainField field{3};
       const std::vector<PlainCycles> told = told_cycles(zigzag, "Z/3", field, static_cast<std::int64_t>(at_once));
