@@ -291,6 +291,10 @@ class ReplacementPlanner {
     if (!cells->can_be_flipped()) {
       return no_sphere(flip.cell, star.size(), cells->vertices_around());
     }
+    if (flip.at && cells->vertices_around() > 0) {
+      return Error{Errc::bad_input,
+                   fmt::format("the flip of {} makes no new vertex: leave \"at\" out", quoted(flip.cell))};
+    }
     return flip.by.empty() ? needs_name(flip.cell) : cells->write_flip(flip.by, operation_.fills, limits_, plan_);
   }
 

@@ -302,6 +302,9 @@ TEST_CASE("replacements that cannot be done are refused with the reason, and not
   CHECK(has(refusal(engine, flip("{1,9}")), "there is no cell"));
   CHECK(has(refusal(engine, flip("s")), "needs a name"));
   CHECK(has(refusal(engine, flip("s", "q")), "in use"));
+  carry_out(engine, R"({"op":"simplex","name":"s2","dim":2})");
+  carry_out(engine, R"({"op":"identify","pairs":[["s.0-1","s2.0-1"]]})");
+  CHECK(has(refusal(engine, Replace{Replace::Flip{"s.0-1", "e", ops::Point{}}}), "leave \"at\" out"));
   CHECK(has(refusal(engine, subdivide("{1}", "x")), "is a vertex"));
   CHECK(has(refusal(engine, subdivide("{1,2}", "a,b")), "is not a label"));
   CHECK(has(refusal(engine, subdivide("s", "")), "is not a name"));

@@ -1509,6 +1509,8 @@ def op_replace(state, step, prime):
             raise ScriptError("only simplices are replaced")
         if by is None:
             raise ScriptError("what is new needs a name")
+        if move == "flip" and "at" in step and len(star) > 1:
+            raise ScriptError("there is no new vertex")
         check_name(by, "by")
         state.check_free(by)
         state.check_prefix(by)
