@@ -701,8 +701,9 @@ class WriterOfAbstract(WriterOfAll):
             return state.cells[cell].name
         names = [name for name, value in state.names.items() if isinstance(name, str)
                  and value and value[0] == cell and not oracle.is_degenerate(value)]
-        names += ["{" + ",".join(sorted(key, key=oracle.label_key)) + "}" for key in state.orders
-                  if state.names[key] and state.names[key][0] == cell and not oracle.is_degenerate(state.names[key])]
+        by_labels = ["{" + ",".join(sorted(key, key=oracle.label_key)) + "}" for key in state.orders
+                     if state.names[key] and state.names[key][0] == cell and not oracle.is_degenerate(state.names[key])]
+        names += [name for name in by_labels if state.names.get(name, ()) is not None]  # else one that was removed has it
         return self.random.choice(names)
 
     def wrong_steps(self):
