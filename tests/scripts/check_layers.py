@@ -12,7 +12,7 @@ from pathlib import Path, PurePosixPath
 ORDER = ["sparse", "reductions", "ops", "engine", "replay", "tools", "tests"]
 # The rooms of a folder; "" are the files that lie in none.
 ROOMS = {
-    "ops": ["", "simplicial", "cells", "vocabulary", "plan"],
+    "ops": ["", "maps", "simplicial", "cells", "vocabulary", "plan"],
     "engine": ["right", "left", "towers", "zigzag", "durable", ""],
     "replay": ["text", "script", "barcode", "tower", "zigzag", "distance", "picture", "export", "page", ""],
     "tools": ["mesh", "bench", "live", "commands", ""],
