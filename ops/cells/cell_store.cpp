@@ -104,6 +104,7 @@ void CellStore::load(sparse::ArchiveReader& from, const VertexMaps& maps) {
       face_orders_.emplace(entry, order);
     }
   });
+  check_seen_faces(from, maps);
   name_ = from.get_list<sparse::GrowingArray<std::uint32_t>>();
   lazy_ = from.get_list<std::vector<std::uint32_t>>();
   for (auto& bodies : body_.lists()) {
@@ -112,6 +113,21 @@ void CellStore::load(sparse::ArchiveReader& from, const VertexMaps& maps) {
   from.check(name_.size() == type_.lists()[0].size() && body_.lists()[0].size() == name_.size() &&
                  lazy_.size() == type_.lists()[1].size() && body_.lists()[1].size() == lazy_.size(),
              "each cell has a name and a body");
+}
+
+/// A cell of a map has faces that are seen from the right darts.
+void CellStore::check_seen_faces(sparse::ArchiveReader& from, const VertexMaps& maps) const {
+  for (CellId c = 0; c < first_face_.size() - 1 && from.is_good(); ++c) {
+    const std::vector<FaceOperator>& operators = types_.info(type_[c]).faces;
+    if (types_.info(type_[c]).shape == nullptr) {
+      continue;
+    }
+    for (std::uint32_t k = 0; k < operators.size(); ++k) {
+      const CellId face = faces(c)[k];
+      from.check(maps.is_value_of({face, operators[k].type, 0, order(c, k)}, type_[face]),
+                 "a face of a cell of a map is seen as its type says");
+    }
+  }
 }
 
 /// Where the faces of each node begin, and who has which as a face; checks that they are there and of the right types.
@@ -136,7 +152,8 @@ void CellStore::index_faces(sparse::ArchiveReader& from) {
     for (std::size_t k = 0; k < operators.size() && is_sound; ++k) {
       const auto entry = static_cast<std::uint32_t>(begin + k);
       const CellId face = faces_[entry];
-      is_sound = type_.contains(face) && (is_asked_for(face) || face < c) && type_[face] == operators[k].type;
+      is_sound = type_.contains(face) && (is_asked_for(face) || face < c) &&
+                 types_.canonical(operators[k].type).type == type_[face];
       if (is_sound) {
         next_incidence_.push_back(std::exchange(first_incidence_[face], entry));
       }

@@ -106,6 +106,7 @@ class CellStore {
  private:
   [[nodiscard]] CellId owner_of(std::uint32_t entry) const;
   void index_faces(sparse::ArchiveReader& from);
+  void check_seen_faces(sparse::ArchiveReader& from, const VertexMaps& maps) const;
 
   TypeTable& types_;
   const FaceSource* lazy_faces_ = nullptr;

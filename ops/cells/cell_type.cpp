@@ -115,9 +115,13 @@ TypeId TypeTable::intern(const CellType& type) {
     before += type[i];
   }
   info.laws = face_laws(type);
+  return add(type, std::move(info));
+}
+
+TypeId TypeTable::add(CellType type, TypeInfo info) {
   const auto id = static_cast<TypeId>(infos_.size());
   infos_.push_back(std::move(info));
-  ids_.emplace(type, id);
+  ids_.emplace(std::move(type), id);
   return id;
 }
 
@@ -150,8 +154,20 @@ const StandardCell& TypeTable::standard(TypeId id) {
   if (id < standards_.size() && standards_[id] != nullptr) {
     return *standards_[id];
   }
+  StandardCell standard = is_of_map(infos_[id].type) ? standard_of_map(id) : standard_simploid(infos_[id].type);
+  standard.by_suffix.resize(standard.cells.size());
+  std::iota(standard.by_suffix.begin(), standard.by_suffix.end(), 0U);
+  std::sort(standard.by_suffix.begin(), standard.by_suffix.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return standard.cells[a].suffix < standard.cells[b].suffix; });
+  if (id >= standards_.size()) {
+    standards_.resize(id + 1);
+  }
+  standards_[id] = std::make_unique<StandardCell>(std::move(standard));
+  return *standards_[id];
+}
+
+StandardCell TypeTable::standard_simploid(const CellType& whole) {
   StandardCell standard;
-  const CellType& whole = infos_[id].type;
   std::unordered_map<Mask, std::uint32_t> position;
   for (const Mask mask : all_faces(whole)) {
     StandardFace cell;
@@ -181,15 +197,7 @@ const StandardCell& TypeTable::standard(TypeId id) {
     position.emplace(mask, static_cast<std::uint32_t>(standard.cells.size()));
     standard.cells.push_back(std::move(cell));
   }
-  standard.by_suffix.resize(standard.cells.size());
-  std::iota(standard.by_suffix.begin(), standard.by_suffix.end(), 0U);
-  std::sort(standard.by_suffix.begin(), standard.by_suffix.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return standard.cells[a].suffix < standard.cells[b].suffix; });
-  if (id >= standards_.size()) {
-    standards_.resize(id + 1);
-  }
-  standards_[id] = std::make_unique<StandardCell>(std::move(standard));
-  return *standards_[id];
+  return standard;
 }
 
 void TypeTable::save(sparse::ArchiveWriter& to) const {
@@ -203,6 +211,12 @@ void TypeTable::save(sparse::ArchiveWriter& to) const {
 void TypeTable::load(sparse::ArchiveReader& from) {
   for (std::size_t left = from.get_count(sizeof(std::uint64_t)); left > 0 && from.is_good(); --left) {
     const auto type = from.get_list<CellType>();
+    if (is_of_map(type)) {
+      if (!load_shape(type, from)) {
+        return;
+      }
+      continue;
+    }
     const auto is_entry = [](int a) { return a >= 1 && a <= largest_dimension; };
     if (!from.check(type.size() <= largest_dimension && std::all_of(type.begin(), type.end(), is_entry) &&
                         std::accumulate(type.begin(), type.end(), 0) <= largest_dimension,
@@ -239,6 +253,11 @@ std::int64_t standard_cell_count(const CellType& type) {
 std::string describe(const CellType& type) {
   if (type.empty()) {
     return "vertex";
+  }
+  if (is_of_map(type)) {
+    const std::size_t darts = (type.size() - 2) / static_cast<std::size_t>(type[1]);
+    return type[1] == 2 ? fmt::format("polygon with {} side{}", darts / 2, darts == 2 ? "" : "s")
+                        : fmt::format("cell of dimension {} with {} darts", type[1], darts);
   }
   if (type.size() == 1) {
     return fmt::format("simplex of dimension {}", type[0]);

@@ -279,11 +279,17 @@ bool Directory::is_sound(std::uint32_t number) const {
   if (standard == none) {
     return true;
   }
-  if (cell == none || standard != cells_.type_id(cell) ||
-      standard_cell_count(maps_.types().info(standard).type) - 1 > std::int64_t{std::uint32_t{cell}}) {
+  if (cell == none || standard != cells_.type_id(cell)) {
+    return false;
+  }
+  const CellType& type = maps_.types().info(standard).type;
+  if (!is_of_map(type) && standard_cell_count(type) - 1 > std::int64_t{std::uint32_t{cell}}) {
     return false;
   }
   const std::vector<StandardFace>& faces = maps_.types().standard(standard).cells;
+  if (faces.size() - 1 > cell) {
+    return false;
+  }
   const CellId first = cell - (faces.size() - 1);  // they are right before the whole
   for (std::size_t k = 0; k < faces.size(); ++k) {
     if (cells_.name(first + k) != number || cells_.type_id(first + k) != faces[k].type) {

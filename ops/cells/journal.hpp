@@ -28,8 +28,9 @@ enum class EventKind : std::uint8_t {
   union_of_bodies,
   body_kind,   ///< a body became less of an abstract complex than it was
   simplicial,  ///< a change in the abstract simplicial complexes
+  darts,       ///< a map was made, or darts of maps were sewn or unsewn
 };
-inline constexpr std::size_t event_kinds = 15;
+inline constexpr std::size_t event_kinds = 16;
 
 /// How many events there were, by kind.
 struct EventCounts {

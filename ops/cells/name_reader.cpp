@@ -43,6 +43,11 @@ std::optional<Value> NameReader::read(Part part) {
 }
 
 std::optional<Value> NameReader::read_once(Part part) {
+  if (structure_.darts().has_seen_others()) {  // which other names may have stood for
+    if (auto cell = read_seen(part)) {
+      return cell;
+    }
+  }
   if (const auto named = find(part); named && named->cell != none) {
     return given(named->cell);
   }
@@ -50,21 +55,23 @@ std::optional<Value> NameReader::read_once(Part part) {
     const TypeId type = structure_.types().simplex(static_cast<int>(simplex->places.size()) - 1);
     return structure_.maps().value_of(simplex->cell, type, simplex->places);
   }
+  if (auto cell = structure_.darts().maps() > 0 ? read_seen(part) : std::nullopt) {
+    return cell;
+  }
   if (auto cell = read_standard(part)) {
     return cell;
   }
   return structure_.cones().size() > 0 || structure_.lazy().families() > 0 ? read_derived(part) : std::nullopt;
 }
 
-Value NameReader::given(CellId cell) const {
-  return {cell, structure_.cells().type_id(cell), 0, structure_.directory().order_of_own_name(cell)};
-}
+Value NameReader::given(CellId cell) const { return value_of({cell, structure_.directory().order_of_own_name(cell)}); }
 
 /// t.2-0 or t.0-1-2 for the simplex t on 0, 1, 2; sorted lists of some of the vertices are names that were given.
 std::optional<Value> NameReader::read_standard(Part part) {
   const auto split = split_vertices(text(part));
   const auto whole = split ? find({part.begin, part.begin + split->length}) : std::nullopt;
-  if (!whole || whole->cell == none || whole->body == none) {  // a complex, for one, has no cell of its name
+  if (!whole || whole->cell == none || whole->body == none ||  // a complex, for one, has no cell of its name
+      is_of_map(structure_.cells().type(whole->cell).type)) {
     return std::nullopt;
   }
   const auto list = read_vertices(split->vertices, structure_.cells().type(whole->cell).type);
@@ -77,6 +84,17 @@ std::optional<Value> NameReader::read_standard(Part part) {
     return std::nullopt;
   }
   return structure_.maps().reordered(structure_.maps().order(list->order), given(cell->cell));
+}
+
+/// m.1:3, a cell of a map as a dart sees it; that from which it has its own name is one that was given.
+std::optional<Value> NameReader::read_seen(Part part) {
+  const auto split = split_dart(text(part));
+  const DartStore::Made* map = split ? structure_.map_named(text({part.begin, part.begin + split->length})) : nullptr;
+  const Dart dart = map != nullptr ? dart_of_text(*map, split->dart) : no_dart;
+  if (dart == no_dart || map->is_by_simplices || split->dimension > map->dimension) {
+    return std::nullopt;
+  }
+  return structure_.seen_from_dart(*map, split->dimension, map->first + dart);
 }
 
 std::optional<Value> NameReader::read_derived(Part part) {
@@ -156,7 +174,8 @@ std::optional<Value> NameReader::read_pair(FamilyId product, Part left_part, Par
 }
 
 Value NameReader::value_of(const Incidence& incidence) const {
-  return {incidence.node, structure_.cells().type_id(incidence.node), 0, incidence.order};
+  const TypeId type = structure_.cells().type_id(incidence.node);
+  return {incidence.node, structure_.maps().seen_through(incidence.order, type), 0, incidence.order};
 }
 
 /// A simplex of a simplicial product has vertices that increase on both sides. A name may have them in another order.

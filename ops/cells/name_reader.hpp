@@ -54,6 +54,7 @@ class NameReader {
   std::optional<Value> read(Part part);
   std::optional<Value> read_once(Part part);
   std::optional<Value> read_standard(Part part);
+  std::optional<Value> read_seen(Part part);
   std::optional<Value> read_derived(Part part);
   std::optional<Value> read_coned(const Cone& cone, Part base);
   std::optional<Value> read_pair(FamilyId product, Part inside);

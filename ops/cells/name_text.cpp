@@ -115,11 +115,25 @@ std::optional<WithVertices> split_vertices(std::string_view text) {
   constexpr std::size_t longest = 6 * largest_dimension;  // two vertices of each of so many edges, of two digits
   std::size_t begin = text.size();
   while (begin > 0 && text.size() - begin <= longest &&
-         (is_digit(text[begin - 1]) || text[begin - 1] == '-' || text[begin - 1] == 'x')) {
+         (is_digit(text[begin - 1]) || text[begin - 1] == '-' || text[begin - 1] == 'x' || text[begin - 1] == ':')) {
     --begin;
   }
   return begin < 2 || text[begin - 1] != '.' ? std::nullopt
                                              : std::optional{WithVertices{begin - 1, text.substr(begin)}};
+}
+
+std::optional<SeenFrom> split_dart(std::string_view text) {
+  const std::size_t colon = text.rfind(':');
+  const std::size_t dot = colon == std::string_view::npos ? colon : text.rfind('.', colon);
+  if (dot == std::string_view::npos || dot == 0) {
+    return std::nullopt;
+  }
+  const std::string_view number = text.substr(dot + 1, colon - dot - 1);
+  int dimension = 0;
+  const auto [end, failure] = std::from_chars(number.data(), number.data() + number.size(), dimension);
+  const bool is_number = failure == std::errc{} && end == number.data() + number.size() &&
+                         (number.size() == 1 || number[0] != '0') && is_digit(number[0]);
+  return is_number ? std::optional{SeenFrom{dot, dimension, text.substr(colon + 1)}} : std::nullopt;
 }
 
 std::optional<VertexList> read_vertices(std::string_view text, const CellType& type) {

@@ -56,13 +56,22 @@ struct WithDirections {
 };
 [[nodiscard]] std::optional<WithDirections> split_directions(std::string_view text);
 
-/// "t.2-0" as (1, "2-0"): the length of what comes before the ".", and the vertices. Nothing when the text ends
-/// otherwise.
+/// "t.2-0" as (1, "2-0"): the length of what comes before the ".", and the vertices, or the dimension and the dart of
+/// "m.1:3". Nothing when the text ends otherwise.
 struct WithVertices {
   std::size_t length;
   std::string_view vertices;
 };
 [[nodiscard]] std::optional<WithVertices> split_vertices(std::string_view text);
+
+/// "m.1:3" as (1, 1, "3"): the length of what comes before the ".", a dimension, and a dart, "3" or "3'". Nothing when
+/// the text ends otherwise.
+struct SeenFrom {
+  std::size_t length;
+  int dimension;
+  std::string_view dart;
+};
+[[nodiscard]] std::optional<SeenFrom> split_dart(std::string_view text);
 
 /// A list of vertices of a standard simploid, such as "2-0x1": one or more of each component, in any order.
 struct VertexList {

@@ -21,6 +21,10 @@ void Plan::clear() {
   new_body.reset();
   into_body.reset();
   joined_bodies.clear();
+  map.reset();
+  extended.clear();
+  sewings.clear();
+  newly_seen.clear();
   already = 0;
 }
 

@@ -3,14 +3,17 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "ops/cells/dart_cells.hpp"
 #include "ops/cells/lazy_family.hpp"
 #include "ops/cells/value.hpp"
 #include "ops/ids.hpp"
+#include "ops/maps/gmap.hpp"
 
 namespace sesame::ops {
 
@@ -50,6 +53,35 @@ struct AbstractChange {
   std::optional<Collapse> collapse;
   std::vector<CellId> renamed;   ///< cells that have the vertex `gone` and will have `kept` in its place
   std::vector<CellId> excluded;  ///< simplices that are taken away
+};
+
+/// A map that the new cells are made for. See DartStore.
+struct NewMap {
+  GMap map;
+  std::shared_ptr<const DartCells> cells;
+  bool is_by_simplices = false;
+  Dart halves = 0;  ///< as in DartStore
+};
+
+/// Maps that become maps of one dimension more. The offsets of cells are nodes, those of new cells their ids.
+struct ExtendedMap {
+  std::uint32_t map;
+  std::shared_ptr<const DartCells> cells;
+};
+
+/// Two darts that become images of one another, or free again.
+struct Sewing {
+  int dimension, index;
+  Dart a, b;
+  bool is_unsewn = false;
+};
+
+/// The i-cell of a dart is from now on a copy that the step makes, by its position among the new cells, as seen from a
+/// dart of it.
+struct NewlySeen {
+  int dimension, of;
+  Dart dart;
+  DartCells::Seen copy;
 };
 
 /// What a step is to the object.
@@ -100,6 +132,10 @@ struct Plan {
   std::optional<std::string> new_body;     ///< the new cells make a body of this name
   std::optional<BodyId> into_body;         ///< the new cells join this body
   std::vector<BodyId> joined_bodies;       ///< become one with `into_body` (the older name stays)
+  std::optional<NewMap> map;               ///< that the new body is
+  std::vector<ExtendedMap> extended;
+  std::vector<Sewing> sewings;
+  std::vector<NewlySeen> newly_seen;
   std::uint64_t already = 0;  ///< simplices of an insertion that are there, or stand in its list more than once
 
   void clear();

@@ -141,8 +141,10 @@ void SplitHistory::load_moves(sparse::ArchiveReader& from, const Moment& now, co
   for (const MadeMove& each : moves) {
     const bool is_sound =
         cells.contains(each.cell) && each.slot < cells.type(each.cell).faces.size() && each.slot <= UINT8_MAX &&
-        cells.contains(each.after) && cells.type_id(each.after) == cells.type(each.cell).faces[each.slot].type &&
-        maps.is_order_of(each.order_after, cells.type_id(each.after)) && each.links >= links && each.links <= now.links;
+        cells.contains(each.after) && maps.is_order_of(each.order_after, cells.type_id(each.after)) &&
+        maps.is_value_of({each.after, cells.type(each.cell).faces[each.slot].type, 0, each.order_after},
+                         cells.type_id(each.after)) &&
+        each.links >= links && each.links <= now.links;
     if (!from.check(is_sound, "a move ends at a cell of the type of the face")) {
       return;
     }

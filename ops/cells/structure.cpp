@@ -30,6 +30,22 @@ bool Structure::is_name_taken(std::string_view name) const {
   return directory_.find(name).has_value() || NameReader(*this, name).read().has_value();
 }
 
+const DartStore::Made* Structure::map_named(std::string_view name) const {
+  const std::uint32_t number = darts_.maps() == 0 ? std::uint32_t{none} : directory_.names().number_of(name);
+  return number == none ? nullptr : darts_.named(number);
+}
+
+std::optional<Value> Structure::seen_from_dart(const DartStore::Made& map, int i, Dart dart) const {
+  const DartCells::Seen seen = darts_.seen(map, i, dart);
+  if (seen.offset == none) {
+    return std::nullopt;
+  }
+  const CellId node{seen.offset};
+  const TypeId type = cells_.type_id(node);
+  const OrderId order = maps().order_at(type, seen.dart);
+  return Value{node, maps().seen_through(order, type), 0, order};
+}
+
 std::optional<BodyId> Structure::lookup_body(std::string_view name) const {
   const NameTable::Name* found = directory_.names().find(name);
   if (found == nullptr || found->body == none) {

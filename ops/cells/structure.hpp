@@ -16,6 +16,7 @@
 #include "ops/cells/cell_type.hpp"
 #include "ops/cells/coface_index.hpp"
 #include "ops/cells/cones.hpp"
+#include "ops/cells/dart_store.hpp"
 #include "ops/cells/directory.hpp"
 #include "ops/cells/faces.hpp"
 #include "ops/cells/forest.hpp"
@@ -63,6 +64,7 @@ class Structure {
   [[nodiscard]] const Bodies& bodies() const { return bodies_; }
   [[nodiscard]] const Directory& directory() const { return directory_; }
   [[nodiscard]] const AbstractComplex& abstract() const { return abstract_; }
+  [[nodiscard]] const DartStore& darts() const { return darts_; }
   /// All that has happened and is not undone, what queries made included.
   [[nodiscard]] const Journal& journal() const { return journal_; }
 
@@ -84,6 +86,12 @@ class Structure {
   [[nodiscard]] bool is_name_taken(std::string_view name) const;
   /// The current body of a name, or empty. A body that became part of a cone is that cone's body.
   [[nodiscard]] std::optional<BodyId> lookup_body(std::string_view name) const;
+
+  /// The map of a name, or null.
+  [[nodiscard]] const DartStore::Made* map_named(std::string_view name) const;
+  /// The i-cell of a dart of a map as it was made, as the dart sees it; for a map by simplices what i-sewing the dart
+  /// glues. Not in normal form. Empty when that is gone for good.
+  [[nodiscard]] std::optional<Value> seen_from_dart(const DartStore::Made& map, int i, Dart dart) const;
 
   // ---- the object as a whole
   /// The number of current cells of each dimension, up to the largest that has one.
@@ -128,6 +136,7 @@ class Structure {
   void join_bodies(BodyId a, BodyId b);
   void change_abstract(const Plan& plan, CellId first);
   void leave_abstract(const Plan& plan);
+  void change_darts(const Plan& plan, CellId first, BodyId body);
   void note_orders(const Plan& plan, CellId first);
   void lower_kind(BodyId body, BodyKind kind);
   void count(CellId c, int change);
@@ -157,6 +166,7 @@ class Structure {
   CofaceIndex coface_index_{cells_, forest_, faces_, values_, cones_};
   Directory directory_{maps(), cells_, forest_, values_, lazy_, cones_, bodies_};
   AbstractComplex abstract_;
+  DartStore darts_;
   std::vector<std::uint64_t> counts_;  ///< of current cells, by dimension
 };
 

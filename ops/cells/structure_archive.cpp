@@ -99,6 +99,7 @@ void Structure::save(sparse::ArchiveWriter& to) const {
   cones_.save(to);
   directory_.save(to);
   abstract_.save(to);
+  darts_.save(to);
   to.put_list(counts());
 }
 
@@ -134,6 +135,12 @@ void Structure::load(sparse::ArchiveReader& from) {
       return cell < cells_.size() && is_simplex(cells_.type(cell).type) &&
              static_cast<std::size_t>(cells_.dimension(cell)) == dimension;
     });
+  });
+  load([&] { darts_.load(from, cells_, types()); });
+  load([&] {
+    for (std::uint32_t k = 0; k < darts_.maps(); ++k) {
+      from.check(darts_.map(k).name < directory_.names().size(), "a map has a name");
+    }
   });
   load([&] {
     counts_ = from.get_list<std::vector<std::uint64_t>>();

@@ -16,7 +16,8 @@ void Structure::apply(const Plan& plan) {
   BodyId new_body = none;
   if (plan.new_body || plan.family) {
     note(EventKind::body, bodies_.size());
-    new_body = bodies_.add({plan.abstract.has_value(), true});
+    const bool has_maps = plan.map && !plan.map->is_by_simplices;
+    new_body = bodies_.add({plan.abstract.has_value(), true, has_maps});
   }
   const Instant made = instant_of(forest_.links(), lazy_.families());
   for (const Plan::WrittenCone& cone : plan.cones) {
@@ -55,15 +56,51 @@ void Structure::apply(const Plan& plan) {
   } else if (!abstract_.empty()) {
     leave_abstract(plan);
   }
+  if (plan.map || !plan.sewings.empty() || !plan.extended.empty()) {
+    change_darts(plan, first, new_body);
+  }
   if (maps().has_orders()) {
     note_orders(plan, first);
   }
   coface_index_.on_end_of_step();
 }
 
+void Structure::change_darts(const Plan& plan, CellId first, BodyId body) {
+  if (plan.map) {
+    note(EventKind::darts, darts_.events());
+    darts_.add(bodies_.name(body), plan.map->map, first, plan.map->cells, plan.map->is_by_simplices, plan.map->halves);
+  }
+  if (!plan.extended.empty()) {
+    std::vector<DartStore::Extension> extensions;
+    for (const auto& [map, cells] : plan.extended) {
+      extensions.push_back({map, cells});
+    }
+    for (std::size_t k = 0; k < extensions.size(); ++k) {
+      note(EventKind::darts, darts_.events() + k);
+    }
+    darts_.extend(extensions);
+  }
+  for (const auto& [dimension, index, a, b, is_unsewn] : plan.sewings) {
+    note(EventKind::darts, darts_.events());
+    if (is_unsewn) {
+      darts_.unsew(dimension, index, a, b);
+    } else {
+      darts_.sew(dimension, index, a, b);
+    }
+  }
+  for (const auto& [dimension, of, dart, copy] : plan.newly_seen) {
+    note(EventKind::darts, darts_.events());
+    darts_.see(dimension, of, dart, {first + copy.offset, copy.dart});
+  }
+}
+
 /// Bodies where a cell and its faces do not have their vertices in the same order any more.
 void Structure::note_orders(const Plan& plan, CellId first) {
-  const auto lower = [this](BodyId body) { lower_kind(body, {bodies_.kind(body).is_abstract, false}); };
+  const auto lower = [this](BodyId body) {
+    BodyKind kind = bodies_.kind(body);
+    kind.keeps_orders = false;
+    lower_kind(body, kind);
+  };
   if (!plan.face_orders.empty()) {
     lower(body_of(first));
   }
@@ -112,7 +149,11 @@ void Structure::change_abstract(const Plan& plan, CellId first) {
 
 /// The bodies that another operation changes are no abstract complexes any more.
 void Structure::leave_abstract(const Plan& plan) {
-  const auto leave = [this](BodyId body) { lower_kind(body, {false, bodies_.kind(body).keeps_orders}); };
+  const auto leave = [this](BodyId body) {
+    BodyKind kind = bodies_.kind(body);
+    kind.is_abstract = false;
+    lower_kind(body, kind);
+  };
   for (const Merge& merge : plan.merges) {
     leave(body_of(merge.removed));
   }

@@ -39,6 +39,7 @@ class Structure::Renewal {
   void take_body_names();
   void take_names_since(LinkId links);
   void take_abstract();
+  void take_darts();
 
  private:
   void take_name_of(CellId old);
@@ -46,11 +47,13 @@ class Structure::Renewal {
   void add_name(const std::string& name, CellId node, CellId old);
   [[nodiscard]] BodyId body(CellId old) const { return bodies_.at(from_.body_of(old)); }
   /// Questions on the way may make orders that were not known when knowledge was taken.
-  [[nodiscard]] OrderId renewed(OrderId order) const {
-    return order == same_order ? OrderId{same_order} : to_.maps().order(from_.maps().permutation(order));
-  }
+  [[nodiscard]] OrderId renewed(OrderId order) const { return to_.maps().taken_from(from_.maps(), order); }
   [[nodiscard]] Value renewed(const Value& value) const {
-    return {cells_.at(value.cell), value.type, value.collapsed, renewed(value.order)};
+    const CellId cell = cells_.at(value.cell);
+    const OrderId order = renewed(value.order);
+    const bool is_of_map = from_.types().info(value.type).shape != nullptr;
+    return {cell, is_of_map ? to_.maps().seen_through(order, to_.cells().type_id(cell)) : value.type, value.collapsed,
+            order};
   }
   /// A node with faces; `face(k)`: a value of the new structure.
   template <class Face>
@@ -167,6 +170,26 @@ void Structure::Renewal::take_name_of(CellId old) {
   }
 }
 
+/// Maps keep their darts, and their names as far as they are still names of bodies or cells.
+void Structure::Renewal::take_darts() {
+  const auto name = [&](std::uint32_t number) {
+    const std::string& text = from_.directory_.names()[number].text;
+    const std::uint32_t known = to_.directory_.names().number_of(text);
+    if (known != none) {
+      return known;
+    }
+    to_.directory_.add(text, none, none);
+    return to_.directory_.names().size() - 1;
+  };
+  to_.darts_.begin_with(from_.darts_, name, [&](const DartStore::Made& map, int i, Dart dart) {
+    const auto seen = from_.seen_from_dart(map, i, dart);
+    const Value value = seen ? from_.values_.normal_form(*seen) : Value{};
+    const bool is_there = seen && !value.is_degenerate() && cells_.contains(value.cell);
+    return is_there ? DartCells::Seen{cells_.at(value.cell), from_.maps().dart_of(value.order)}
+                    : DartCells::Seen{UINT32_MAX, 0};
+  });
+}
+
 /// Vertices that are there, by the labels that they are called by.
 void Structure::Renewal::take_abstract() {
   const auto is_abstract = [&](CellId old, CellId cell) {
@@ -203,6 +226,7 @@ void Structure::begin_with(const Structure& other, LinkId names_since) {
   renewal.take_names_since(names_since);
   renewal.take_body_names();
   renewal.take_abstract();
+  renewal.take_darts();
   journal_.clear();
 }
 

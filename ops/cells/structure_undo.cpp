@@ -81,6 +81,8 @@ void Structure::undo_last_event() {
       return bodies_.undo_last_kind_change();
     case EventKind::simplicial:
       return abstract_.truncate(abstract_.mark() - 1);
+    case EventKind::darts:
+      return darts_.undo_last_event();
   }
 }
 

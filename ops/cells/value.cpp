@@ -1,6 +1,7 @@
 #include "ops/cells/value.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "sparse/contract.hpp"
@@ -88,6 +89,9 @@ Value VertexMaps::compose(const Value& outer, const Value& inner) {
   if (outer.order == same_order && inner.order == same_order) {
     return {inner.cell, outer.type, ops::compose(outer.collapsed, inner.collapsed), same_order};
   }
+  if (is_of_map(outer.order) || is_of_map(inner.order)) {
+    return {inner.cell, outer.type, 0, compose(outer.order, inner.order)};
+  }
   const VertexMap map = composed(types_.info(outer.type).type, map_of(outer), map_of(inner));
   return value_of(inner.cell, outer.type, map);
 }
@@ -95,6 +99,10 @@ Value VertexMaps::compose(const Value& outer, const Value& inner) {
 OrderId VertexMaps::compose(OrderId outer, OrderId inner) {
   if (outer == same_order || inner == same_order) {
     return outer == same_order ? inner : outer;
+  }
+  if (is_of_map(inner)) {
+    const auto& [permutation, sign, type, dart] = orders_[inner];
+    return order_at(type, types_.dart_from(type, dart, orders_[outer].dart));
   }
   std::vector<std::uint8_t> composite;
   for (const std::uint8_t k : permutation(outer)) {
@@ -104,6 +112,10 @@ OrderId VertexMaps::compose(OrderId outer, OrderId inner) {
 }
 
 OrderId VertexMaps::inverse(OrderId id) {
+  if (is_of_map(id)) {
+    const auto& [permutation, sign, type, dart] = orders_[id];
+    return order_at(types_.seen_from(type, dart), types_.dart_seen_from(type, dart, 0));
+  }
   std::vector<std::uint8_t> back(permutation(id).size());
   for (std::size_t k = 0; k < back.size(); ++k) {
     back[permutation(id)[k]] = static_cast<std::uint8_t>(k);
@@ -136,7 +148,36 @@ Value VertexMaps::coned(CellId cell, const Value& v, bool by_edge) {
   return value_of(cell, type, map);
 }
 
+OrderId VertexMaps::order_at(TypeId type, Dart dart) {
+  if (dart == 0) {
+    return same_order;
+  }
+  if (types_.info(type).shape == nullptr) {  // an edge
+    return order(std::array<std::uint8_t, 2>{1, 0});
+  }
+  const auto [at, is_new] = index_of_darts_.try_emplace({type, dart}, static_cast<OrderId>(orders_.size()));
+  if (is_new) {
+    orders_.push_back({{}, types_.sign_of_dart(type, dart), type, dart});
+  }
+  return at->second;
+}
+
+/// The root of the face is some dart of the cell, and so one of a face of that.
+VertexMaps::FaceStep VertexMaps::face_of_map(const Value& v, std::uint32_t k) {
+  const TypeId face = types_.info(v.type).faces[k].type;
+  const auto [permutation, sign, type, dart] = orders_[v.order];
+  const CellShape::Place place = types_.place_in_face(type, types_.dart_from(type, dart, types_.face_root(v.type, k)));
+  return {{v.cell, face, 0, order_at(types_.info(type).faces[place.face].type, place.dart)}, place.face};
+}
+
+std::uint32_t VertexMaps::face_of_cell(const Value& v, std::uint32_t k) {
+  return v.order == same_order ? k : is_of_map(v.order) ? face_of_map(v, k).of_cell : permutation(v.order)[k];
+}
+
 VertexMaps::FaceStep VertexMaps::without_vertex(const Value& v, std::uint32_t k) {
+  if (is_of_map(v.order)) {
+    return face_of_map(v, k);
+  }
   const TypeInfo& info = types_.info(v.type);
   if (v.order == same_order) {
     const DegenerateFace step = face_of_degenerate(info, v.collapsed, k);
@@ -201,6 +242,10 @@ void VertexMaps::save(sparse::ArchiveWriter& to) const {
   to.put(static_cast<std::uint64_t>(orders_.size()));
   for (const Order& each : orders_) {
     to.put_list(each.permutation);
+    if (each.type != none) {
+      to.put(each.type);
+      to.put(each.dart);
+    }
   }
 }
 
@@ -208,6 +253,14 @@ void VertexMaps::load(sparse::ArchiveReader& from) {
   const std::size_t count = from.get_count(sizeof(std::uint64_t));
   for (std::size_t k = 0; k < count && from.is_good(); ++k) {
     const auto permutation = from.get_list<std::vector<std::uint8_t>>();
+    if (k > 0 && permutation.empty()) {
+      const auto type = from.get<TypeId>();
+      const auto dart = from.get<Dart>();
+      from.check(type < types_.size() && types_.info(type).shape != nullptr && dart < types_.darts(type) &&
+                     order_at(type, dart) == k,
+                 "each dart from which a cell is seen is listed once");
+      continue;
+    }
     std::vector<std::uint8_t> sorted = permutation;
     std::sort(sorted.begin(), sorted.end());
     bool is_permutation = sorted.size() <= 2 * std::size_t{largest_dimension};
@@ -227,6 +280,9 @@ bool VertexMaps::is_order_of(OrderId order, TypeId type) const {
   if (order >= orders_.size()) {
     return false;
   }
+  if (is_of_map(order) || ops::is_of_map(types_.info(type).type)) {
+    return orders_[order].type == type;
+  }
   const auto places = permutation(order);
   std::size_t vertices = 0;
   bool keeps_to_components = true;
@@ -240,6 +296,11 @@ bool VertexMaps::is_order_of(OrderId order, TypeId type) const {
 }
 
 bool VertexMaps::is_value_of(const Value& v, TypeId of_cell) const {
+  if (v.type < types_.size() && ops::is_of_map(types_.info(v.type).type)) {
+    return v.collapsed == 0 && (v.order == same_order ? v.type == of_cell
+                                                      : is_order_of(v.order, of_cell) &&
+                                                            types_.seen_from(of_cell, orders_[v.order].dart) == v.type);
+  }
   if (v.type >= types_.size() || !is_order_of(v.order, v.type) || (v.collapsed >> types_.info(v.type).dimension) != 0) {
     return false;
   }

@@ -1,10 +1,11 @@
 /// \file
-/// Values: cells with their vertices in any order, and degenerate cells; the arithmetic of the maps between vertices.
+/// Values: cells with their vertices in any order, or seen from any dart, and degenerate cells; their arithmetic.
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "ops/cells/cell_type.hpp"
@@ -18,6 +19,9 @@ namespace sesame::ops {
 /// one that is not sent to a single vertex. `order` puts the vertices into the order of those that they go to, and
 /// leaves the order of vertices that go to one; after that the map is monotone, and the directions that it collapses
 /// are `collapsed`.
+///
+/// The value of a cell of a map is the cell as seen from a dart, which is what its order says; its type is that of the
+/// cell as seen from there, and no direction is collapsed.
 ///
 /// In normal form the cell is a current one. Then there is one value for each cell of the object, in each order of its
 /// vertices, and for each degenerate one (the Eilenberg-Zilber lemma, for symmetric simplicial sets in which no cell is
@@ -47,9 +51,11 @@ struct ValueHash {
 using VertexMap = std::vector<std::uint8_t>;
 
 /// The arithmetic of values, and the orders that occur. Orders are permutations of the vertices of a type, which are
-/// numbered through all components; none moves a vertex to another component. They are knowledge, not state, as types
-/// are: they only grow in number, and nothing depends on theirs. Cost of all below: O(1) where vertices keep their
-/// order, else the square of their number.
+/// numbered through all components; none moves a vertex to another component. Those of a cell of a map are its darts:
+/// the one from which it is seen takes the place of its root. They are knowledge, not state, as types are: they only
+/// grow in number, and nothing depends on theirs. Cost of all below: O(1) where vertices keep their order, else the
+/// square of their number; of cells of maps the logarithm of the darts that were met, or the darts when one is met
+/// first.
 class VertexMaps {
  public:
   explicit VertexMaps(TypeTable& types) : types_{types} {}
@@ -64,7 +70,9 @@ class VertexMaps {
   [[nodiscard]] OrderId compose(OrderId outer, OrderId inner);
   [[nodiscard]] OrderId inverse(OrderId order);
   /// A value with its vertices in another order: vertex k of the new one is vertex order(k) of the old one.
-  [[nodiscard]] Value reordered(OrderId order, const Value& v) { return compose(Value{none, v.type, 0, order}, v); }
+  [[nodiscard]] Value reordered(OrderId order, const Value& v) {
+    return compose(Value{none, seen_through(order, v.type), 0, order}, v);
+  }
 
   /// Face k of a value, in normal form. `face_of(cell, number)` gives the faces of cells, in normal form.
   template <class FaceOf>
@@ -82,12 +90,34 @@ class VertexMaps {
   /// `by_edge` times an edge.
   [[nodiscard]] Value coned(CellId cell, const Value& v, bool by_edge);
 
+  // ---- cells of maps; vertices and edges are such cells, too
+  /// The order in which a cell of a type is seen from a dart of it.
+  [[nodiscard]] OrderId order_at(TypeId type, Dart dart);
+  /// Which dart it is.
+  [[nodiscard]] Dart dart_of(OrderId order) const {
+    return order == same_order ? 0 : is_of_map(order) ? orders_[order].dart : 1;
+  }
+  /// The type that a cell of a type has when it is seen in an order: the same one for simploids.
+  [[nodiscard]] TypeId seen_through(OrderId order, TypeId type) {
+    return is_of_map(order) ? types_.seen_from(type, orders_[order].dart) : type;
+  }
+  /// A value as another dart of it sees it.
+  [[nodiscard]] Value seen_from(Dart dart, const Value& v) { return reordered(order_at(v.type, dart), v); }
+  /// Which face of its cell face k of a value is that is not degenerate.
+  [[nodiscard]] std::uint32_t face_of_cell(const Value& v, std::uint32_t k);
+
   /// Whether any other order but the same one has ever occurred.
   [[nodiscard]] bool has_orders() const { return orders_.size() > 1; }
   /// The order that sends vertex k to entry k. Requires: a permutation that keeps to the components.
   [[nodiscard]] OrderId order(std::span<const std::uint8_t> permutation);
-  /// The permutation of an order; empty for the same order.
+  /// The permutation of an order; empty for the same order, and of a cell of a map.
   [[nodiscard]] std::span<const std::uint8_t> permutation(OrderId order) const { return orders_[order].permutation; }
+  /// The order that another table has. Requires: its types are types here, but for those that cells have as seen from
+  /// other darts.
+  [[nodiscard]] OrderId taken_from(const VertexMaps& other, OrderId order) {
+    const Order& taken = other.orders_[order];
+    return taken.type != none ? order_at(taken.type, taken.dart) : this->order(taken.permutation);
+  }
   /// +1 or -1: what the order does to the orientation of a cell.
   [[nodiscard]] int sign(OrderId order) const { return orders_[order].sign; }
 
@@ -102,16 +132,21 @@ class VertexMaps {
   struct Order {
     std::vector<std::uint8_t> permutation;
     int sign;
+    TypeId type = none;  ///< of a cell of a map, seen from a dart
+    Dart dart = 0;
   };
   struct FaceStep {
     Value rest;             ///< type and map are those of the face, onto face `of_cell` of the cell
     std::uint32_t of_cell;  ///< or DegenerateFace::itself: the cell itself
   };
   [[nodiscard]] FaceStep without_vertex(const Value& v, std::uint32_t k);
+  [[nodiscard]] FaceStep face_of_map(const Value& v, std::uint32_t k);
+  [[nodiscard]] bool is_of_map(OrderId order) const { return orders_[order].type != none; }
 
   TypeTable& types_;
   std::vector<Order> orders_{{{}, 1}};
   std::map<std::vector<std::uint8_t>, OrderId> index_;
+  std::map<std::pair<TypeId, Dart>, OrderId> index_of_darts_;
 };
 
 }  // namespace sesame::ops

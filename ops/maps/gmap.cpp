@@ -82,6 +82,15 @@ GMap GMap::dual() const {
   return dual;
 }
 
+GMap GMap::extended() const {
+  GMap map = *this;
+  map.alpha_.emplace_back();
+  for (Dart d = 0; d < size_; ++d) {
+    map.alpha_.back().push_back(d);
+  }
+  return map;
+}
+
 GMap GMap::restricted(int n) const {
   sparse::expects(n >= -1 && n <= dimension(), "a map is restricted to some of its involutions");
   GMap map = *this;

@@ -47,6 +47,8 @@ class GMap {
 
   /// The same darts with the involutions in reverse order: its i-cells are the (n-i)-cells.
   [[nodiscard]] GMap dual() const;
+  /// With alpha_{n+1} = identity: each component gets a cell, the cone over it.
+  [[nodiscard]] GMap extended() const;
   /// The darts with the first involutions only, up to alpha_n.
   [[nodiscard]] GMap restricted(int n) const;
 

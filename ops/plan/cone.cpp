@@ -215,6 +215,9 @@ Status plan_written_cones(std::span<const std::string> apexes, const std::vector
       std::any_of(coned.begin(), coned.end(), [&](CellId c) { return !is_simplex(structure.cells().type(c).type); });
   // All that may ask for nodes comes first, faces and names: the plan counts on ids.
   for (const CellId c : coned) {
+    if (is_of_map(structure.cells().type(c).type)) {
+      return check_no_maps(structure.body_of(c), "a cone", structure);
+    }
     (void)structure.faces().of(c);
     if (Status s = check_standard(coned_type(structure.cells().type(c).type, by_edges), structure, limits); !s) {
       return s;
@@ -242,6 +245,11 @@ Status plan_lazy_cone(const std::string& apex, const std::vector<BodyId>& bodies
                       Plan& plan) {
   if (Status s = check_new_prefix(apex, structure); !s) {
     return s;
+  }
+  for (const BodyId body : bodies) {
+    if (Status s = check_no_maps(body, "a cone", structure); !s) {
+      return s;
+    }
   }
   NewFamily cone{FamilyKind::cone, apex, bodies, false, {}, 0};
   std::uint64_t over_edges = 0;  // and larger cells: v*c has a type longer than one when it is a product with an edge

@@ -70,7 +70,7 @@ void Congruence::equate(Value one, Value other) {
   }
   if (one.order != same_order) {  // written in the order of the cell
     other = structure_.maps().reordered(structure_.maps().inverse(one.order), other);
-    one.order = same_order;
+    one = structure_.values().plain(one.cell);
   }
   if (!send(one.cell, other)) {
     return;
@@ -173,6 +173,11 @@ Status Congruence::settle_foldings() {
     return Done{};
   }
   const auto& [cell, order] = *foldings_.rbegin();
+  if (is_of_map(structure_.cells().type(cell).type)) {
+    return Error{Errc::refused, fmt::format("this would glue \"{}\" to itself as it is seen from another dart, and so "
+                                            "fold it: subdivide it first, or make the maps \"as\":\"simplices\"",
+                                            structure_.name(cell))};
+  }
   return Error{Errc::refused,
                fmt::format("this would glue \"{}\" to itself with its vertices in the order {}, and so fold it: "
                            "subdivide the cells that are to be glued first, so that no cell meets itself",

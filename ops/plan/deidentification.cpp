@@ -129,7 +129,10 @@ Status SplitPlanner::add_move(const Deidentify::Split& split, std::size_t number
                  fmt::format("\"{}\" has {} faces, counted from 0: there is no face {}", name, faces.size(), face)};
   }
   const auto face_number = static_cast<std::size_t>(face);
-  const std::size_t slot = order == same_order ? face_number : structure_.maps().permutation(order)[face_number];
+  VertexMaps& maps = structure_.maps();
+  const TypeId type = structure_.cells().type_id(source_of(cell));
+  const std::size_t slot =
+      maps.face_of_cell({cell, maps.seen_through(order, type), 0, order}, static_cast<std::uint32_t>(face_number));
   Value& value = faces[slot];
   if (is_copy(value.cell)) {
     return Error{Errc::bad_input,
@@ -207,7 +210,10 @@ Status SplitPlanner::check_laws(CellId c) const {
   const Value cell{c, type, 0};
   for (const FaceLaw& law : structure_.types().info(type).laws) {
     const Value one = face(face(cell, law.first), law.second);
-    const Value other = face(face(cell, law.other_first), law.other_second);
+    Value other = face(face(cell, law.other_first), law.other_second);
+    if (law.other_dart != 0) {
+      other = structure_.maps().seen_from(law.other_dart, other);
+    }
     if (!(one == other)) {
       return Error{
           Errc::refused,

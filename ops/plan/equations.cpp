@@ -27,6 +27,11 @@ bool is_vertex_map(const Identify::Map& map, const CellType& type) {
 /// A vertex map as an order of the vertices of a type.
 Result<OrderId> order_of(const Identify::Map& map, TypeId id, const Structure& structure) {
   const CellType& type = structure.types().info(id).type;
+  if (is_of_map(type)) {
+    return Error{Errc::bad_input, fmt::format("a {} has no vertex map: name it by the dart that is to meet that of the "
+                                              "other name",
+                                              describe(type))};
+  }
   if (!is_vertex_map(map, type)) {
     return Error{Errc::bad_input,
                  fmt::format("a vertex map of a {} {}", describe(type),
@@ -48,6 +53,10 @@ Result<OrderId> order_of(const Identify::Map& map, TypeId id, const Structure& s
 Status check_direction(const Degenerate& operation, const CellType& type) {
   const auto wrong = [](std::string what) { return Error{Errc::bad_input, std::move(what)}; };
   const std::string& name = operation.cell;
+  if (is_of_map(type)) {
+    return wrong(fmt::format("\"{}\" is a {}: only simploids have directions along which they can be squashed", name,
+                             describe(type)));
+  }
   if (type.empty()) {
     return wrong(fmt::format("\"{}\" is a vertex, which has no face to be squashed onto", name));
   }
@@ -80,7 +89,12 @@ Result<std::vector<Equation>> equations_of(const Identify& operation, const Stru
       return a ? b.error() : a.error();
     }
     if (a->type != b->type) {
-      const TypeTable& types = structure.types();
+      TypeTable& types = structure.types();
+      if (types.canonical(a->type).type == types.canonical(b->type).type) {
+        return Error{Errc::refused, fmt::format("\"{}\" and \"{}\" are cells alike, but not as seen from these darts: "
+                                                "no isomorphism takes the one dart to the other",
+                                                one, other)};
+      }
       return Error{Errc::refused,
                    fmt::format("\"{}\" is a {} and \"{}\" a {}: only cells of the same type can be identified", one,
                                describe(types.info(a->type).type), other, describe(types.info(b->type).type))};

@@ -12,6 +12,9 @@ namespace sesame::ops {
 // standard_cells.cpp
 Status plan_simplex(const MakeSimplex& operation, const Structure& structure, const Limits& limits, Plan& plan);
 Status plan_simploid(const MakeSimploid& operation, const Structure& structure, const Limits& limits, Plan& plan);
+/// The standard cell of a type, named so. Comes after the last look at a name, which may make lazy cells: the plan
+/// counts on ids.
+void write_standard(const std::string& name, TypeId type, const Structure& structure, Plan& plan);
 // complex.cpp
 Status plan_complex(const MakeComplex& operation, const Structure& structure, const Limits& limits, Plan& plan);
 // cone.cpp
@@ -19,6 +22,14 @@ Status plan_cone(const MakeCone& operation, const Structure& structure, const Li
 Status plan_suspension(const MakeSuspension& operation, const Structure& structure, const Limits& limits, Plan& plan);
 // product.cpp
 Status plan_product(const MakeProduct& operation, const Structure& structure, Plan& plan);
+// map_plans.cpp
+Status plan_map(const MakeGMap& operation, const Structure& structure, const Limits& limits, Plan& plan);
+Status plan_map(const MakeMap& operation, const Structure& structure, const Limits& limits, Plan& plan);
+Status plan_polygon(const MakePolygon& operation, const Structure& structure, const Limits& limits, Plan& plan);
+// unsewing.cpp
+Status plan_unsewing(const Unsew& operation, const Structure& structure, const Limits& limits, Plan& plan);
+// extension.cpp
+Status plan_extension(const Extend& operation, const Structure& structure, const Limits& limits, Plan& plan);
 // insertion.cpp
 Status plan_insertion(const Insert& operation, const Structure& structure, const Limits& limits, Plan& plan);
 // collapse.cpp

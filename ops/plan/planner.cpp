@@ -2,6 +2,7 @@
 
 #include "ops/plan/equations.hpp"
 #include "ops/plan/operation_plans.hpp"
+#include "ops/plan/sewing.hpp"
 #include "ops/plan/step_names.hpp"
 
 namespace sesame::ops {
@@ -26,6 +27,31 @@ Status Planner::plan(const MakeSimploid& operation, Plan& plan) {
 
 Status Planner::plan(const MakeComplex& operation, Plan& plan) {
   return plan_complex(operation, structure_, limits_, cleared(plan));
+}
+
+Status Planner::plan(const MakeGMap& operation, Plan& plan) {
+  return plan_map(operation, structure_, limits_, cleared(plan));
+}
+
+Status Planner::plan(const MakePolygon& operation, Plan& plan) {
+  return plan_polygon(operation, structure_, limits_, cleared(plan));
+}
+
+Status Planner::plan(const MakeMap& operation, Plan& plan) {
+  return plan_map(operation, structure_, limits_, cleared(plan));
+}
+
+Status Planner::plan(const Unsew& operation, Plan& plan) {
+  return plan_unsewing(operation, structure_, limits_, cleared(plan));
+}
+
+Status Planner::plan(const Extend& operation, Plan& plan) {
+  return plan_extension(operation, structure_, limits_, cleared(plan));
+}
+
+Status Planner::plan(const Sew& operation, Plan& plan) {
+  Result<std::vector<Equation>> equations = equations_of(operation, structure_, cleared(plan));
+  return plan_equations(std::move(equations), plan);
 }
 
 Status Planner::plan(const MakeCone& operation, Plan& plan) {

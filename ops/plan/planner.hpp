@@ -27,6 +27,12 @@ class Planner {
   Status plan(const MakeSimplex& operation, Plan& plan);
   Status plan(const MakeSimploid& operation, Plan& plan);
   Status plan(const MakeComplex& operation, Plan& plan);
+  Status plan(const MakeGMap& operation, Plan& plan);
+  Status plan(const MakePolygon& operation, Plan& plan);
+  Status plan(const MakeMap& operation, Plan& plan);
+  Status plan(const Sew& operation, Plan& plan);
+  Status plan(const Unsew& operation, Plan& plan);
+  Status plan(const Extend& operation, Plan& plan);
   Status plan(const MakeCone& operation, Plan& plan);
   Status plan(const MakeSuspension& operation, Plan& plan);
   Status plan(const MakeProduct& operation, Plan& plan);

@@ -56,6 +56,11 @@ Status plan_product(const MakeProduct& operation, const Structure& structure, Pl
   if (!left || !right) {
     return left ? right.error() : left.error();
   }
+  for (const BodyId body : {*left, *right}) {
+    if (Status s = check_no_maps(body, "a product", structure); !s) {
+      return s;
+    }
+  }
   if (operation.simplicial) {
     for (const auto& [body, name] : {std::pair{*left, operation.left}, std::pair{*right, operation.right}}) {
       if (Status s = check_triangulable(body, name, structure); !s) {

@@ -29,22 +29,6 @@ Status check_names(const std::string& name, TypeId type, const Structure& struct
   return Done{};
 }
 
-/// Comes after the last look at a name, which may make lazy cells: the plan counts on ids.
-void write(const std::string& name, TypeId type, const Structure& structure, Plan& plan) {
-  const StandardCell& standard = structure.types().standard(type);
-  plan.first = structure.cells().size();
-  for (std::size_t k = 0; k < standard.cells.size(); ++k) {
-    const StandardFace& cell = standard.cells[k];
-    const std::size_t first_face = plan.faces.size();
-    for (const std::uint32_t face : cell.faces) {
-      plan.faces.push_back(plan.first + face);
-    }
-    add_cell(cell.type, first_face, plan);
-  }
-  plan.standard = type;
-  plan.new_body = name;
-}
-
 /// The type of a standard cell with names that are free. Errors: refused, bad_input.
 Result<TypeId> check_cell(const std::string& name, const CellType& type, const Structure& structure,
                           const Limits& limits) {
@@ -61,6 +45,23 @@ Result<TypeId> check_cell(const std::string& name, const CellType& type, const S
 
 }  // namespace
 
+void write_standard(const std::string& name, TypeId type, const Structure& structure, Plan& plan) {
+  const StandardCell& standard = structure.types().standard(type);
+  plan.first = structure.cells().size();
+  for (const StandardFace& cell : standard.cells) {
+    const std::size_t first_face = plan.faces.size();
+    for (std::size_t k = 0; k < cell.faces.size(); ++k) {
+      const OrderId order = cell.face_darts.empty()
+                                ? OrderId{same_order}
+                                : structure.maps().order_at(standard.cells[cell.faces[k]].type, cell.face_darts[k]);
+      add_face({plan.first + cell.faces[k], order}, plan);
+    }
+    add_cell(cell.type, first_face, plan);
+  }
+  plan.standard = type;
+  plan.new_body = name;
+}
+
 Status plan_simplex(const MakeSimplex& operation, const Structure& structure, const Limits& limits, Plan& plan) {
   const std::string& name = operation.name;
   const bool is_vertex = operation.dimension == 0;
@@ -71,7 +72,7 @@ Status plan_simplex(const MakeSimplex& operation, const Structure& structure, co
   if (Status s = is_vertex ? check_new_name(name + ".0", structure) : Done{}; !s) {  // a further name of it
     return s;
   }
-  write(name, *type, structure, plan);
+  write_standard(name, *type, structure, plan);
   return Done{};
 }
 
@@ -81,7 +82,7 @@ Status plan_simploid(const MakeSimploid& operation, const Structure& structure, 
   if (!type) {
     return type.error();
   }
-  write(name, *type, structure, plan);
+  write_standard(name, *type, structure, plan);
   if (operation.type.empty()) {  // it has one name only, unlike a simplex
     plan.standard = none;
     plan.names = name;

@@ -38,20 +38,24 @@ Result<Value> resolve_cell(const std::string& name, const Structure& structure) 
   if (!named) {
     return Error{Errc::unknown_name, why_unreadable(name, reader.failure(), structure)};
   }
-  Lineage(structure).advance_to_now(*named);
-  if (const FamilyId consumer = structure.lazy().consumed_by(named->cell); consumer != none) {
+  return what_is_now(*named, name, structure);
+}
+
+Result<Value> what_is_now(Value value, const std::string& name, const Structure& structure) {
+  Lineage(structure).advance_to_now(value);
+  if (const FamilyId consumer = structure.lazy().consumed_by(value.cell); consumer != none) {
     const LazyFamily& product = structure.lazy().family(consumer);
     return Error{
         Errc::unknown_name,
         fmt::format("the cell \"{}\" went into the product \"{}\", whose cells have names such as \"{}.(a|b)\"", name,
                     product.name, product.name)};
   }
-  if (is_deleted(structure.forest(), named->cell)) {
-    const std::string own = structure.name(named->cell);
+  if (is_deleted(structure.forest(), value.cell)) {
+    const std::string own = structure.name(value.cell);
     return Error{Errc::unknown_name, fmt::format("the cell {} was removed{}: undo that, or name another cell",
                                                  quoted(name), own == name ? "" : fmt::format(", as {}", quoted(own)))};
   }
-  return *named;
+  return value;
 }
 
 Result<BodyId> resolve_body(const std::string& name, const Structure& structure) {
@@ -66,6 +70,15 @@ Result<BodyId> resolve_body(const std::string& name, const Structure& structure)
                                                  name, structure.lazy().family(family).name)};
   }
   return *body;
+}
+
+Status check_no_maps(BodyId body, std::string_view what, const Structure& structure) {
+  return structure.bodies().kind(body).has_maps
+             ? Error{Errc::refused,
+                     fmt::format("the body \"{}\" has cells of maps: {} is possible of simploids only; make "
+                                 "the maps \"as\":\"simplices\"",
+                                 structure.directory().name_of_body(body), what)}
+             : Status{Done{}};
 }
 
 Result<BodyId> abstract_body(LabelId label, const Structure& structure) {

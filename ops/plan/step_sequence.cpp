@@ -201,8 +201,9 @@ std::optional<std::string> first_broken_face_law(const Structure& structure, con
       }
       const Value cell = structure.values().of(c);
       for (const FaceLaw& law : structure.cells().type(c).laws) {
-        if (!(structure.values().face(structure.values().face(cell, law.first), law.second) ==
-              structure.values().face(structure.values().face(cell, law.other_first), law.other_second))) {
+        const Value one = structure.values().face(structure.values().face(cell, law.first), law.second);
+        const Value other = structure.values().face(structure.values().face(cell, law.other_first), law.other_second);
+        if (!(one == (law.other_dart == 0 ? other : structure.maps().seen_from(law.other_dart, other)))) {
           return fmt::format("face {} of face {} of {} is not its face {} of face {}", law.second, law.first,
                              structure.name(c), law.other_second, law.other_first);
         }

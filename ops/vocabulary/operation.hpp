@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "ops/maps/gmap.hpp"
 #include "ops/vocabulary/cell_list.hpp"
 #include "ops/vocabulary/name_lists.hpp"
 #include "sparse/integer.hpp"
@@ -40,6 +41,45 @@ struct MakeComplex {
   using Cell = ListedCell;
   std::string name;
   CellList cells;
+};
+
+/// An n-G-map: lists of images of its darts, under alpha_0 to alpha_n.
+struct MakeGMap {
+  std::string name;
+  std::vector<std::vector<Dart>> alpha;
+  bool as_simplices = false;  ///< by the simplices of its simplicial analogue instead of its cells
+};
+
+/// An n-map, oriented: lists of images of its darts under beta_1 to beta_n, no_dart where they are free. It is the
+/// G-map with two darts k and k' for each of its darts k.
+struct MakeMap {
+  std::string name;
+  std::vector<std::vector<Dart>> beta;
+  bool as_simplices = false;
+};
+
+/// A 2-G-map of one face, whose side s has the darts 2s and 2s + 1.
+struct MakePolygon {
+  std::string name;
+  int sides = 0;
+  bool as_simplices = false;
+};
+
+/// Makes pairs of free darts images of one another under an involution, each with its orbit.
+struct Sew {
+  int dimension = 0;
+  std::vector<std::pair<std::string, std::string>> pairs;
+};
+
+/// Takes the sewing of darts under an involution back, of each with its orbit.
+struct Unsew {
+  int dimension = 0;
+  std::vector<std::string> darts;
+};
+
+/// Makes maps with all that is sewn to them maps of one dimension more: each component gets the cell over it.
+struct Extend {
+  std::vector<std::string> maps;
 };
 
 /// What a cone or a suspension is taken over: everything, a body, or the closure of some cells.
@@ -154,8 +194,9 @@ struct Note {
   std::string text;
 };
 
-using Operation = std::variant<MakeSimplex, MakeSimploid, MakeComplex, MakeCone, MakeSuspension, MakeProduct, Identify,
-                               Degenerate, Deidentify, Insert, Collapse, Remove, Replace, Expect, AskClass, Undo, Note>;
+using Operation = std::variant<MakeSimplex, MakeSimploid, MakeComplex, MakeGMap, MakeMap, MakePolygon, MakeCone,
+                               MakeSuspension, MakeProduct, Identify, Sew, Unsew, Extend, Degenerate, Deidentify,
+                               Insert, Collapse, Remove, Replace, Expect, AskClass, Undo, Note>;
 
 /// The word that stands for an operation in a log: "simplex", "identify", ...
 [[nodiscard]] std::string_view keyword(const Operation& operation);

@@ -26,6 +26,13 @@ extern const Form<MakeComplex> complex_form;
 extern const Form<MakeCone> cone_form;
 extern const Form<MakeSuspension> suspension_form;
 extern const Form<MakeProduct> product_form;
+// map_forms.cpp
+extern const Form<MakeGMap> gmap_form;
+extern const Form<MakeMap> map_form;
+extern const Form<MakePolygon> polygon_form;
+extern const Form<Sew> sew_form;
+extern const Form<Unsew> unsew_form;
+extern const Form<Extend> extend_form;
 // gluing_forms.cpp
 extern const Form<Identify> identify_form;
 extern const Form<Degenerate> degenerate_form;

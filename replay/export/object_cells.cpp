@@ -129,6 +129,14 @@ void ObjectCells::corners(CellId cell, std::vector<std::uint32_t>& corners) cons
   const ops::Value value =
       structure_->maps().has_orders() ? structure_->directory().named_value(cell) : structure_->values().plain(cell);
   const ops::CellType& type = structure_->cells().type(cell).type;
+  if (ops::is_of_map(type)) {
+    for (std::uint32_t side = 0; side < structure_->faces().of(cell).size() && structure_->dimension(cell) == 2;
+         ++side) {
+      const ops::Value edge = structure_->values().face(structure_->values().plain(cell), side);
+      corners.push_back(number(structure_->values().face(edge, 0).cell));  // where the dart is that sees the side
+    }
+    return;
+  }
   std::vector<int> vertex(type.size(), 0);
   do {
     corners.push_back(number(corner(*structure_, value, vertex)));

@@ -41,7 +41,8 @@ class ObjectCells {
   /// The boundary of a cell, by face; degenerate faces count 0.
   void boundary(ops::CellId cell, std::vector<BoundaryTerm>& terms) const;
   /// The numbers of the vertices of a cell, in the lexicographic order of the vertices of its type, as its canonical
-  /// name has them. One that is several vertices of the cell is listed as often.
+  /// name has them; of a polygon of a map in turn, and none of a larger cell of a map. One that is several vertices of
+  /// the cell is listed as often.
   void corners(ops::CellId cell, std::vector<std::uint32_t>& corners) const;
 
  private:

@@ -18,7 +18,7 @@ using Segment = std::array<std::uint32_t, 2>;
 Polygon polygon_of(const ObjectCells& cells, ops::CellId face) {
   Polygon corners;
   cells.corners(face, corners);
-  if (corners.size() == 4) {  // of a square, in lexicographic order
+  if (corners.size() == 4 && !ops::is_of_map(cells.structure().cells().type(face).type)) {  // lexicographic
     corners = {corners[0], corners[2], corners[3], corners[1]};
   }
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());

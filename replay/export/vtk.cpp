@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <string_view>
 
 #include "replay/export/drawing.hpp"
@@ -16,8 +17,15 @@ constexpr std::size_t dimensions_drawn = 4;
 /// A type of cells of VTK: its number, and its corners as numbers of ours, which are in lexicographic order.
 struct GridShape {
   int number;
-  std::vector<std::uint8_t> corners;
+  std::vector<std::uint32_t> corners;
 };
+
+/// A polygon has as many corners as it has, in turn; a larger cell of a map is not drawn.
+GridShape shape_of_map(const ops::CellType& type, std::size_t corners) {
+  GridShape shape{type[1] == 2 ? 7 : 0, std::vector<std::uint32_t>(corners)};
+  std::iota(shape.corners.begin(), shape.corners.end(), 0U);
+  return shape;
+}
 
 const GridShape& shape_of(const ops::CellType& type) {
   static const std::array<std::pair<ops::CellType, GridShape>, 8> shapes{{
@@ -39,9 +47,10 @@ struct Grid {
     std::vector<std::uint32_t> corners;
     for (std::size_t dimension = 0; dimension < dimensions_drawn; ++dimension) {
       for (const ops::CellId cell : cells.of(dimension)) {
-        const GridShape& shape = shape_of(cells.structure().cells().type(cell).type);
+        const ops::CellType& type = cells.structure().cells().type(cell).type;
         cells.corners(cell, corners);
-        for (const std::uint8_t corner : shape.corners) {
+        const GridShape shape = ops::is_of_map(type) ? shape_of_map(type, corners.size()) : shape_of(type);
+        for (const std::uint32_t corner : shape.corners) {
           connectivity.push_back(corners[corner]);
         }
         ends.push_back(connectivity.size());
@@ -82,7 +91,16 @@ Remarks remarks_on(const ObjectCells& cells) {
   for (std::size_t dimension = dimensions_drawn; dimension < cells.dimensions(); ++dimension) {
     higher += cells.of(dimension).size();
   }
-  return higher == 0 ? Remarks{} : Remarks{fmt::format("{} cells of dimensions above 3 are not shown", higher)};
+  Remarks remarks;
+  if (higher > 0) {
+    remarks.push_back(fmt::format("{} cells of dimensions above 3 are not shown", higher));
+  }
+  const auto of_maps = std::ranges::count_if(
+      cells.of(3), [&](ops::CellId cell) { return ops::is_of_map(cells.structure().cells().type(cell).type); });
+  if (of_maps > 0) {
+    remarks.push_back(fmt::format("of {} solids of maps only the faces are shown", of_maps));
+  }
+  return remarks;
 }
 
 /// The array of a vtu file that is being written; ends with it.

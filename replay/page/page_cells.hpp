@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,18 +44,15 @@ inline constexpr PageRef ref_to_unshown = -1;
 /// number of its own. Names, types and faces are those at their beginning.
 struct PageCells {
   std::vector<std::string> names;
-  std::vector<ops::CellType> types;          ///< that occur
+  std::vector<ops::CellType> types;          ///< that occur; of a cell of a map 0, its dimension and how many faces it has
   std::vector<std::uint32_t> type_of;        ///< by cell, its number in `types`
   std::vector<std::uint32_t> first_face{0};  ///< by cell, and one more
   std::vector<PageRef> faces;
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(names.size()); }
   [[nodiscard]] int dimension(std::uint32_t cell) const {
-    int sum = 0;
-    for (const int part : types[type_of[cell]]) {
-      sum += part;
-    }
-    return sum;
+    const ops::CellType& type = types[type_of[cell]];
+    return ops::is_of_map(type) ? type[1] : std::accumulate(type.begin(), type.end(), 0);
   }
 };
 

@@ -182,7 +182,8 @@ void PageHistory::number_nodes(const Structure& structure) {
 void PageHistory::add_node(const Structure& structure, CellId node) {
   const std::uint32_t cell = cells_.size();
   cells_.names.push_back(structure.directory().own_name(node));
-  cells_.type_of.push_back(type_number(structure.cells().type(node).type));
+  const ops::TypeInfo& type = structure.cells().type(node);
+  cells_.type_of.push_back(type_number(type.type, static_cast<int>(type.faces.size())));
   const bool has_edges = structure.dimension(node) == 2;
   const auto faces = structure.faces().of(node);
   for (std::uint32_t k = 0; k < faces.size(); ++k) {
@@ -297,10 +298,11 @@ PageChain PageHistory::chain(const Structure& structure, const engine::CellChain
   return written;
 }
 
-std::uint32_t PageHistory::type_number(const ops::CellType& type) {
+std::uint32_t PageHistory::type_number(const ops::CellType& type, int faces) {
   const auto [known, is_new] = types_.emplace(type, static_cast<std::uint32_t>(cells_.types.size()));
   if (is_new) {
-    cells_.types.push_back(type);
+    // Of a cell of a map its dimension and the number of its faces say enough.
+    cells_.types.push_back(ops::is_of_map(type) ? ops::CellType{0, type[1], faces} : type);
   }
   return known->second;
 }

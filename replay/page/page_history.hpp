@@ -64,7 +64,7 @@ class PageHistory {
   }
   [[nodiscard]] GeneratorHistory::Place place(std::size_t step) const;
   [[nodiscard]] GeneratorHistory::Writer writer(const ops::Structure& structure) const;
-  [[nodiscard]] std::uint32_t type_number(const ops::CellType& type);
+  [[nodiscard]] std::uint32_t type_number(const ops::CellType& type, int faces);
 
   PageLimits limits_;
   PageCells cells_;

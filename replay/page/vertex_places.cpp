@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <variant>
 
@@ -71,6 +72,17 @@ std::vector<Point> standard_shape(const ops::CellType& type) {
   return all;
 }
 
+/// With sides of length 1.
+std::vector<Point> regular_polygon(int sides) {
+  std::vector<Point> corners;
+  const double turn = 2 * std::numbers::pi / sides;
+  const double radius = sides > 1 ? 0.5 / std::sin(turn / 2) : 0.5;
+  for (int k = 0; k < sides; ++k) {
+    corners.push_back({radius * std::cos(k * turn), radius * std::sin(k * turn), 0});
+  }
+  return corners;
+}
+
 }  // namespace
 
 void VertexPlaces::add_vertex(std::uint32_t cell) {
@@ -106,18 +118,21 @@ void VertexPlaces::take(const ops::Operation& operation, const engine::StepRepor
     }
   }
   if (const auto* simplex = std::get_if<ops::MakeSimplex>(&operation); simplex != nullptr && simplex->at.empty()) {
-    shape(simplex->dimension > 0 ? ops::CellType{simplex->dimension} : ops::CellType{}, report, number_of);
+    shape(standard_shape(simplex->dimension > 0 ? ops::CellType{simplex->dimension} : ops::CellType{}), report,
+          number_of);
   } else if (const auto* simploid = std::get_if<ops::MakeSimploid>(&operation);
              simploid != nullptr && simploid->at.empty()) {
-    shape(simploid->type, report, number_of);
+    shape(standard_shape(simploid->type), report, number_of);
+  } else if (const auto* polygon = std::get_if<ops::MakePolygon>(&operation)) {
+    shape(regular_polygon(polygon->sides), report, number_of);
   }
 }
 
-void VertexPlaces::shape(const ops::CellType& type, const engine::StepReport& report,
+void VertexPlaces::shape(const std::vector<Point>& corners, const engine::StepReport& report,
                          const std::function<std::uint32_t(ops::CellId)>& number_of) {
   ++groups_;
   ops::CellId node = report.before.created;
-  for (const Point& point : standard_shape(type)) {
+  for (const Point& point : corners) {
     const std::uint32_t cell = number_of(node++);
     if (const std::uint32_t found = cell == ops::none ? cell : index(cell); found != ops::none) {
       known_[found].group = groups_;

@@ -65,7 +65,7 @@ class VertexPlaces {
 
   [[nodiscard]] Known& known(std::uint32_t cell) { return known_[index_.at(cell)]; }
   [[nodiscard]] std::uint32_t index(std::uint32_t cell) const;
-  void shape(const ops::CellType& type, const engine::StepReport& report,
+  void shape(const std::vector<ops::Point>& corners, const engine::StepReport& report,
              const std::function<std::uint32_t(ops::CellId)>& number_of);
   [[nodiscard]] std::vector<std::optional<ops::Point>> sums() const;
   [[nodiscard]] std::uint32_t in_layout(std::uint32_t cell) const;

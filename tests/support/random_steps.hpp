@@ -14,6 +14,7 @@
 #include "ops/plan/planner.hpp"
 #include "ops/vocabulary/operation.hpp"
 #include "tests/support/random_complexes.hpp"
+#include "tests/support/solids.hpp"
 
 namespace sesame::tests {
 
@@ -28,6 +29,7 @@ struct StreamShape {
   bool pyramids = false;      ///< cones over cells that are no simplices, and over whole bodies
   bool removals = false;      ///< of cells without cofaces, and of open stars
   bool replacements = false;  ///< flips and subdivisions, with removals
+  bool maps = false;          ///< made, sewn, unsewn and extended
 };
 
 /// A stream of all operations.
@@ -101,7 +103,7 @@ class DrawnSteps {
 
   ops::Operation next(const ops::Structure& structure) {
     const std::vector<ops::CellId> cells = current_cells(structure);
-    if (!cells.empty() && has_more_than_gluings() && random_.one_in(3)) {
+    if (!cells.empty() && has_more_than_gluings() && random_.one_in(shape_.maps ? 2 : 3)) {
       if (auto op = other_step(structure, cells)) {
         return *std::move(op);
       }
@@ -111,7 +113,7 @@ class DrawnSteps {
       return growth(structure, cells);
     }
     ops::Operation gluing = identification(structure, cells);
-    if (shape_.replacements && !is_legal(structure, gluing)) {  // it would fold a cell: flips change orders of vertices
+    if ((shape_.replacements || shape_.maps) && !is_legal(structure, gluing)) {  // it would fold a cell
       return ops::MakeSimplex{fresh_name(), 0, {}};
     }
     return gluing;
@@ -143,6 +145,9 @@ class DrawnSteps {
   std::string fresh_name() { return "n" + std::to_string(++names_); }
 
   ops::Operation growth(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
+    if (shape_.maps && random_.one_in(3)) {
+      return new_map();
+    }
     const int kind = random_.in(1, 10);
     if (kind <= 2 && shape_.simploids) {
       const std::vector<ops::CellType> types{{1, 1}, {2, 1}, {1, 2}, {1, 1, 1}, {1}, {}};
@@ -173,7 +178,51 @@ class DrawnSteps {
 
   [[nodiscard]] bool has_more_than_gluings() const {
     return shape_.degeneracies || shape_.splits || shape_.products || shape_.pyramids || shape_.removals ||
-           shape_.replacements;
+           shape_.replacements || shape_.maps;
+  }
+
+  ops::Operation new_map() {
+    const std::vector<Polygons> solids{tetrahedron_faces(), cube_faces(), prism_faces(3), pyramid_faces(4)};
+    const int kind = random_.in(1, 12);
+    if (kind == 1) {
+      return make_map(fresh_name(), torus_of_a_square(), random_.one_in(3));
+    }
+    if (kind == 2) {
+      return make_map(fresh_name(), map_of_faces(solids[static_cast<std::size_t>(random_.in(0, 3))]));
+    }
+    if (kind <= 4) {
+      return make_map(fresh_name(), solid_of(solids[static_cast<std::size_t>(random_.in(0, 3))]));
+    }
+    return ops::MakePolygon{fresh_name(), random_.in(1, 5), false};
+  }
+
+  /// Two random darts of maps of one dimension, or one of these comes away; or all that is closed bounds a cell.
+  std::optional<ops::Operation> sewing(const ops::Structure& structure) {
+    const ops::DartStore& darts = structure.darts();
+    const auto any_map = [&] {
+      return darts.map(static_cast<std::uint32_t>(random_.in(0, static_cast<int>(darts.maps()) - 1)));
+    };
+    const auto any_dart = [&](const ops::DartStore::Made& map) {
+      return structure.directory().names()[map.name].text + ":" +
+             ops::dart_text(map, static_cast<ops::Dart>(random_.in(0, static_cast<int>(map.count) - 1)));
+    };
+    if (darts.maps() == 0) {
+      return std::nullopt;
+    }
+    const auto one = any_map();
+    if (random_.one_in(4)) {
+      return ops::Unsew{one.dimension, {any_dart(one)}};
+    }
+    if (random_.one_in(8)) {
+      return ops::Extend{{structure.directory().names()[one.name].text}};
+    }
+    for (int tries = 0; tries < 12; ++tries) {
+      ops::Sew op{one.dimension, {{any_dart(one), any_dart(any_map())}}};
+      if (is_legal(structure, op)) {
+        return op;
+      }
+    }
+    return std::nullopt;
   }
 
   static bool is_legal(const ops::Structure& structure, const ops::Operation& op) {
@@ -193,6 +242,10 @@ class DrawnSteps {
   /// One of the steps that only some streams have, or nothing when the one drawn is not legal.
   std::optional<ops::Operation> other_step(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
     std::optional<ops::Operation> op;
+    if (shape_.maps && random_.one_in(2)) {
+      op = sewing(structure);
+      return op && is_legal(structure, *op) ? op : std::nullopt;
+    }
     const int kind = random_.in(1, shape_.replacements ? 15 : shape_.removals ? 13 : 10);
     if (kind > 13) {
       op = replacement(structure, cells);
@@ -217,7 +270,7 @@ class DrawnSteps {
   std::optional<ops::Operation> degeneration(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
     const ops::CellId c = pick(cells);
     const ops::CellType& type = structure.cells().type(c).type;
-    if (type.empty()) {
+    if (type.empty() || ops::is_of_map(type)) {
       return std::nullopt;
     }
     const int component = random_.in(1, static_cast<int>(type.size()));

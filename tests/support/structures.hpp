@@ -247,6 +247,24 @@ inline std::string dump(const ops::Structure& structure, ops::CellId c) {
   return text + " found " + (found ? label(structure, *found) : "nothing") + "\n";
 }
 
+/// The darts of all maps, how they are sewn and what they see.
+inline std::string dump(const ops::DartStore& darts, const ops::Structure& structure) {
+  std::string text;
+  for (std::uint32_t number = 0; number < darts.maps(); ++number) {
+    const ops::DartStore::Made& map = darts.map(number);
+    text += "map " + structure.directory().names()[map.name].text + (map.is_by_simplices ? " by simplices\n" : "\n");
+    for (ops::Dart d = map.first; d < map.first + map.count; ++d) {
+      for (int i = 0; i <= map.dimension; ++i) {
+        const auto seen = structure.seen_from_dart(map, i, d);
+        text += " " + std::to_string(darts.alpha(map.dimension, i, d)) + " ";
+        text += seen ? text_of(structure, structure.values().normal_form(*seen)) : "nothing";
+      }
+      text += "\n";
+    }
+  }
+  return text;
+}
+
 /// Everything that can be seen of a structure, as text. Two states are alike exactly when these are, whatever lazy
 /// cells have been asked for. Makes all lazy cells.
 inline std::string dump(const ops::Structure& structure) {
@@ -281,7 +299,7 @@ inline std::string dump(const ops::Structure& structure) {
     }
     text += "\n";
   }
-  return text;
+  return text + dump(structure.darts(), structure);
 }
 
 /// Where two texts first differ, a line of each; empty when they do not.

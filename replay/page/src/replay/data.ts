@@ -167,5 +167,6 @@ export function stopsOf(steps: number, stride: number): number[] {
 }
 
 export function dimensionOf(data: Data, cell: number): number {
-  return data.cells.types[data.cells.type[cell]].reduce((sum, part) => sum + part, 0);
+  const type = data.cells.types[data.cells.type[cell]];
+  return type[0] === 0 ? type[1] : type.reduce((sum, part) => sum + part, 0);
 }

@@ -79,6 +79,10 @@ export class ObjectState {
     }
   }
 
+  /** Whether a face is one of a map, whose sides follow one another. */
+  isPolygon(cell: number): boolean {
+    return this.data.cells.types[this.data.cells.type[cell]][0] === 0;
+  }
   dimension(cell: number): number {
     return this.dimensions[cell];
   }

@@ -114,6 +114,16 @@ function bubble(base: Vec, index: number, size: number, n: number): Triangles {
   return grid((u, w) => add(centre, turned(turned(start, axis, Math.PI * w), towards, 2 * Math.PI * u)), Math.max(2 * n, 6));
 }
 
+/** The surface between sides that follow one another and a point in their middle, which may be raised. */
+function fan(sides: readonly Curve[], bulge: number, n: number): Triangles {
+  const points = sides.flatMap((side) => {
+    const parts = side.straight ? 1 : n;
+    return Array.from({ length: parts }, (_, k) => side.at(k / parts));
+  });
+  const middle = add(scale(points.reduce(add), 1 / points.length), scale(normalOf(sides), bulge));
+  return points.flatMap((point, k) => [middle, point, points[(k + 1) % points.length]]);
+}
+
 /** Faces with the same sides in the same object get different bulges; how many there were so far. */
 export type Twins = Map<string, number>;
 
@@ -166,6 +176,9 @@ export function patchOf(object: ObjectState, curves: Curves, placeOf: (v: number
   const bulge = bulgeOf(sides, twins) * size;
   const [c0, c1, c2, c3] = sides.map((side) => side.curve);
   const flat = bulge === 0 && sides.every((side) => side.curve.straight);
+  if (object.isPolygon(face)) {
+    return fan(sides.map((side) => reversed(side.curve)), bulge, n);
+  }
   if (count === 3) {
     if (flat) {
       return [c2.from, c2.to, c0.to];

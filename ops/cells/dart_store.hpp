@@ -1,0 +1,153 @@
+/// \file
+/// The darts of all maps that were made: how they are sewn, and which cells they belong to.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ops/cells/cell_store.hpp"
+#include "ops/cells/cell_type.hpp"
+#include "ops/cells/dart_cells.hpp"
+#include "ops/ids.hpp"
+#include "ops/maps/gmap.hpp"
+#include "sparse/archive.hpp"
+#include "sparse/growing_array.hpp"
+
+namespace sesame::ops {
+
+/// Darts are numbered through all maps of a dimension n, in the order in which they were made. Sewing and what undoes
+/// it change their involutions; cells are those that were made with them, whatever has become of these since.
+///
+/// Everything that happens is an event, and events are undone in reverse order. Cost: O(1), or as said.
+class DartStore {
+ public:
+  /// A map as it was made.
+  struct Made {
+    std::uint32_t name;  ///< its number among all names
+    int dimension;
+    Dart first;  ///< of its darts
+    Dart count;
+    CellId node;  ///< the first of the nodes that were made for it
+    std::shared_ptr<const DartCells> cells;
+    bool is_by_simplices;  ///< then what has a dimension is what sewing in it glues
+    /// Of an n-map so many darts, after which those come that are called k' for the dart k of these; else 0.
+    Dart halves = 0;
+  };
+
+  [[nodiscard]] std::uint32_t maps() const { return static_cast<std::uint32_t>(maps_.size()); }
+  [[nodiscard]] const Made& map(std::uint32_t number) const { return maps_[number]; }
+  /// The map of a name, the last one that has been made under it, or null. Cost: the logarithm of the number of maps.
+  [[nodiscard]] const Made* named(std::uint32_t name) const;
+  /// The map that a dart was made with. Cost: the same.
+  [[nodiscard]] const Made& map_of(int dimension, Dart dart) const { return maps_[number_of_map(dimension, dart)]; }
+  [[nodiscard]] std::uint32_t number_of_map(int dimension, Dart dart) const;
+  /// How many darts there are in maps of a dimension.
+  [[nodiscard]] Dart darts(int dimension) const;
+  [[nodiscard]] Dart alpha(int dimension, int i, Dart dart) const {
+    return by_dimension_[static_cast<std::size_t>(dimension)].alpha[static_cast<std::size_t>(i)][dart];
+  }
+
+  /// The node of the i-cell of a dart, as it was made or as `see` said last, and which dart of it that is; the node is
+  /// UINT32_MAX when it is gone for good.
+  [[nodiscard]] DartCells::Seen seen(const Made& map, int i, Dart dart) const;
+  /// Whether `see` has said something.
+  [[nodiscard]] bool has_seen_others() const { return !sees_.empty(); }
+
+  // ---- change
+  [[nodiscard]] std::uint32_t events() const { return static_cast<std::uint32_t>(events_.size()); }
+  /// The next map, with a name.
+  void add(std::uint32_t name, const GMap& map, CellId node, std::shared_ptr<const DartCells> cells,
+           bool is_by_simplices, Dart halves);
+  /// Maps of one dimension, with all that is sewn to them, as maps of one dimension more, under the same names: the new
+  /// involution fixes all darts.
+  struct Extension {
+    std::uint32_t map;                       ///< its number
+    std::shared_ptr<const DartCells> cells;  ///< of the new map, whose offsets are nodes
+  };
+  void extend(std::span<const Extension> extensions);
+  /// Two free darts become images of one another, or, with the same two again, free.
+  void sew(int dimension, int i, Dart a, Dart b);
+  void unsew(int dimension, int i, Dart a, Dart b);
+  /// The i-cell of a dart is, from now on, a certain node as seen from a dart of it.
+  void see(int dimension, int i, Dart dart, const DartCells::Seen& node);
+  void undo_last_event();
+  /// Forgets what happened: it can be undone no more.
+  void forget_events() {
+    events_.truncate(0);
+    saw_.clear();
+  }
+
+  // ---- to an archive, without the events, and into a new store from one, which fails when it is unsound
+  void save(sparse::ArchiveWriter& to) const;
+  /// Names are not looked at.
+  void load(sparse::ArchiveReader& from, const CellStore& nodes, const TypeTable& types);
+  /// The same maps with the same darts, of whose cells another store has become; to begin with. `name(number)`: of a
+  /// name there; `seen(map, i, dart)`: the node of a cell and which dart of it that is, or nothing.
+  template <class Name, class Seen>
+  void begin_with(const DartStore& other, Name&& name, Seen&& seen);
+
+ private:
+  struct Dimension {
+    std::vector<sparse::GrowingArray<Dart>> alpha;
+    std::vector<std::uint32_t> maps;  ///< numbers
+  };
+  enum class What : std::uint8_t { made, sewn, unsewn, seen };
+  struct Event {
+    What what;
+    std::int8_t dimension, index;
+    Dart a, b;  ///< darts; of what a dart sees, the dart and the number of what it saw
+  };
+  using Place = std::array<std::uint32_t, 3>;  ///< dimension, dimension of the cell, dart
+  void join(const Event& event, bool are_sewn);
+  void note_map(Made map);
+  [[nodiscard]] bool is_sound(const Made& map, const CellStore& nodes, const TypeTable& types) const;
+
+  std::deque<Made> maps_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> by_name_;  ///< name and map, ascending
+  std::array<Dimension, largest_map_dimension + 1> by_dimension_;
+  sparse::GrowingArray<Event> events_;
+  std::map<Place, DartCells::Seen> sees_;            ///< nodes, where they are not those that were made with the map
+  std::vector<std::optional<DartCells::Seen>> saw_;  ///< before, per event of that kind
+};
+
+template <class Name, class Seen>
+void DartStore::begin_with(const DartStore& other, Name&& name, Seen&& seen) {
+  for (const Made& old : other.maps_) {
+    auto cells = std::make_shared<DartCells>();
+    for (std::size_t i = 0; i < old.cells->of.size(); ++i) {
+      cells->of.emplace_back();
+      for (Dart d = 0; d < old.cells->of[i].size(); ++d) {
+        cells->of.back().push_back(seen(old, static_cast<int>(i), old.first + d));
+      }
+    }
+    by_dimension_[static_cast<std::size_t>(old.dimension)].maps.push_back(maps());
+    by_name_.emplace_back(name(old.name), maps());
+    maps_.push_back({by_name_.back().first, old.dimension, old.first, old.count, 0, std::move(cells),
+                     old.is_by_simplices, old.halves});
+  }
+  std::ranges::sort(by_name_);
+  for (std::size_t n = 0; n < by_dimension_.size(); ++n) {
+    for (const auto& images : other.by_dimension_[n].alpha) {
+      auto& alpha = by_dimension_[n].alpha.emplace_back();
+      for (std::size_t d = 0; d < images.size(); ++d) {
+        alpha.push_back(images[d]);
+      }
+    }
+  }
+}
+
+/// "3", or "3'" of an n-map: what a dart of a map is called after its name, and which one it is, or no_dart.
+[[nodiscard]] std::string dart_text(const DartStore::Made& map, Dart local);
+[[nodiscard]] Dart dart_of_text(const DartStore::Made& map, std::string_view text);
+
+}  // namespace sesame::ops

@@ -1,0 +1,228 @@
+// Cells over whole maps.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ops/maps/orbits.hpp"
+#include "ops/maps/rooted_map.hpp"
+#include "ops/plan/new_cells.hpp"
+#include "ops/plan/operation_plans.hpp"
+#include "ops/plan/step_names.hpp"
+#include "sparse/contract.hpp"
+#include "sparse/quoted.hpp"
+
+namespace sesame::ops {
+namespace {
+
+class ExtensionPlanner {
+ public:
+  ExtensionPlanner(const Structure& structure, Plan& plan)
+      : structure_{structure}, store_{structure.darts()}, plan_{plan} {}
+
+  Status run(const Extend& operation) {
+    for (const std::string& name : operation.maps) {
+      if (Status s = add_map(name); !s) {
+        return s;
+      }
+    }
+    if (maps_.empty()) {
+      return Error{Errc::bad_input, "there is no map to extend: list one at least"};
+    }
+    add_what_is_sewn();
+    gather();
+    plan_.first = structure_.cells().size();
+    const Orbits all = components(map_);
+    for (const Dart first : all.first) {
+      if (Status s = add_cell_over(first); !s) {
+        return s;
+      }
+    }
+    join_bodies(bodies_, plan_);
+    write_darts(all);
+    return Done{};
+  }
+
+ private:
+  Status add_map(const std::string& name) {
+    const DartStore::Made* map = structure_.map_named(name);
+    if (map == nullptr) {
+      return Error{Errc::unknown_name, fmt::format("there is no map {}", sparse::quoted(name))};
+    }
+    if (map->is_by_simplices) {
+      return Error{Errc::refused,
+                   fmt::format("\"{}\" is a map by simplices, which cannot be extended: make it with one "
+                               "involution more, the identity",
+                               name)};
+    }
+    if (!maps_.empty() && map->dimension != dimension_) {
+      return Error{Errc::refused, fmt::format("\"{}\" has dimension {}, and the maps before it {}: extend maps of one "
+                                              "dimension",
+                                              name, map->dimension, dimension_)};
+    }
+    if (map->dimension == largest_map_dimension) {
+      return Error{Errc::refused, fmt::format("\"{}\" has dimension {}, the largest", name, map->dimension)};
+    }
+    dimension_ = map->dimension;
+    maps_.insert(store_.number_of_map(dimension_, map->first));
+    return Done{};
+  }
+
+  void add_what_is_sewn() {
+    std::vector<std::uint32_t> pending(maps_.begin(), maps_.end());
+    while (!pending.empty()) {
+      const DartStore::Made& map = store_.map(pending.back());
+      pending.pop_back();
+      for (Dart d = map.first; d < map.first + map.count; ++d) {
+        for (int i = 0; i <= dimension_; ++i) {
+          const std::uint32_t other = store_.number_of_map(dimension_, store_.alpha(dimension_, i, d));
+          if (maps_.insert(other).second) {
+            pending.push_back(other);
+          }
+        }
+      }
+    }
+  }
+
+  /// All of those maps as one.
+  void gather() {
+    std::map<std::uint32_t, Dart> first;
+    for (const std::uint32_t number : maps_) {
+      first.emplace(number, static_cast<Dart>(darts_.size()));
+      const DartStore::Made& map = store_.map(number);
+      for (Dart d = map.first; d < map.first + map.count; ++d) {
+        darts_.push_back(d);
+      }
+    }
+    std::vector<std::vector<Dart>> alpha(static_cast<std::size_t>(dimension_) + 1);
+    for (int i = 0; i <= dimension_; ++i) {
+      for (const Dart d : darts_) {
+        const Dart image = store_.alpha(dimension_, i, d);
+        const std::uint32_t number = store_.number_of_map(dimension_, image);
+        alpha[static_cast<std::size_t>(i)].push_back(first.at(number) + (image - store_.map(number).first));
+      }
+    }
+    Result<GMap> map = GMap::make(std::move(alpha));
+    sparse::expects(map.has_value(), "maps that are sewn are a map");
+    map_ = std::move(*map);
+    places_.assign(darts_.size(), 0);
+  }
+
+  [[nodiscard]] const DartStore::Made& made(Dart local) const { return store_.map_of(dimension_, darts_[local]); }
+  [[nodiscard]] std::string name(Dart local) const {
+    return fmt::format("{}:{}", structure_.directory().names()[made(local).name].text,
+                       dart_text(made(local), darts_[local] - made(local).first));
+  }
+  /// What a dart sees in a dimension by now.
+  [[nodiscard]] Result<Value> seen(int i, Dart local) const {
+    const auto value = structure_.seen_from_dart(made(local), i, darts_[local]);
+    return value ? what_is_now(*value, name(local), structure_)
+                 : Error{Errc::unknown_name, fmt::format("the cell of \"{}\" was removed", name(local))};
+  }
+
+  /// Cells may have been split, and then do not meet as the darts say.
+  Status check_laws(const TypeInfo& info, const std::vector<Value>& faces, Dart first) const {
+    for (const auto& [one, of_one, other, of_other, dart] : info.laws) {
+      const Value seen_from_one = structure_.values().face(faces[one], of_one);
+      const Value seen_from_other = structure_.values().face(faces[other], of_other);
+      if (!(seen_from_one == structure_.maps().seen_from(dart, seen_from_other))) {
+        return Error{
+            Errc::refused,
+            fmt::format("what \"{}\" belongs to has been split, and not by unsewing: \"{}\" and \"{}\" should "
+                        "be one cell",
+                        name(first), structure_.name(seen_from_one.cell), structure_.name(seen_from_other.cell))};
+      }
+    }
+    return Done{};
+  }
+
+  /// The cell over a component.
+  Status add_cell_over(Dart first) {
+    TypeTable& types = structure_.types();
+    const std::vector<Dart> order = darts_from(map_, first);
+    const TypeId as_seen = types.cell_over(restricted_to(map_, order, dimension_));
+    if (as_seen == none) {
+      return Error{Errc::refused, fmt::format("the cell over what \"{}\" belongs to is no ball, as that has not the "
+                                              "homology of a sphere: make it \"as\":\"simplices\", with one involution "
+                                              "more",
+                                              name(first))};
+    }
+    const TypeTable::Canonical canonical = types.canonical(as_seen);
+    const TypeInfo& info = types.info(canonical.type);
+    std::vector<Value> faces(info.faces.size());
+    Dart root = no_dart;
+    for (Dart k = 0; k < order.size(); ++k) {
+      const Dart place = types.dart_from(canonical.type, canonical.root, k);
+      places_[order[k]] = place;
+      if (place == 0) {
+        root = std::min(root, order[k]);
+      }
+      const CellShape::Place of_face = types.place_in_face(canonical.type, place);
+      if (of_face.dart == 0) {
+        const Result<Value> face = seen(dimension_, order[k]);
+        if (!face) {
+          return face.error();
+        }
+        faces[of_face.face] = *face;
+        bodies_.insert(structure_.body_of(face->cell));
+      }
+    }
+    if (Status s = check_laws(info, faces, first); !s) {
+      return s;
+    }
+    const std::size_t first_face = plan_.faces.size();
+    for (const Value& face : faces) {
+      add_face(structure_.values().incidence_of(face), plan_);
+    }
+    const std::string cell = fmt::format("{}.{}:{}", structure_.directory().names()[made(root).name].text,
+                                         dimension_ + 1, dart_text(made(root), darts_[root] - made(root).first));
+    if (structure_.is_name_taken(cell)) {
+      return Error{Errc::bad_input, fmt::format("the name \"{}\" of the new cell is in use", cell)};
+    }
+    plan_.names += cell;
+    add_cell(canonical.type, first_face, plan_);
+    return Done{};
+  }
+
+  void write_darts(const Orbits& all) {
+    Dart local = 0;
+    for (const std::uint32_t number : maps_) {
+      const DartStore::Made& map = store_.map(number);
+      auto cells = std::make_shared<DartCells>();
+      cells->of.resize(static_cast<std::size_t>(dimension_) + 2);
+      for (Dart d = map.first; d < map.first + map.count; ++d, ++local) {
+        for (int i = 0; i <= dimension_; ++i) {
+          cells->of[static_cast<std::size_t>(i)].push_back(store_.seen(map, i, d));
+        }
+        cells->of.back().push_back({plan_.first + all.of[local], places_[local]});
+      }
+      plan_.extended.push_back({number, std::move(cells)});
+    }
+  }
+
+  const Structure& structure_;
+  const DartStore& store_;
+  Plan& plan_;
+  int dimension_ = 0;
+  std::set<std::uint32_t> maps_;  // numbers
+  std::vector<Dart> darts_;       // of these, one map after the other
+  GMap map_;                      // whose darts are places in that list
+  std::vector<Dart> places_;      // per such place: which dart of the type of the new cell
+  std::set<BodyId> bodies_;
+};
+
+}  // namespace
+
+Status plan_extension(const Extend& operation, const Structure& structure, const Limits& limits, Plan& plan) {
+  if (Status s = ExtensionPlanner(structure, plan).run(operation); !s) {
+    return s;
+  }
+  return check_room(static_cast<std::int64_t>(plan.cells.size()), structure, limits);
+}
+
+}  // namespace sesame::ops

@@ -1,0 +1,219 @@
+// Maps by their cells, or by the simplices of their simplicial analogue.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ops/cells/map_cells.hpp"
+#include "ops/maps/map_conversions.hpp"
+#include "ops/plan/new_cells.hpp"
+#include "ops/plan/operation_plans.hpp"
+#include "ops/plan/step_names.hpp"
+
+namespace sesame::ops {
+namespace {
+
+/// A map that is to be made, and as what.
+struct Wanted {
+  const std::string& name;
+  const GMap& map;
+  Dart halves;  ///< of an n-map, as in DartStore
+
+  [[nodiscard]] std::string dart(Dart d) const {
+    return halves != 0 && d >= halves ? fmt::format("{}'", d - halves) : std::to_string(d);
+  }
+};
+
+/// Are the names of all cells of a map free, from whichever dart?
+Status check_names(const Wanted& wanted, const Structure& structure) {
+  const auto& [name, map, halves] = wanted;
+  if (Status s = check_new_name(name, structure); !s) {
+    return s;
+  }
+  std::string full = name + ".";
+  const std::size_t base = full.size();
+  if (is_free_beginning(full, structure, map.size())) {
+    return Done{};
+  }
+  for (int i = 0; i <= map.dimension(); ++i) {
+    for (Dart d = 0; d < map.size(); ++d) {
+      full.replace(base, std::string::npos, fmt::format("{}:{}", i, wanted.dart(d)));
+      if (structure.is_name_taken(full)) {
+        return Error{
+            Errc::bad_input,
+            fmt::format("the name \"{}\" is in use, so \"{}\" cannot name a new map: choose another", full, name)};
+      }
+    }
+  }
+  return Done{};
+}
+
+void write_cells(const Wanted& wanted, const std::vector<CellsOfMap>& layers, const Structure& structure, Plan& plan) {
+  CellId first_below = none;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const CellId first_here = plan.first + plan.cells.size();
+    for (std::uint32_t c = 0; c < layers[i].orbits.count(); ++c) {
+      const std::size_t first_face = plan.faces.size();
+      for (const auto& [cell, dart] : layers[i].faces_of(c)) {
+        add_face({first_below + cell, structure.maps().order_at(layers[i - 1].types[cell], dart)}, plan);
+      }
+      fmt::format_to(std::back_inserter(plan.names), "{}.{}:{}", wanted.name, i, wanted.dart(layers[i].roots[c]));
+      add_cell(layers[i].types[c], first_face, plan);
+    }
+    first_below = first_here;
+  }
+}
+
+/// The simplices of the simplicial analogue: one for each set of numbers I and each orbit of the involutions whose
+/// numbers it has not. Face k is that of the set without its k-th number.
+class AnalogueWriter {
+ public:
+  AnalogueWriter(const Wanted& wanted, const Structure& structure, Plan& plan)
+      : wanted_{wanted},
+        map_{wanted.map},
+        structure_{structure},
+        plan_{plan},
+        first_(std::size_t{1} << (wanted.map.dimension() + 1)),
+        orbits_(first_.size()) {}
+
+  std::shared_ptr<const DartCells> write() {
+    for (int size = 1; size <= map_.dimension() + 1; ++size) {
+      for (IndexSet set = 1; set <= map_.indices(); ++set) {
+        if (__builtin_popcountll(set) == size) {
+          write_simplices(set, size);
+        }
+      }
+    }
+    auto cells = std::make_shared<DartCells>();
+    for (int i = 0; i <= map_.dimension(); ++i) {  // what i-sewing glues
+      const IndexSet without = map_.indices() & ~(IndexSet{1} << i);
+      cells->of.emplace_back();
+      for (Dart d = 0; d < map_.size() && without != 0; ++d) {
+        cells->of.back().push_back({simplex(without, d) - plan_.first, 0});
+      }
+    }
+    return cells;
+  }
+
+ private:
+  [[nodiscard]] CellId simplex(IndexSet set, Dart d) const { return first_[set] + orbits_[set].of[d]; }
+
+  void write_simplices(IndexSet set, int size) {
+    std::vector<int> numbers;
+    for (int i = 0; i <= map_.dimension(); ++i) {
+      if ((set >> i & 1U) != 0) {
+        numbers.push_back(i);
+      }
+    }
+    first_[set] = plan_.first + plan_.cells.size();
+    orbits_[set] = orbits(map_, map_.indices() & ~set);
+    const TypeId type = structure_.types().simplex(size - 1);
+    for (const Dart d : orbits_[set].first) {
+      const std::size_t first_face = plan_.faces.size();
+      for (int k = 0; k < size && size > 1; ++k) {
+        add_face({simplex(set & ~(IndexSet{1} << numbers[static_cast<std::size_t>(k)]), d), same_order}, plan_);
+      }
+      fmt::format_to(std::back_inserter(plan_.names), "{}.<{}>:{}", wanted_.name, fmt::join(numbers, "-"),
+                     wanted_.dart(d));
+      add_cell(type, first_face, plan_);
+    }
+  }
+
+  const Wanted& wanted_;
+  const GMap& map_;
+  const Structure& structure_;
+  Plan& plan_;
+  std::vector<CellId> first_;   ///< per set of numbers: the first of its simplices
+  std::vector<Orbits> orbits_;  ///< and which one each dart is in
+};
+
+std::int64_t count_of_analogue(const GMap& map) {
+  std::int64_t count = 0;
+  for (IndexSet set = 1; set <= map.indices(); ++set) {
+    count += orbits(map, map.indices() & ~set).count();
+  }
+  return count;
+}
+
+Status plan_by_simplices(const Wanted& wanted, const Structure& structure, const Limits& limits, Plan& plan) {
+  if (Status s = check_room(count_of_analogue(wanted.map), structure, limits); !s) {
+    return s;
+  }
+  plan.first = structure.cells().size();
+  plan.map = {wanted.map, AnalogueWriter(wanted, structure, plan).write(), true, wanted.halves};
+  plan.new_body = wanted.name;
+  return Done{};
+}
+
+Status plan_by_cells(const Wanted& wanted, const Structure& structure, const Limits& limits, Plan& plan) {
+  const Result<std::vector<CellsOfMap>> layers = cells_of_map(wanted.map, structure.types());
+  if (!layers) {
+    return Error{layers.error().code,
+                 fmt::format("{}: make \"{}\" \"as\":\"simplices\"", layers.error().what, wanted.name)};
+  }
+  std::int64_t count = 0;
+  for (const CellsOfMap& layer : *layers) {
+    count += layer.orbits.count();
+  }
+  if (Status s = check_room(count, structure, limits); !s) {
+    return s;
+  }
+  plan.first = structure.cells().size();
+  write_cells(wanted, *layers, structure, plan);
+  plan.map = {wanted.map, std::make_shared<const DartCells>(dart_cells(*layers)), false, wanted.halves};
+  plan.new_body = wanted.name;
+  return Done{};
+}
+
+Status plan_map(const Wanted& wanted, bool as_simplices, const Structure& structure, const Limits& limits, Plan& plan) {
+  if (wanted.map.size() == 0) {
+    return Error{Errc::bad_input, fmt::format("\"{}\" has no darts: a map needs one at least", wanted.name)};
+  }
+  if (Status s = check_names(wanted, structure); !s) {
+    return s;
+  }
+  return as_simplices ? plan_by_simplices(wanted, structure, limits, plan)
+                      : plan_by_cells(wanted, structure, limits, plan);
+}
+
+}  // namespace
+
+Status plan_map(const MakeGMap& operation, const Structure& structure, const Limits& limits, Plan& plan) {
+  const Result<GMap> map = GMap::make(operation.alpha);
+  return map ? plan_map({operation.name, *map, 0}, operation.as_simplices, structure, limits, plan)
+             : Error{map.error().code, fmt::format("\"{}\" is no G-map: {}", operation.name, map.error().what)};
+}
+
+Status plan_map(const MakeMap& operation, const Structure& structure, const Limits& limits, Plan& plan) {
+  const Result<NMap> map = NMap::make(operation.beta);
+  return map ? plan_map({operation.name, to_gmap(*map), map->size()}, operation.as_simplices, structure, limits, plan)
+             : Error{map.error().code, fmt::format("\"{}\" is no map: {}", operation.name, map.error().what)};
+}
+
+/// By the standard cell of its type, which all polygons with as many sides share.
+Status plan_polygon(const MakePolygon& operation, const Structure& structure, const Limits& limits, Plan& plan) {
+  const auto& [name, sides, as_simplices] = operation;
+  if (sides < 1) {
+    return Error{Errc::bad_input, fmt::format("\"{}\" has {} sides: a polygon has 1 at least", name, sides)};
+  }
+  if (Status s = check_room(2 * std::int64_t{sides} + 1, structure, limits); !s) {
+    return s;
+  }
+  const GMap map = polygon(static_cast<Dart>(sides));
+  const Wanted wanted{name, map, 0};
+  if (Status s = check_names(wanted, structure); !s) {
+    return s;
+  }
+  if (as_simplices) {
+    return plan_by_simplices(wanted, structure, limits, plan);
+  }
+  const TypeId type = structure.types().cell_over(map.restricted(1));
+  write_standard(name, type, structure, plan);
+  plan.map = {map, structure.types().standard(type).darts};
+  return Done{};
+}
+
+}  // namespace sesame::ops

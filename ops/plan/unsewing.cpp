@@ -1,0 +1,297 @@
+// Taking the sewing of maps back: what was glued by it is split.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "ops/cells/name_text.hpp"
+#include "ops/plan/new_cells.hpp"
+#include "ops/plan/operation_plans.hpp"
+#include "ops/plan/sewing.hpp"
+#include "ops/plan/step_names.hpp"
+
+namespace sesame::ops {
+namespace {
+
+/// Works out which orbits fall apart. Of the parts of a cell that which has the dart that the cell is called by keeps
+/// it; each other one gets a copy, and the incidences that its darts see go to that.
+class UnsewingPlanner {
+ public:
+  UnsewingPlanner(const Structure& structure, Plan& plan)
+      : structure_{structure}, store_{structure.darts()}, plan_{plan} {}
+
+  Status run(const Unsew& operation) {
+    for (const std::string& name : operation.darts) {
+      if (Status s = add_dart(name, operation.dimension); !s) {
+        return s;
+      }
+    }
+    plan_.first = structure_.cells().size();
+    for (int i = 0; i < dimension_; ++i) {
+      for (const Sewing& each : plan_.sewings) {
+        if (Status s = split_cell_of(i, each.a); !s) {
+          return s;
+        }
+      }
+      if (Status s = add_moves(i); !s) {
+        return s;
+      }
+      copies_below_ = std::move(copies_of_darts_);
+      copies_of_darts_.clear();
+    }
+    return add_moves(dimension_);
+  }
+
+ private:
+  /// A part of a cell that becomes a copy, by its position among the new cells.
+  using Copies = std::map<Dart, std::uint32_t>;
+
+  Status add_dart(const std::string& name, int index) {
+    const Result<NamedDart> named = dart_named(name, structure_);
+    if (!named) {
+      return named.error();
+    }
+    if (!plan_.sewings.empty() && named->dimension != dimension_) {
+      return Error{Errc::refused, fmt::format("\"{}\" is a dart of a map of dimension {}, those before it of dimension "
+                                              "{}: unsew maps of one dimension in a step",
+                                              name, named->dimension, dimension_)};
+    }
+    dimension_ = named->dimension;
+    const DartStore::Made& map = store_.map_of(dimension_, named->dart);
+    if (map.is_by_simplices) {
+      return Error{Errc::refused,
+                   fmt::format("\"{}\" is a dart of a map by simplices, which cannot be unsewn: undo the "
+                               "sewing instead",
+                               name)};
+    }
+    if (index != dimension_) {
+      return Error{Errc::refused, fmt::format("to unsew \"{}\" in dimension {} would open cells of its map, which has "
+                                              "dimension {}: only that is possible",
+                                              name, index, dimension_)};
+    }
+    if (unsewn_.contains(named->dart)) {
+      return Done{};  // with an earlier one
+    }
+    if (alpha(dimension_, named->dart) == named->dart) {
+      return Error{Errc::refused, fmt::format("\"{}\" is {}-free: there is nothing to unsew", name, dimension_)};
+    }
+    std::vector<Dart> orbit{named->dart};
+    for (std::size_t at = 0; at < orbit.size(); ++at) {
+      const Dart d = orbit[at], other = alpha(dimension_, d);
+      unsewn_.insert({d, other});
+      plan_.sewings.push_back({dimension_, dimension_, d, other, true});
+      for (int j = 0; j + 2 <= dimension_; ++j) {
+        if (const Dart next = alpha(j, d); !unsewn_.contains(next)) {
+          orbit.push_back(next);
+          unsewn_.insert(next);
+        }
+      }
+    }
+    return Done{};
+  }
+
+  [[nodiscard]] Dart alpha(int i, Dart d) const { return store_.alpha(dimension_, i, d); }
+  /// As it will be.
+  [[nodiscard]] Dart next(int i, Dart d) const { return i == dimension_ && unsewn_.contains(d) ? d : alpha(i, d); }
+
+  /// The orbit of a dart under all involutions but one, as they are or will be.
+  template <class Next>
+  [[nodiscard]] std::vector<Dart> orbit(int without, Dart start, Next next) const {
+    std::vector<Dart> found{start};
+    std::unordered_set<Dart> met{start};
+    for (std::size_t at = 0; at < found.size(); ++at) {
+      for (int j = 0; j <= dimension_; ++j) {
+        if (const Dart reached = next(j, found[at]); j != without && met.insert(reached).second) {
+          found.push_back(reached);
+        }
+      }
+    }
+    return found;
+  }
+
+  [[nodiscard]] std::string name(Dart d) const { return name_of_dart(dimension_, d, structure_); }
+  [[nodiscard]] Result<Value> seen(int i, Dart d) const {
+    const auto value = structure_.seen_from_dart(store_.map_of(dimension_, d), i, d);
+    return value ? what_is_now(*value, name(d), structure_)
+                 : Error{Errc::unknown_name, fmt::format("the cell of \"{}\" was removed", name(d))};
+  }
+
+  Status split_cell_of(int i, Dart start) {
+    if (copies_of_darts_.contains(start) || kept_.contains({i, start})) {
+      return Done{};
+    }
+    const std::vector<Dart> darts = orbit(i, start, [&](int j, Dart d) { return alpha(j, d); });
+    const Result<Value> whole = seen(i, start);
+    if (!whole) {
+      return whole.error();
+    }
+    if (Status s = check_alone(i, *whole, darts); !s) {
+      return s;
+    }
+    const Dart naming = naming_dart(i, whole->cell, darts);
+    std::unordered_set<Dart> done;
+    for (const Dart d : darts) {
+      if (done.contains(d)) {
+        continue;
+      }
+      const std::vector<Dart> part = orbit(i, d, [&](int j, Dart of) { return next(j, of); });
+      done.insert(part.begin(), part.end());
+      const bool keeps = std::ranges::find(part, naming) != part.end();
+      if (keeps) {
+        for (const Dart of : part) {
+          kept_.insert({i, of});
+        }
+      } else if (Status s = add_copy(i, whole->cell, part); !s) {
+        return s;
+      }
+    }
+    return Done{};
+  }
+
+  /// Are all nodes that the cell stands for cells of these darts, or were they of darts that have been unsewn? Others
+  /// have been glued to it in another way.
+  Status check_alone(int i, const Value& whole, const std::vector<Dart>& darts) const {
+    std::unordered_set<CellId> nodes;
+    for (const Dart d : darts) {
+      const auto value = structure_.seen_from_dart(store_.map_of(dimension_, d), i, d);
+      if (value) {
+        nodes.insert(value->cell);
+      }
+    }
+    bool are_all = !whole.is_degenerate();
+    structure_.forest().for_each_member(whole.cell, [&](CellId node) {
+      are_all = are_all && (nodes.contains(node) || is_left_behind(i, node));
+    });
+    return are_all ? Status{Done{}}
+                   : Error{Errc::refused,
+                           fmt::format("\"{}\" cannot be unsewn: its {}-cell \"{}\" {}, and not only by sewing",
+                                       name(darts[0]), i, structure_.name(whole.cell),
+                                       whole.is_degenerate() ? "became degenerate" : "is glued to other cells")};
+  }
+
+  /// Whether a node was made for a dart that sees another one by now.
+  [[nodiscard]] bool is_left_behind(int i, CellId node) const {
+    const std::string own = structure_.directory().own_name(node);
+    const auto split = split_dart(own);
+    const DartStore::Made* map = split ? structure_.map_named(std::string_view{own}.substr(0, split->length)) : nullptr;
+    const Dart dart = map != nullptr ? dart_of_text(*map, split->dart) : no_dart;
+    if (dart == no_dart || split->dimension != i) {
+      return false;
+    }
+    const auto sees = structure_.seen_from_dart(*map, i, map->first + dart);
+    return sees && sees->cell != node;
+  }
+
+  /// The dart that the cell is called by, or any of these.
+  [[nodiscard]] Dart naming_dart(int i, CellId cell, const std::vector<Dart>& darts) const {
+    const std::string called = structure_.name(cell);
+    for (const Dart d : darts) {
+      if (called == cell_name(i, d) || (i == dimension_ && called == name(d))) {
+        return d;
+      }
+    }
+    return darts[0];
+  }
+  [[nodiscard]] std::string cell_name(int i, Dart d) const {
+    const DartStore::Made& map = store_.map_of(dimension_, d);
+    return fmt::format("{}.{}:{}", structure_.directory().names()[map.name].text, i, dart_text(map, d - map.first));
+  }
+
+  /// A part of a cell becomes a copy: its faces are those that its darts will see.
+  Status add_copy(int i, CellId source, const std::vector<Dart>& part) {
+    TypeTable& types = structure_.types();
+    const TypeId type = structure_.cells().type_id(source);
+    const auto position = static_cast<std::uint32_t>(plan_.cells.size());
+    const auto arity = static_cast<std::uint32_t>(types.info(type).faces.size());
+    std::vector<Value> faces;
+    for (std::uint32_t k = 0; k < arity; ++k) {
+      faces.push_back(structure_.values().face_of_cell(source, k));
+    }
+    Dart named = part[0];
+    for (const Dart d : part) {
+      const Result<Value> sees = seen(i, d);
+      if (!sees) {
+        return sees.error();
+      }
+      const Dart place = structure_.maps().dart_of(sees->order);
+      copies_of_darts_.emplace(d, position);
+      plan_.newly_seen.push_back({dimension_, i, d, {position, place}});
+      named = place == 0 ? std::min(named, d) : named;
+      if (i > 0) {
+        const CellShape::Place of_face = types.place_in_face(type, place);
+        if (const auto copy = copies_below_.find(d); copy != copies_below_.end()) {
+          faces[of_face.face].cell = plan_.first + copy->second;
+        }
+      }
+    }
+    const std::size_t first_face = plan_.faces.size();
+    for (const Value& face : faces) {
+      add_face(face.cell >= plan_.first && !is_asked_for(face.cell) ? Incidence{face.cell, face.order}
+                                                                    : structure_.values().incidence_of(face),
+               plan_);
+    }
+    plan_.names += cell_name(i, named);
+    plan_.sources.push_back(source);
+    add_cell(type, first_face, plan_);
+    return Done{};
+  }
+
+  /// Incidences of cells that stay, of dimension i, with cells that got copies.
+  Status add_moves(int i) {
+    TypeTable& types = structure_.types();
+    for (const auto& [d, copy] : copies_below_) {
+      if (copies_of_darts_.contains(d)) {
+        continue;
+      }
+      const Result<Value> cell = seen(i, d);
+      if (!cell) {
+        return cell.error();
+      }
+      const Dart place = structure_.maps().dart_of(cell->order);
+      const CellShape::Place of_face = types.place_in_face(structure_.cells().type_id(cell->cell), place);
+      if (!moved_.insert({cell->cell, of_face.face}).second) {
+        continue;
+      }
+      if (of_face.face > UINT8_MAX) {
+        return Error{Errc::refused,
+                     fmt::format("\"{}\" has more than {} faces, so they cannot be unsewn: undo the sewing "
+                                 "instead",
+                                 structure_.name(cell->cell), UINT8_MAX + 1)};
+      }
+      const Value face = structure_.values().face_of_cell(cell->cell, of_face.face);
+      plan_.moves.push_back({cell->cell, of_face.face, plan_.first + copy, face.order});
+    }
+    return Done{};
+  }
+
+  struct PairHash {
+    template <class A, class B>
+    std::size_t operator()(const std::pair<A, B>& pair) const {
+      return mix(static_cast<std::uint32_t>(pair.first), static_cast<std::uint32_t>(pair.second));
+    }
+  };
+
+  const Structure& structure_;
+  const DartStore& store_;
+  Plan& plan_;
+  int dimension_ = 0;
+  std::unordered_set<Dart> unsewn_;
+  Copies copies_below_, copies_of_darts_;                    // of the dimension below, and of this one
+  std::unordered_set<std::pair<int, Dart>, PairHash> kept_;  // darts whose cell in a dimension stays
+  std::unordered_set<std::pair<CellId, std::uint32_t>, PairHash> moved_;
+};
+
+}  // namespace
+
+Status plan_unsewing(const Unsew& operation, const Structure& structure, const Limits& limits, Plan& plan) {
+  if (Status s = UnsewingPlanner(structure, plan).run(operation); !s) {
+    return s;
+  }
+  return check_room(static_cast<std::int64_t>(plan.cells.size()), structure, limits);
+}
+
+}  // namespace sesame::ops
