@@ -325,12 +325,16 @@ ClassAnswer Engine::classify(const CellChain& chain) {
   return ask([&](LiveObject& object) { return object.tracker().classify(chain); });
 }
 
-Result<Barcode> Engine::barcode() const {
+Result<Barcode> Engine::barcode(const HistoryOptions& options) const {
   if (object().barcode_needs_earlier_steps()) {
     (void)object_with_all_steps();
   }
-  if (!has_log() || !ask([](LiveObject& object) { return object.is_zigzag(); })) {
+  const bool is_zigzag = ask([](LiveObject& object) { return object.is_zigzag(); });
+  if (!options.want_cycles() && (!has_log() || !is_zigzag)) {
     return ask([](LiveObject& object) { return object.barcode(); });
+  }
+  if (!has_log()) {
+    return Error{Errc::refused, "there are no cycles of bars: the steps are not kept"};
   }
   std::vector<NumberedStep> steps;  // that are not undone
   std::uint64_t number = 0;
@@ -346,7 +350,15 @@ Result<Barcode> Engine::barcode() const {
   if (!read) {
     return read.error();
   }
-  return barcode_of_history(ring_, limits_, rebases_, steps);
+  Result<Barcode> barcode = barcode_of_history(ring_, limits_, rebases_, steps, options);
+  const bool is_stopped = options.stop != nullptr && options.stop->load();
+  if (barcode && options.verifies && !is_zigzag && !is_stopped) {
+    const Result<Barcode> other = ask([](LiveObject& object) { return object.barcode(); });
+    if (other && other->bars != barcode->bars) {
+      return Error{Errc::law_broken, "the two ways of computing the barcode differ; this is a bug"};
+    }
+  }
+  return barcode;
 }
 
 ops::Moment Engine::before_step(std::uint64_t n) const {

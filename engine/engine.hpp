@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/durable/step_log.hpp"
+#include "engine/history_zigzag.hpp"
 #include "engine/live_object.hpp"
 #include "engine/step_report.hpp"
 #include "engine/towers/barcode.hpp"
@@ -141,14 +142,16 @@ class Engine {
   // ---- persistence
   /// The barcode of the spaces after each step that is not undone, and the maps between them; times are the numbers of
   /// the steps among all those of the log, as in their reports. With de-identifications and removals, which map the
-  /// object after them to the one before, it is that of a zigzag: see engine/history_zigzag.hpp.
+  /// object after them to the one before, it is that of a zigzag: see engine/history_zigzag.hpp. Cycles of its bars can
+  /// be had by `options`, of whatever steps; when it verifies, the barcode of steps that all lead forward is worked out
+  /// in two ways.
   ///
   /// Errors    refused, over Z, and when a step is no map: a product, or a cone that is a lazy family; without a
   ///           de-identification or a removal, when not all steps can be undone any more; with one, when there is no
-  ///           log (HistoryPolicy).
-  /// Cost      The size of the big complex, times the logarithm of the number of steps; of a zigzag, that of doing all
-  ///           steps again twice, and the classes of all generators at each.
-  [[nodiscard]] Result<Barcode> barcode() const;
+  ///           log (HistoryPolicy), and with cycles; law_broken when it verifies and something is wrong.
+  /// Cost      The size of the big complex, times the logarithm of the number of steps; of a zigzag, or with cycles,
+  ///           that of doing all steps again twice, and more: see barcode_of_history.
+  [[nodiscard]] Result<Barcode> barcode(const HistoryOptions& options = {}) const;
 
   // ---- the last step as an exact sequence, and the laws
   /// The moment before the step with this number among those not undone (1: the first). Requires: 1 <= n <= undoable().

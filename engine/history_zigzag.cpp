@@ -1,44 +1,30 @@
 #include "engine/history_zigzag.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "engine/engine.hpp"
+#include "engine/history_audit.hpp"
+#include "engine/history_maps.hpp"
+#include "engine/history_names.hpp"
+#include "engine/history_twins.hpp"
+#include "engine/zigzag/open_chains.hpp"
 #include "engine/zigzag/space_zigzag.hpp"
-#include "sparse/contract.hpp"
 
 namespace sesame::engine {
 namespace {
 
-using ops::CellId;
+constexpr std::uint64_t no_map = UINT64_MAX;  ///< ends a bar that is open
 
-/// What a step is made of: one map, or, where it replaces cells, the inclusions of the objects before and after it into
-/// one with the cells of both and what lies between them. They are deformation retracts of that, so all classes live
-/// on.
-std::vector<ops::Operation> maps_of(const ops::Operation& operation) {
-  const auto* replace = std::get_if<ops::Replace>(&operation);
-  if (replace == nullptr || replace->fills || std::holds_alternative<ops::Replace::Contraction>(replace->move)) {
-    return {operation};
-  }
-  const auto* flip = std::get_if<ops::Replace::Flip>(&replace->move);
-  const std::string& cell = flip != nullptr ? flip->cell : std::get<ops::Replace::Subdivision>(replace->move).cell;
-  return {ops::Replace{replace->move, true}, ops::Remove{{cell}, true}};
-}
-
-/// Two engines, a step apart, and the zigzag so far.
+/// The zigzag so far, by the numbers of its maps.
 template <sparse::Ring R>
 class HistoryZigzag {
  public:
-  HistoryZigzag(R ring, const ops::Limits& limits, const RebasePolicy& rebases)
-      : ring_{ring}, before_{make(limits, rebases)}, after_{make(limits, rebases)} {}
+  HistoryZigzag(R ring, const ops::Limits& limits, const RebasePolicy& rebases, const HistoryOptions& options)
+      : ring_{ring}, options_{options}, twins_{ring, limits, rebases} {}
 
   Status apply(const NumberedStep& step) {
     const ops::Operation& operation = step.operation;
@@ -47,129 +33,119 @@ class HistoryZigzag {
       return Done{};  // these only ask
     }
     for (ops::Operation& part : maps_of(operation)) {
-      if (Status applied = apply(std::move(part), step.number); !applied) {
+      if (Status applied = twins_.apply(std::move(part), step.number); !applied) {
         return applied;
+      }
+      maps_.push_back(twins_.map());
+      for (std::size_t p = 0; p < twins_.degrees(); ++p) {
+        follow(p);
       }
     }
     return Done{};
   }
 
-  Barcode finish() {
-    for (std::size_t p = 0; p < zigzags_.size(); ++p) {
-      zigzags_[p].for_each_open_bar([&](std::uint64_t birth) {
-        barcode_.bars.push_back({static_cast<int>(p), Time{birth}, never});
+  /// Errors: law_broken, when something is wrong and that was asked for.
+  Result<Barcode> finish() {
+    for (std::size_t p = 0; p < degrees_.size(); ++p) {
+      std::size_t place = 0;
+      degrees_[p].zigzag.for_each_open_bar([&](std::uint64_t birth) {
+        const bool has_chains = degrees_[p].chains.has_value();
+        add(p, birth, no_map, has_chains ? degrees_[p].chains->pieces(place, birth) : Pieces{});
+        ++place;
       });
     }
     std::sort(barcode_.bars.begin(), barcode_.bars.end());
+    if (options_.verifies) {
+      if (const auto defect = first_wrong_bar(ring_, twins_.structure(), maps_, checked_, options_.stop)) {
+        return Error{Errc::law_broken, "the barcode of the history is wrong: " + *defect + "; this is a bug"};
+      }
+    }
     return std::move(barcode_);
   }
 
  private:
-  using Vector = typename SpaceZigzag<R>::Vector;
+  using Zigzag = SpaceZigzag<R>;
+  using Chain = sparse::Terms<R, ops::CellId>;
+  using Pieces = std::vector<ChainPiece<R>>;
 
-  /// An operation that is a map, as part of a step.
-  Status apply(ops::Operation operation, std::uint64_t step) {
-    // The one that is behind does the step that the other has done, and this one.
-    std::swap(before_, after_);
-    if (last_) {
-      if (const auto caught_up = after_->apply(*last_); !caught_up) {
-        return caught_up.error();
+  struct Degree {
+    Zigzag zigzag;
+    std::optional<OpenChains<R>> chains;  ///< where there are cycles
+  };
+
+  /// Takes in the last map, in one degree.
+  void follow(std::size_t p) {
+    if (p == degrees_.size()) {
+      const bool has_chains = options_.verifies || wants(p);
+      degrees_.push_back({Zigzag{ring_}, has_chains ? std::optional{OpenChains<R>{ring_}} : std::nullopt});
+    }
+    Zigzag& zigzag = degrees_[p].zigzag;
+    const std::uint64_t now = maps_.size() - 1;
+    const bool is_backward = maps_backward(maps_.back().kind);
+    const typename Zigzag::Images images = twins_.images(p);
+    const typename Zigzag::Passage passage =
+        is_backward ? zigzag.backward(images, now) : zigzag.forward(images, twins_.betti(p), now);
+    if (!degrees_[p].chains) {
+      for (const auto& place : passage.ended) {
+        add(p, place.birth, now, {});
       }
+      return;
     }
-    last_ = std::move(operation);
-    const Result<StepReport> report = after_->apply(*last_);
-    if (!report) {
-      return report.error();
-    }
-    if (const char* reason = why_no_map(report->kind); reason != nullptr) {
-      return Error{Errc::refused, fmt::format("there is no barcode: step {} {}", step, reason)};
-    }
-    const std::size_t degrees = std::max({before_->cells().size(), after_->cells().size(), zigzags_.size()});
-    for (std::size_t p = 0; p < degrees; ++p) {
-      if (p == zigzags_.size()) {
-        zigzags_.emplace_back(ring_);
-      }
-      const int degree = static_cast<int>(p);
-      const auto on_bar = [&](std::uint64_t birth, std::uint64_t death) {
-        if (birth != death) {  // else it is a class between the two halves of a replacement
-          barcode_.bars.push_back({degree, Time{birth}, Time{death}});
-        }
-      };
-      if (maps_backward(report->kind)) {
-        zigzags_[p].backward(
-            images(degree, *after_, *before_, [&](CellId c) { return image_before(c, report->before.created); }), step,
-            on_bar);
-      } else {
-        zigzags_[p].forward(images(degree, *before_, *after_, [&](CellId c) { return image_after(c); }),
-                            betti(*after_, p), step, on_bar);
-      }
-    }
-    return Done{};
+    degrees_[p].chains->follow(
+        passage, now, [&](std::size_t place) { return twins_.chain_of(p, zigzag.vector(place)); },
+        [&](std::size_t place, const Chain& chain) {
+          return is_backward ? preimage(p, place, chain) : twins_.image(chain);
+        },
+        [&](std::uint64_t birth, Pieces pieces) { add(p, birth, now, std::move(pieces)); });
   }
 
-  [[nodiscard]] std::unique_ptr<Engine> make(const ops::Limits& limits, const RebasePolicy& rebases) const {
-    return std::make_unique<Engine>(sparse::AnyRing{ring_}, limits, rebases);
-  }
-  static std::size_t betti(Engine& engine, std::size_t p) {
-    const std::vector<std::int64_t> betti = engine.homology().betti;
-    return p < betti.size() ? static_cast<std::size_t>(betti[p]) : 0;
-  }
-
-  // Both engines have the same cells, as far as there are any; the one after the step knows what it did to them.
-  [[nodiscard]] ops::OrientedCell image_after(CellId c) const { return after_->structure().forest().find_oriented(c); }
-  [[nodiscard]] ops::OrientedCell image_before(CellId c, CellId first_copy) const {
-    return {c >= first_copy ? after_->structure().splits().copy(c)->source : c, 1};
-  }
-
-  /// The classes of the images of the generators that `from` has, in the generators of `to`.
-  template <class Image>
-  [[nodiscard]] std::vector<Vector> images(int degree, Engine& from, Engine& to, Image image_of) const {
-    std::vector<Vector> images;
-    const std::size_t dimension = betti(to, static_cast<std::size_t>(degree));
-    for (const Generator& generator : from.generators(degree)) {
-      std::map<CellId, Rational> sum;
-      for (const auto& [coefficient, cell] : generator.cycle.terms) {
-        const auto [image, sign] = image_of(cell);
-        if (image != ops::none) {
-          // Chains are written with the orientations that names stand for.
-          const int agrees =
-              sign * from.structure().directory().sign_of_name(cell) * to.structure().directory().sign_of_name(image);
-          sum[image] += agrees > 0 ? coefficient : -coefficient;
-        }
-      }
-      CellChain chain{degree, {}};
-      for (const auto& [cell, coefficient] : sum) {
-        if (!ring_.is_zero(sparse::from_rational(ring_, coefficient))) {
-          chain.terms.push_back({coefficient, cell});
-        }
-      }
-      Vector vector(dimension, ring_.zero());
-      if (!chain.terms.empty()) {
-        const ClassAnswer answer = to.classify(chain);
-        sparse::expects(answer.is_cycle && answer.coefficients.size() == dimension,
-                        "a chain map takes cycles to cycles");
-        for (std::size_t k = 0; k < dimension; ++k) {
-          vector[k] = sparse::from_rational(ring_, answer.coefficients[k]);
-        }
-      }
-      images.push_back(std::move(vector));
+  /// What a chain becomes that a map leads back to. Where it is a cycle of the new object, too, it is sent to itself,
+  /// as the map does something to copies only; so its class may be the vector.
+  Chain preimage(std::size_t p, std::size_t place, const Chain& chain) {
+    if (auto vector = twins_.class_after(p, chain)) {
+      degrees_[p].zigzag.change_vector(place, std::move(*vector));
+      return chain;
     }
-    return images;
+    return twins_.chain_of(p, degrees_[p].zigzag.vector(place));
+  }
+
+  [[nodiscard]] bool wants(std::size_t p) const { return options_.wants && options_.wants(static_cast<int>(p)); }
+
+  void add(std::size_t p, std::uint64_t birth, std::uint64_t death, Pieces pieces) {
+    const auto time = [&](std::uint64_t map) { return map == no_map ? never : Time{maps_[map].step}; };
+    const Bar bar{static_cast<int>(p), time(birth), time(death)};
+    if (bar.birth != bar.death) {  // else it is a class between the two halves of a replacement
+      barcode_.bars.push_back(bar);
+      if (wants(p) && options_.on_cycles) {
+        options_.on_cycles(bar, [&] { return named_cycles(ring_, twins_.structure(), maps_, bar, pieces); });
+      }
+    }
+    if (options_.verifies) {
+      checked_.push_back({bar.dimension, birth, death, std::move(pieces)});
+    }
   }
 
   R ring_;
-  std::unique_ptr<Engine> before_, after_;
-  std::optional<ops::Operation> last_;   ///< that `after_` has done, and `before_` has not
-  std::vector<SpaceZigzag<R>> zigzags_;  ///< by degree
+  const HistoryOptions& options_;
+  HistoryTwins<R> twins_;
+  std::vector<HistoryMap> maps_;
+  std::vector<Degree> degrees_;
   Barcode barcode_;
+  std::vector<ChainBar<R>> checked_;
 };
 
 template <sparse::Ring R>
-Result<Barcode> run(R ring, const ops::Limits& limits, const RebasePolicy& rebases,
-                    std::span<const NumberedStep> steps) {
-  HistoryZigzag<R> zigzag(ring, limits, rebases);
-  for (const NumberedStep& step : steps) {
-    if (const Status applied = zigzag.apply(step); !applied) {
+Result<Barcode> run(R ring, const ops::Limits& limits, const RebasePolicy& rebases, std::span<const NumberedStep> steps,
+                    const HistoryOptions& options) {
+  HistoryZigzag<R> zigzag(ring, limits, rebases, options);
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    if (options.stop != nullptr && options.stop->load()) {
+      if (options.stopped_after != nullptr) {
+        *options.stopped_after = k > 0 ? steps[k - 1].number : 0;
+      }
+      break;
+    }
+    if (const Status applied = zigzag.apply(steps[k]); !applied) {
       return applied.error();
     }
   }
@@ -178,36 +154,12 @@ Result<Barcode> run(R ring, const ops::Limits& limits, const RebasePolicy& rebas
 
 }  // namespace
 
-const char* why_no_map(ops::StepKind kind) {
-  switch (kind) {
-    case ops::StepKind::lazy_cone:
-      return "is a cone over more cells than are written out, whose base's classes are no longer told apart";
-    case ops::StepKind::product:
-      return "is a product, which consumes the bodies before it";
-    default:
-      return nullptr;
-  }
-}
-
-const char* why_no_map_forward(ops::StepKind kind) {
-  switch (kind) {
-    case ops::StepKind::split:
-      return "splits cells, and so maps the object before it nowhere";
-    case ops::StepKind::deletion:
-      return "removes cells, and so maps the object after it into the one before";
-    case ops::StepKind::replacement:
-      return "replaces cells, and so maps the objects before and after it into a third one";
-    default:
-      return why_no_map(kind);
-  }
-}
-
 Result<Barcode> barcode_of_history(const sparse::AnyRing& ring, const ops::Limits& limits, const RebasePolicy& rebases,
-                                   std::span<const NumberedStep> steps) {
+                                   std::span<const NumberedStep> steps, const HistoryOptions& options) {
   return std::visit(
       [&]<class R>(const R& k) -> Result<Barcode> {
         if constexpr (R::is_field) {
-          return run<R>(k, limits, rebases, steps);
+          return run<R>(k, limits, rebases, steps, options);
         } else {
           return Error{Errc::refused, "barcodes need a field: compute over Q or Z/p, such as Z/2, instead of Z"};
         }

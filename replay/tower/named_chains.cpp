@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "ops/vocabulary/json_text.hpp"
+
 namespace sesame::replay {
 
 sparse::Rational smallest_residue(const sparse::Rational& n, std::uint32_t p) {
@@ -13,7 +15,22 @@ sparse::Rational smallest_residue(const sparse::Rational& n, std::uint32_t p) {
   return residue > p / 2 ? residue - p : residue;
 }
 
-std::string chain_line(const NamedChain& chain, std::uint64_t most_terms) {
+namespace {
+
+using Labels = std::vector<ops::Label>;
+
+std::string line_name(const Labels& labels) { return fmt::format("{{{}}}", fmt::join(labels, " ")); }
+const std::string& line_name(const std::string& name) { return name; }
+
+std::string json_name(const Labels& labels) { return fmt::format("[{}]", fmt::join(labels, ",")); }
+std::string json_name(const std::string& name) {
+  std::string text;
+  ops::JsonText(text).value(name);
+  return text;
+}
+
+template <class Chain>
+std::string line_of(const Chain& chain, std::uint64_t most_terms) {
   if (chain.terms.size() > most_terms) {
     return fmt::format("a chain of {} terms", chain.terms.size());
   }
@@ -25,38 +42,40 @@ std::string chain_line(const NamedChain& chain, std::uint64_t most_terms) {
     if (size != 1) {
       text += size.to_string() + " ";
     }
-    text += fmt::format("{{{}}}", fmt::join(name, " "));
+    text += line_name(name);
   }
   return text.empty() ? "0" : text;
 }
 
-namespace {
-
-void add_chain(TextBuffer& text, const NamedChain& chain) {
-  text.add('[');
+template <class Chain>
+void add_member(TextBuffer& text, std::string_view name, const Chain& chain, std::uint64_t most_terms) {
+  text.add(",\"").add(name);
+  if (chain.terms.size() > most_terms) {
+    text.add("_terms\":").add_integer(chain.terms.size());
+    return;
+  }
+  text.add("\":[");
   bool is_first = true;
-  for (const auto& [coefficient, name] : chain.terms) {
+  for (const auto& [coefficient, generator] : chain.terms) {
     const bool is_word = coefficient.to_int64().has_value();  // other numbers are strings, as everywhere in JSON
-    text.add(is_first ? "[" : ",[").add(is_word ? "" : "\"").add(coefficient.to_string()).add(is_word ? ",[" : "\",[");
+    text.add(is_first ? "[" : ",[").add(is_word ? "" : "\"").add(coefficient.to_string()).add(is_word ? "," : "\",");
+    text.add(json_name(generator)).add(']');
     is_first = false;
-    for (std::size_t k = 0; k < name.size(); ++k) {
-      text.add(k == 0 ? "" : ",").add_integer(name[k]);
-    }
-    text.add("]]");
   }
   text.add(']');
 }
 
 }  // namespace
 
+std::string chain_line(const NamedChain& chain, std::uint64_t most_terms) { return line_of(chain, most_terms); }
+std::string chain_line(const engine::NameChain& chain, std::uint64_t most_terms) { return line_of(chain, most_terms); }
+
 void add_chain_member(TextBuffer& text, std::string_view name, const NamedChain& chain, std::uint64_t most_terms) {
-  text.add(",\"").add(name);
-  if (chain.terms.size() > most_terms) {
-    text.add("_terms\":").add_integer(chain.terms.size());
-  } else {
-    text.add("\":");
-    add_chain(text, chain);
-  }
+  add_member(text, name, chain, most_terms);
+}
+void add_chain_member(TextBuffer& text, std::string_view name, const engine::NameChain& chain,
+                      std::uint64_t most_terms) {
+  add_member(text, name, chain, most_terms);
 }
 
 }  // namespace sesame::replay

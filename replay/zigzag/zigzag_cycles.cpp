@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace sesame::replay {
 
@@ -22,25 +23,39 @@ void add_end(TextBuffer& text, engine::Time time) {
 
 }  // namespace
 
-void ZigzagCycles::add(const engine::MomentBar& moments, const engine::ZigzagBarcode::Pieces& pieces) {
-  const Bar bar{moments.dimension, moments.birth.time, moments.death.time};
-  if (bar.birth == bar.death || !selection_.has(bar) || !wants(bar.dimension)) {
-    return;
+std::vector<ScriptPiece> pieces_of(const Bar& bar, std::vector<engine::NamedCycle> cycles,
+                                   std::uint32_t characteristic) {
+  std::vector<ScriptPiece> pieces;
+  for (std::size_t k = 0; k < cycles.size(); ++k) {
+    for (auto& term : cycles[k].cycle.terms) {
+      term.coefficient = smallest_residue(term.coefficient, characteristic);
+    }
+    const engine::Time until = k + 1 < cycles.size() ? cycles[k + 1].from : bar.death;
+    pieces.push_back({cycles[k].from, until, std::move(cycles[k].cycle)});
   }
-  const std::vector<NamedPiece> named = history_.named(moments, pieces());
-  said_.push_back({bar, form_ == Form::json ? json(bar, named) : table(bar, named)});
+  return pieces;
 }
 
-std::string ZigzagCycles::table(const Bar& bar, const std::vector<NamedPiece>& pieces) const {
+template <class Chain>
+void ZigzagCycles::add(const Bar& bar, const std::vector<PieceOf<Chain>>& pieces) {
+  said_.push_back({bar, form_ == Form::json ? json(bar, pieces) : table(bar, pieces)});
+}
+
+template void ZigzagCycles::add(const Bar&, const std::vector<NamedPiece>&);
+template void ZigzagCycles::add(const Bar&, const std::vector<ScriptPiece>&);
+
+template <class Chain>
+std::string ZigzagCycles::table(const Bar& bar, const std::vector<PieceOf<Chain>>& pieces) const {
   std::string text = fmt::format("H{} {}\n", bar.dimension, interval_text(bar));
-  for (const NamedPiece& piece : pieces) {
+  for (const PieceOf<Chain>& piece : pieces) {
     text += fmt::format("  {}  {}\n", interval_text({bar.dimension, piece.from, piece.until}),
                         chain_line(piece.cycle, options_.most_terms));
   }
   return text;
 }
 
-std::string ZigzagCycles::json(const Bar& bar, const std::vector<NamedPiece>& pieces) const {
+template <class Chain>
+std::string ZigzagCycles::json(const Bar& bar, const std::vector<PieceOf<Chain>>& pieces) const {
   std::ostringstream out;
   {
     TextBuffer text(out);

@@ -11,14 +11,9 @@
 #include "engine/zigzag/zigzag_tracker.hpp"
 #include "replay/tower/named_chains.hpp"
 #include "replay/tower/tower_reader.hpp"
+#include "replay/zigzag/zigzag_cycles.hpp"
 
 namespace sesame::replay {
-
-/// A cycle of a bar from one time on until another: that of all complexes in between.
-struct NamedPiece {
-  engine::Time from, until;
-  NamedChain cycle;
-};
 
 /// The vertices of every simplex that there ever was, and the labels of these, which contractions change. Grows with
 /// the zigzag: for cycles, whose simplices may be long gone when they are written.

@@ -1,4 +1,4 @@
-#include "replay/zigzag/zigzag_cycles.hpp"
+#include "replay/zigzag/zigzag_history.hpp"
 
 #include <map>
 #include <sstream>

@@ -10,9 +10,11 @@ import json
 import pathlib
 import random
 import re
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 sys.dont_write_bytecode = True
@@ -325,11 +327,83 @@ class Zigzag(unittest.TestCase):
         piped = self.run_sesame("zigzag", "-", "--json", stdin=gzip.compress(text.encode()))
         self.assertEqual(json.loads(piped.stdout)["bars"], done["bars"])
         self.assert_error(text + '{"op":"product","name":"P","left":"e","right":"e"}\n', 7, "step 6|no body|there is no")
-        for options, message in ((("--verify",), "--verify is for"), (("--ring", "Z"), "over a field"),
-                                 (("--every", "1"), "are for towers"), (("--generators",), "none of those of a script")):
-            done = self.run_sesame("zigzag", self.file(text), *options)
-            self.assertEqual((done.returncode, message in done.stderr.decode()), (1, True), done.stderr)
+        done = self.run_sesame("zigzag", self.file(text), "--ring", "Z")
+        self.assertEqual((done.returncode, "over a field" in done.stderr.decode()), (1, True), done.stderr)
         self.assertEqual(self.run_sesame("zigzag", self.file("i 0\n"), "--format", "script").returncode, 2)
+        done = self.run_sesame("tower", self.file(text), "--generators")
+        self.assertEqual((done.returncode, b"sesame zigzag --generators" in done.stderr), (1, True), done.stderr)
+
+    def test_bars_of_scripts_have_cycles_by_the_names_of_cells(self):
+        script = ['{"sesame":1}', '{"op":"simplex","name":"t","dim":2}', '{"op":"remove","cells":["t"]}',
+                  '{"op":"note","text":"a loop"}', '{"op":"simplex","name":"e\\"","dim":1}',
+                  '{"op":"identify","pairs":[["e\\".0","t.0"],["e\\".1","t.1"]]}', '{"op":"remove","cells":["t.0-1"]}']
+        text = "".join(line + "\n" for line in script)
+        loops = self.json_of(text, "--generators=1", "--ring", "Z/3")["generators"]
+        self.assertEqual(loops, [
+            {"dim": 1, "birth": 2, "death": 6,
+             "pieces": [{"from": 2, "until": 6, "cycle": [[-1, "t.0-1"], [1, "t.0-2"], [-1, "t.1-2"]]}]},
+            {"dim": 1, "birth": 5, "death": None,
+             "pieces": [{"from": 5, "until": None, "cycle": [[1, "t.0-2"], [-1, "t.1-2"], [-1, 'e"']]}]}])
+        self.assertEqual([piece["cycle_terms"] for each in
+                          self.json_of(text, "--generators=1", "--max-terms", "1")["generators"]
+                          for piece in each["pieces"]], [3, 3])
+        table = self.run_sesame("zigzag", self.file(text), "--generators=1", "--ring", "Q").stdout.decode()
+        self.assertIn("H1 [2, 6)\n  [2, 6)  -t.0-1 + t.0-2 - t.1-2\n", table)
+        self.assertEqual({each["dim"] for each in self.json_of(text, "--generators", "--max-dim", "0")["generators"]}, {0})
+        kept = self.json_of(text, "--generators", "--no-open")["generators"]
+        self.assertEqual([(each["birth"], each["death"]) for each in kept], [(4, 5), (2, 6)])
+
+    def test_scripts_say_on_the_way_what_they_have(self):
+        path = EXAMPLES / "cutting_a_torus.jsonl"
+        states = [json.loads(line) for line in
+                  self.run_sesame("zigzag", path, "--json", "--every", "2").stdout.splitlines()][:-1]
+        steps = [json.loads(line) for line in
+                 self.run_sesame("replay", path, "--json", "--every", "2", "--ring", "Z/2").stdout.splitlines()]
+        steps = [step for step in steps if step.get("step", 1) % 2 == 0][:len(states)]
+        self.assertGreater(len(states), 3)
+        for state, step in zip(states, steps):
+            self.assertEqual((state["ops"], state["time"], state["cells"]), (step["step"], step["step"], step["cells"]))
+            self.assertEqual((state["betti"] + [0] * 9)[:len(step["betti"])], step["betti"])
+        self.assertEqual(self.run_sesame("tower", EXAMPLES / "torus.jsonl", "--every", "3", "--json").stdout.count(b'{"ops":'),
+                         self.run_sesame("zigzag", EXAMPLES / "torus.jsonl", "--every", "3", "--json").stdout.count(b'{"ops":'))
+
+    def test_scripts_are_verified_and_cycles_change_no_bars(self):
+        checked = 0
+        for path in sorted(EXAMPLES.glob("*.jsonl"))[::1 if IS_HEAVY else 3]:
+            for ring in ("Z/2", "Q"):
+                alone = self.run_sesame("zigzag", path, "--json", "--ring", ring)
+                if alone.returncode != 0:
+                    continue
+                with self.subTest(path=path.name, ring=ring):
+                    done = self.run_sesame("zigzag", path, "--json", "--ring", ring, "--verify", "--generators")
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    bars, found = json.loads(alone.stdout)["bars"], json.loads(done.stdout)
+                    self.assertEqual(found["bars"], bars)
+                    self.assertEqual([[g["dim"], g["birth"], g["death"]] for g in found["generators"]], bars)
+                    checked += 1
+        self.assertGreater(checked, 60 if IS_HEAVY else 15)
+
+    def test_the_first_interrupt_ends_a_script_at_a_step(self):
+        # Loops in a wedge: a removal each, so the second way takes far longer than the first.
+        lines = ['{"sesame":1}', '{"op":"simplex","name":"p","dim":0}']
+        for k in range(1500):
+            lines.append(f'{{"op":"simplex","name":"e{k}","dim":1}}')
+            lines.append(f'{{"op":"identify","pairs":[["e{k}.0","p"],["e{k}.1","p"]]}}')
+        lines.append('{"op":"remove","cells":["e3"]}')
+        path = self.file("".join(line + "\n" for line in lines), "loops.jsonl")
+        for seconds in (0.3, 1, 3, 9):  # while it reads, what has been read is done again
+            with subprocess.Popen([SESAME, "zigzag", path, "--json", "--generators=0", "--every", "3002"],
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+                process.stdout.readline()
+                time.sleep(seconds)
+                process.send_signal(signal.SIGINT)
+                out, errors = process.communicate()
+            self.assertEqual(process.returncode, 130, errors)
+            found = json.loads(out)
+            if found["ops"] < 3002:
+                break
+        self.assertLess(found["ops"], 3002)
+        self.assertIn([0, 1, None], found["bars"])
 
     # ------------------------------------------------------------------------------------------------ inputs
 

@@ -47,9 +47,9 @@ Trackers trackers_of(const TowerRun& run, replay::PersWriter* pers) {
 /// With --every: cells and Betti numbers now and then.
 void report_state(const TowerRun& run, const TowerOperation& operation, const replay::TowerReplay& tower,
                   std::span<const std::unique_ptr<engine::BarcodeTracker>> trackers) {
-  if (run.reports_state()) {
+  if (run.reports_state(run.operations())) {
     for (const auto& tracker : trackers) {
-      run.write_state(operation.time, tower.cells(), tracker->ring(), tracker->betti());
+      run.write_state(run.operations(), operation.time, tower.cells(), tracker->ring(), tracker->betti());
     }
     std::cout << std::flush;  // somebody may be waiting at the end of a pipe
   }

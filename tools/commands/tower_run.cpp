@@ -106,11 +106,6 @@ Status TowerRun::check_arguments() const {
                  "--add-faces is for simplices that are listed by their vertices; in a script `insert` adds faces by "
                  "itself"};
   }
-  if (arguments_.verifies && format == TowerFormat::script) {
-    return Error{Errc::refused,
-                 "--verify is for lists of simplices that come and go; sesame replay --verify checks the laws of a "
-                 "script"};
-  }
   if (!arguments_.points.empty() && arguments_.html.empty()) {
     return Error{Errc::refused, "--points is for the page that --html writes"};
   }
@@ -133,15 +128,10 @@ Status TowerRun::check_arguments() const {
         "over Z there are no barcodes but a sequence of groups; --pers, --csv, --svg, --html, --generators and "
         "--every need a field"};
   }
-  if (format == TowerFormat::script && arguments_.command == "zigzag" && arguments_.generators) {
-    return Error{
-        Errc::refused,
-        "--generators has the cycles of bars of lists of simplices that come and go, none of those of a script; "
-        "sesame replay has the generators of a script after its steps"};
-  }
-  if (format == TowerFormat::script && (rings_.size() > 1 || arguments_.generators || arguments_.every > 0)) {
+  if (format == TowerFormat::script && arguments_.command == "tower" && (rings_.size() > 1 || arguments_.generators)) {
     return Error{Errc::refused,
-                 "--rings, --generators and --every are for towers; sesame replay has the generators of a script"};
+                 "--rings and --generators are for towers; sesame zigzag --generators has the cycles of the bars of a "
+                 "script"};
   }
   return Done{};
 }
@@ -279,15 +269,15 @@ void TowerRun::write(std::span<const TowerResult> results, const replay::ClassRe
   }
 }
 
-void TowerRun::write_state(engine::Time time, std::span<const std::uint64_t> cells, const sparse::AnyRing& ring,
-                           std::span<const std::uint64_t> betti) const {
+void TowerRun::write_state(std::uint64_t operations, engine::Time time, std::span<const std::uint64_t> cells,
+                           const sparse::AnyRing& ring, std::span<const std::uint64_t> betti) const {
   if (arguments_.json) {
-    std::cout << fmt::format(R"({{"ops":{},"time":{},"ring":"{}","cells":[{}],"betti":[{}]}})", operations_,
+    std::cout << fmt::format(R"({{"ops":{},"time":{},"ring":"{}","cells":[{}],"betti":[{}]}})", operations,
                              replay::json_number_text(time), sparse::ring_name(ring), fmt::join(cells, ","),
                              fmt::join(betti, ","))
               << '\n';
   } else {
-    std::cout << fmt::format("{:>10}  {:<24}  Betti numbers over {}: {}\n", operations_,
+    std::cout << fmt::format("{:>10}  {:<24}  Betti numbers over {}: {}\n", operations,
                              fmt::format("{} cells", fmt::join(cells, " ")), sparse::ring_name(ring),
                              fmt::join(betti, " "));
   }

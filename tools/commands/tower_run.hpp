@@ -94,12 +94,12 @@ class TowerRun {
   void write(std::span<const replay::TowerResult> results, const replay::ClassReport* classes,
              const Drawn& drawn) const;
   void write_groups(replay::GroupSequence& groups, std::uint64_t operations) const;
-  /// With --every: whether cells and Betti numbers are to be said after this operation.
-  [[nodiscard]] bool reports_state() const {
-    return arguments_.every != 0 && operations_ % arguments_.every == 0 && (prints() || arguments_.json);
+  /// With --every: whether cells and Betti numbers are to be said after so many operations.
+  [[nodiscard]] bool reports_state(std::uint64_t operations) const {
+    return arguments_.every != 0 && operations % arguments_.every == 0 && (prints() || arguments_.json);
   }
-  void write_state(engine::Time time, std::span<const std::uint64_t> cells, const sparse::AnyRing& ring,
-                   std::span<const std::uint64_t> betti) const;
+  void write_state(std::uint64_t operations, engine::Time time, std::span<const std::uint64_t> cells,
+                   const sparse::AnyRing& ring, std::span<const std::uint64_t> betti) const;
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -21,12 +21,12 @@ namespace {
 /// With --every: cells and Betti numbers now and then.
 void report_state(const TowerRun& run, const TowerOperation& operation, const replay::ZigzagReplay& zigzag,
                   const engine::ZigzagBarcode& barcode) {
-  if (run.reports_state()) {
+  if (run.reports_state(run.operations())) {
     std::vector<std::uint64_t> betti = barcode.betti();
     while (!betti.empty() && !run.dimensions().have(betti.size() - 1)) {
       betti.pop_back();
     }
-    run.write_state(operation.time, zigzag.cells(), barcode.ring(), betti);
+    run.write_state(run.operations(), operation.time, zigzag.cells(), barcode.ring(), betti);
     std::cout << std::flush;  // somebody may be waiting at the end of a pipe
   }
 }
@@ -51,8 +51,14 @@ struct Cycles {
 
   explicit Cycles(const TowerRun& run)
       : history{std::visit([](const auto& ring) { return ring.characteristic(); }, run.rings()[0])},
-        report{history, run.arguments().json ? replay::ZigzagCycles::Form::json : replay::ZigzagCycles::Form::table,
+        report{run.arguments().json ? replay::ZigzagCycles::Form::json : replay::ZigzagCycles::Form::table,
                run.dimensions(), run.arguments().selection, *run.arguments().generators} {}
+
+  void add(const engine::MomentBar& moments, const engine::ZigzagBarcode::Pieces& pieces) {
+    if (const engine::Bar bar{moments.dimension, moments.birth.time, moments.death.time}; report.wants(bar)) {
+      report.add(bar, history.named(moments, pieces()));
+    }
+  }
 };
 
 std::unique_ptr<engine::ZigzagBarcode> online_barcode(const sparse::AnyRing& ring,
@@ -61,7 +67,7 @@ std::unique_ptr<engine::ZigzagBarcode> online_barcode(const sparse::AnyRing& rin
     return engine::make_online_zigzag_barcode(ring, take);
   }
   return engine::make_online_zigzag_barcode(
-      ring, take, [cycles](const auto& bar, const auto& pieces) { cycles->report.add(bar, pieces); },
+      ring, take, [cycles](const auto& bar, const auto& pieces) { cycles->add(bar, pieces); },
       [cycles](int dimension) { return cycles->report.wants(dimension); });
 }
 
@@ -115,7 +121,7 @@ Outcome run_zigzag(TowerRun& run) {
   if (online) {
     online->for_each_open_bar(take);
     if (cycles) {
-      online->for_each_open_cycle([&](const auto& bar, const auto& pieces) { cycles->report.add(bar, pieces); });
+      online->for_each_open_cycle([&](const auto& bar, const auto& pieces) { cycles->add(bar, pieces); });
     }
   } else {
     deferred.finish();

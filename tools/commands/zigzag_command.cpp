@@ -48,11 +48,13 @@ void add_zigzag_command(CLI::App& app, int& status) {
   command->add_flag("--add-faces", arguments->add_faces,
                     "Add the faces that a simplex lacks, at its time; those that are there already are counted");
   add_bar_choices(*command, *arguments);
-  command->add_flag("--verify", arguments->verifies,
-                    "Compute the barcode in two independent ways, and fail when they differ");
+  command->add_flag(
+      "--verify", arguments->verifies,
+      "Compute the barcode in two independent ways, of a script prove it by the cycles of all bars, and fail when "
+      "something differs");
   command->footer(
       "Exit status: 0 done, 1 wrong usage or unreadable file, 2 the input is wrong, 3 an expect of a script failed,\n"
-      "4 internal error, or --verify found a difference,\n"
+      "4 internal error, or --verify found something wrong,\n"
       "130 interrupted by Ctrl-C (what was read until then is reported).");
   command->callback([arguments, &status] { status = static_cast<int>(run_command(*arguments)); });
 }
