@@ -90,9 +90,9 @@ std::optional<std::vector<Symbol>> Dependents<R>::lifts_with(std::span<const Gen
   for (const GeneratorId generator : generators) {
     reach_lift(rules_.symbol_of(generator));
   }
-  std::uint64_t looked_at = 0;
+  const std::uint64_t end = looked_at_ + most;
   while (!pending_lifts_.empty() || !pending_rewritings_.empty()) {
-    if (++looked_at > most) {
+    if (++looked_at_ > end) {
       return std::nullopt;
     }
     const bool is_lift = !pending_lifts_.empty();
@@ -109,7 +109,7 @@ std::optional<std::vector<Symbol>> Dependents<R>::lifts_with(std::span<const Gen
       }
     }
     for (std::uint32_t at = last_[z]; at != no_edge; at = edges_[at].previous) {
-      ++looked_at;
+      ++looked_at_;
       const auto [from, to, previous, kind] = edges_[at];
       if (is_lift) {
         if (kind == Kind::combination && to < rules_.next_symbol()) {

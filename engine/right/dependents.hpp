@@ -57,6 +57,8 @@ class Dependents {
   /// Cost: the symbols that depend on the generators, not more than `most`.
   [[nodiscard]] std::optional<std::vector<Symbol>> lifts_with(std::span<const GeneratorId> generators,
                                                               std::uint64_t most);
+  /// How many symbols and edges searches have looked at, all of them.
+  [[nodiscard]] std::uint64_t looked_at() const { return looked_at_; }
 
   /// The rules and symbols have been undone to a mark. Cost: amortised, none.
   void undo(const typename Rules<R>::Mark& mark);
@@ -91,6 +93,7 @@ class Dependents {
   };
   std::vector<Reached> reached_;
   std::uint64_t search_ = 0;
+  std::uint64_t looked_at_ = 0;
   std::vector<Symbol> pending_rewritings_, pending_lifts_, found_;
 };
 

@@ -195,7 +195,6 @@ std::uint64_t Rewriter<R>::candidates(std::span<const GeneratorId> changed) cons
 /// looking at all small symbols is cheaper than finding them, or than making the index.
 template <Ring R>
 typename Perturbations<R>::Reached Rewriter<R>::lifts_with(std::span<const GeneratorId> changed) {
-  constexpr std::uint64_t terms_of_a_lift = 16;  // that are read for a small symbol, at least
   const std::uint64_t candidates = this->candidates(changed);
   if (candidates <= few) {
     return std::nullopt;
@@ -274,6 +273,13 @@ bool Rewriter<R>::settle_gains(Symbol e) {
   return cycle == gained.end() && !gained.empty();
 }
 
+/// Whether searches for the lifts that have the generators of deletions have cost as much as looking at all small
+/// symbols of their degree, from which on it is known.
+template <Ring R>
+bool Rewriter<R>::is_index_worth_it(std::span<const GeneratorId> changed) const {
+  return searched_ > terms_of_a_lift * candidates(changed);
+}
+
 template <Ring R>
 void Rewriter<R>::take_away(RuleId time, GeneratorId deletion, std::span<const GeneratorId> changed) {
   const Symbol e = rules_.symbol_of(deletion);
@@ -282,13 +288,16 @@ void Rewriter<R>::take_away(RuleId time, GeneratorId deletion, std::span<const G
   deletion_gains_.begin(deletion, changed);
   const bool has_combinations = !rules_.combinations().empty();  // they would have to be found, too
   Reached reached = has_combinations ? std::nullopt : deletion_gains_.small_with();
-  if (!reached) {
+  if (!reached && (has_combinations || !is_index_worth_it(changed))) {
+    const std::uint64_t before = dependents_.looked_at();
     reached = lifts_with(changed);
+    searched_ += dependents_.looked_at() - before;
   }
   const auto concerned = record_perturbation(time, e, changed, reached, true);
   const RuleId since = rules_.size();
   if (!reached && !has_combinations && perturbations_.last_concerns_rules() && candidates(changed) > few) {
     deletion_gains_.begin_index();
+    searched_ = 0;
   }
   for (const Symbol x : concerned.small) {
     if (x != e && rules_.removed_by(x) == no_rule) {

@@ -148,6 +148,7 @@ class Rewriter {
                                                            bool is_deletion);
   void extend_column_of(Symbol x, const Terms<R, Symbol>& gain);
   bool settle_gains(Symbol e);
+  [[nodiscard]] bool is_index_worth_it(std::span<const GeneratorId> changed) const;
 
   const sparse::ColumnStore<R, GeneratorId>& boundary_;
   Effort effort_;
@@ -158,9 +159,11 @@ class Rewriter {
   Memos<R> memos_;
   Settling<R> settling_;
   DeletionGains<R> deletion_gains_;
-  static constexpr std::uint64_t few = 4;  ///< small symbols: not worth a search
-  std::uint64_t looked_at_ = 0;            ///< small symbols, for want of `dependents_`
-  Terms<R, Symbol> column_;                ///< scratch
+  static constexpr std::uint64_t few = 4;               ///< small symbols: not worth a search
+  static constexpr std::uint64_t terms_of_a_lift = 16;  ///< that are read for a small symbol, at least
+  std::uint64_t looked_at_ = 0;                         ///< small symbols, for want of `dependents_`
+  std::uint64_t searched_ = 0;                          ///< by `dependents_`, for want of an index of deletions
+  Terms<R, Symbol> column_;                             ///< scratch
   std::uint64_t breaks_ = 0;
 };
 
