@@ -180,9 +180,8 @@ void DeletionGains<R>::subtract(Gained& x, const Gained& z) {
   const Element factor = ring_.negate(ring_.multiply(x.coefficient, ring_.inverse(z.coefficient)));
   const bool is_short = !known_.is_known(x.x);
   const bool is_known = known_.is_known(z.x);
-  if (index != nullptr) {
-    const bool inherits = is_short && is_known && index->lifts.inherit(x.x, z.x);
-    index->lifts.add(x.x, inherits ? x.lift : is_known ? known_.written_out(z.x) : z.lift);
+  if (index != nullptr && !index->lifts.inherit(x.x, z.x)) {
+    index->lifts.add(x.x, is_known ? known_.written_out(z.x) : z.lift);
   }
   if (!is_short && is_known) {
     known_.add(x.x, factor, z.x);

@@ -1,9 +1,11 @@
-// Lifts that are known as versions of one another, beside plain maps.
+// Lifts that are known as versions of one another, and by the generators in them, beside plain maps and sets.
 #include "engine/right/known_lifts.hpp"
 
 #include <map>
+#include <set>
 #include <vector>
 
+#include "engine/right/lift_index.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random_complexes.hpp"
 
@@ -113,4 +115,50 @@ TEST_CASE("short lifts are not kept", "[engine]") {
   known.keep(Symbol{3}, {{GeneratorId{0}, Integer{1}}});
   CHECK_FALSE(known.is_known(Symbol{3}));
   CHECK(known.empty());
+}
+
+TEST_CASE("a lift that has become part of another one is found as that one", "[engine]") {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    engine::LiftIndex index;
+    std::map<Symbol, std::set<GeneratorId>> plain;
+    std::uint32_t next = 0;
+    const auto any = [&] {
+      auto at = plain.begin();
+      std::advance(at, random.in(0, static_cast<int>(plain.size()) - 1));
+      return at->first;
+    };
+    const Integers ring;
+    for (int k = 0; k < 300; ++k) {
+      const int kind = plain.empty() ? 0 : random.in(0, 5);
+      if (kind <= 1) {
+        const Symbol x = kind == 0 ? Symbol{next++} : any();
+        for (const auto& [generator, coefficient] : random_chain(ring, random, 6)) {
+          plain[x].insert(generator);
+          index.add(x, std::vector<sparse::Term<Integers, GeneratorId>>{{generator, coefficient}});
+        }
+        CHECK(index.has(x));
+      } else if (kind <= 4) {
+        const Symbol z = any(), x = random.one_in(4) ? Symbol{next++} : any();
+        CHECK_FALSE(index.inherit(z, z));
+        if (x != z) {
+          REQUIRE(index.inherit(x, z));
+          CHECK_FALSE(index.inherit(x, z));  // it has gone
+          const std::set<GeneratorId> of_z = plain.at(z);
+          plain[x].insert(of_z.begin(), of_z.end());
+          plain.erase(z);
+        }
+      }
+      const GeneratorId generator{static_cast<std::uint32_t>(random.in(0, 299))};
+      std::set<Symbol> found, expected;
+      index.for_each_with(generator, [&](Symbol x) { found.insert(x); });
+      for (const auto& [x, generators] : plain) {
+        if (generators.contains(generator)) {
+          expected.insert(x);
+        }
+      }
+      REQUIRE(found == expected);
+    }
+  }
 }
