@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -24,6 +25,8 @@ class CorrectableDeletions {
   void record(int degree, Symbol e, std::vector<GeneratorId> changed) {
     const auto list = static_cast<std::size_t>(degree + 1);
     of_degree_.resize(std::max(of_degree_.size(), list + 1));
+    place_.resize(std::max(place_.size(), std::size_t{e} + 1));
+    place_[e] = static_cast<std::uint32_t>(of_degree_[list].size());
     of_degree_[list].push_back({e, std::move(changed)});
   }
   /// A new generator has e in its boundary, as one that is attached to lazy cells may. Nothing when e is none of these.
@@ -41,6 +44,9 @@ class CorrectableDeletions {
   void forget_until(int degree, Symbol e) {
     auto& all = of_degree_[static_cast<std::size_t>(degree + 1)];
     all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(place(degree, e)) + 1);
+    for (std::size_t at = 0; at < all.size(); ++at) {
+      place_[all[at].e] = static_cast<std::uint32_t>(at);
+    }
   }
   void clear() { of_degree_.clear(); }
 
@@ -48,16 +54,17 @@ class CorrectableDeletions {
     const auto list = static_cast<std::size_t>(degree + 1);
     return list < of_degree_.size() ? std::span<const Deletion>{of_degree_[list]} : std::span<const Deletion>{};
   }
-  /// The place of a symbol of a degree among those of that degree; their number: it is none of them. Cost: logarithmic.
+  /// The place of a symbol of a degree among those of that degree; their number: it is none of them.
   [[nodiscard]] std::size_t place(int degree, Symbol e) const {
     const std::span<const Deletion> all = of_degree(degree);
-    const auto at = std::lower_bound(all.begin(), all.end(), e, [](const Deletion& d, Symbol x) { return d.e < x; });
-    return at != all.end() && at->e == e ? static_cast<std::size_t>(at - all.begin()) : all.size();
+    const std::size_t at = e < place_.size() ? place_[e] : all.size();
+    return at < all.size() && all[at].e == e ? at : all.size();
   }
   [[nodiscard]] bool contains(int degree, Symbol e) const { return place(degree, e) < of_degree(degree).size(); }
 
  private:
   std::vector<std::vector<Deletion>> of_degree_;  ///< from -1 on
+  std::vector<std::uint32_t> place_;              ///< per symbol, as far as needed: where it is, if it is there
 };
 
 }  // namespace sesame::engine
