@@ -149,7 +149,11 @@ std::vector<GeneratorId> BigComplex<R>::amend(const Changes& changes) {
   std::vector<GeneratorId> changed;
   for (const auto& [generator, change] : changes) {
     if (!change.empty()) {
-      boundary_.add_to_column(generator, ring_.one(), change);
+      if (change.front().index + 1 == size()) {  // of a deletion: it comes below all that is there
+        boundary_.extend_column(generator, change);
+      } else {
+        boundary_.add_to_column(generator, ring_.one(), change);
+      }
       entries_appended_ += change.size();
       changed.push_back(generator);
     }
