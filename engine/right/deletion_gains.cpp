@@ -52,15 +52,10 @@ typename Perturbations<R>::Reached DeletionGains<R>::small_with() {
   std::vector<Symbol> fresh;
   rules_.for_each_small_since(degree() + 1, index()->until, [&](Symbol x) { fresh.push_back(x); });
   for (const Symbol x : fresh) {
-    const Terms<R, GeneratorId> lift = known_.is_known(x) ? Terms<R, GeneratorId>{} : learn(x);
-    if (core_.find(x) != nullptr) {
-      index()->loose.push_back(x);
-    } else {
-      add_to_index(x, lift);
-    }
+    add_to_index(x, known_.is_known(x) ? Terms<R, GeneratorId>{} : learn(x));
   }
   index()->until = rules_.next_symbol();
-  std::vector<Symbol> found = index()->loose;
+  std::vector<Symbol> found = changed_loose();
   for (const GeneratorId generator : changed_) {
     index()->lifts.for_each_with(generator, [&](Symbol x) { found.push_back(x); });
   }
@@ -70,12 +65,26 @@ typename Perturbations<R>::Reached DeletionGains<R>::small_with() {
   return found;
 }
 
+/// Those with a boundary whose lifts may have changed since they were put into the index.
+template <Ring R>
+std::vector<Symbol> DeletionGains<R>::changed_loose() {
+  std::vector<Symbol> changed;
+  auto& loose = index()->loose;
+  std::erase_if(loose, [this](const auto& each) { return !rules_.is_small(each.first); });
+  for (const auto& [x, column] : loose) {
+    if (const Terms<R, Symbol>* now = core_.find(x); now == nullptr || !(*now == column)) {
+      changed.push_back(x);
+    }
+  }
+  return changed;
+}
+
 template <Ring R>
 void DeletionGains<R>::begin_index() {
   Index& index = indices_.insert_or_assign(degree(), Index{{}, rules_.next_symbol(), {}}).first->second;
   rules_.for_each_small_since(degree() + 1, Symbol{0}, [&](Symbol x) {
     if (core_.find(x) != nullptr) {
-      index.loose.push_back(x);
+      index.loose.try_emplace(x);
     }
   });
 }
@@ -83,9 +92,21 @@ void DeletionGains<R>::begin_index() {
 /// `lift`: that of x, unless it is known.
 template <Ring R>
 void DeletionGains<R>::add_to_index(Symbol x, const Terms<R, GeneratorId>& lift) {
-  Index* index = this->index();
-  if (index != nullptr && core_.find(x) == nullptr && !index->lifts.has(x)) {
-    index->lifts.add(x, known_.is_known(x) ? known_.written_out(x) : lift);
+  Index* const index = this->index();
+  if (index == nullptr) {
+    return;
+  }
+  const Terms<R, Symbol>* const column = core_.find(x);
+  const auto loose = index->loose.find(x);
+  const bool is_loose = loose != index->loose.end();
+  if (column != nullptr ? is_loose && loose->second == *column : !is_loose && index->lifts.has(x)) {
+    return;  // it is there
+  }
+  index->lifts.add(x, known_.is_known(x) ? known_.written_out(x) : lift);
+  if (column != nullptr) {
+    index->loose.insert_or_assign(x, *column);
+  } else if (is_loose) {
+    index->loose.erase(loose);
   }
 }
 
@@ -173,7 +194,7 @@ void DeletionGains<R>::subtract(Gained& x, const Gained& z) {
   if (core_.find(x.x) != nullptr) {
     known_.forget(x.x);
     if (index != nullptr) {
-      index->loose.push_back(x.x);
+      index->loose[x.x].clear();
     }
     return;
   }

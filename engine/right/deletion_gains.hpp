@@ -71,15 +71,17 @@ class DeletionGains {
     Terms<R, GeneratorId> lift;  ///< unless it is known
   };
 
-  /// The small symbols of a degree by the generators in their lifts.
+  /// The small symbols of a degree by the generators in their lifts. The lift of one with a boundary changes when rules
+  /// eliminate what is in that: then its column in the core is another one, and never again what it was.
   struct Index {
     LiftIndex lifts;
-    Symbol until{};             ///< small symbols before are in it,
-    std::vector<Symbol> loose;  ///< or here: their lifts may still change
+    Symbol until{};                            ///< small symbols before are in it,
+    std::map<Symbol, Terms<R, Symbol>> loose;  ///< these if they have this column still; an empty one is nobody's
   };
 
   [[nodiscard]] int degree() const { return rules_.degree(rules_.symbol_of(deletion_)); }
   [[nodiscard]] Index* index();
+  [[nodiscard]] std::vector<Symbol> changed_loose();
   void add_to_index(Symbol x, const Terms<R, GeneratorId>& lift);
   [[nodiscard]] Terms<R, GeneratorId> learn(Symbol x);
   void follow(RuleId since);
