@@ -20,16 +20,27 @@ namespace {
 struct Wanted {
   const std::string& name;
   const GMap& map;
-  Dart halves;  ///< of an n-map, as in DartStore
+  Dart halves;         ///< of an n-map, as in DartStore
+  std::size_t points;  ///< that are given for its vertices
 
   [[nodiscard]] std::string dart(Dart d) const {
     return halves != 0 && d >= halves ? fmt::format("{}'", d - halves) : std::to_string(d);
   }
 };
 
+/// Either no vertex has a position, or each.
+Status check_points(const Wanted& wanted) {
+  const std::size_t vertices = wanted.points == 0 ? 0 : cells(wanted.map, 0).count();
+  return vertices == wanted.points
+             ? Status{Done{}}
+             : Error{Errc::bad_input, fmt::format("\"{}\" has {} vertices, but {} points in \"at\": it should have one "
+                                                  "for each, in the order of their least darts",
+                                                  wanted.name, vertices, wanted.points)};
+}
+
 /// Are the names of all cells of a map free, from whichever dart?
 Status check_names(const Wanted& wanted, const Structure& structure) {
-  const auto& [name, map, halves] = wanted;
+  const auto& [name, map, halves, points] = wanted;
   if (Status s = check_new_name(name, structure); !s) {
     return s;
   }
@@ -172,6 +183,9 @@ Status plan_map(const Wanted& wanted, bool as_simplices, const Structure& struct
   if (wanted.map.size() == 0) {
     return Error{Errc::bad_input, fmt::format("\"{}\" has no darts: a map needs one at least", wanted.name)};
   }
+  if (Status s = check_points(wanted); !s) {
+    return s;
+  }
   if (Status s = check_names(wanted, structure); !s) {
     return s;
   }
@@ -183,19 +197,20 @@ Status plan_map(const Wanted& wanted, bool as_simplices, const Structure& struct
 
 Status plan_map(const MakeGMap& operation, const Structure& structure, const Limits& limits, Plan& plan) {
   const Result<GMap> map = GMap::make(operation.alpha);
-  return map ? plan_map({operation.name, *map, 0}, operation.as_simplices, structure, limits, plan)
+  return map ? plan_map({operation.name, *map, 0, operation.at.size()}, operation.as_simplices, structure, limits, plan)
              : Error{map.error().code, fmt::format("\"{}\" is no G-map: {}", operation.name, map.error().what)};
 }
 
 Status plan_map(const MakeMap& operation, const Structure& structure, const Limits& limits, Plan& plan) {
   const Result<NMap> map = NMap::make(operation.beta);
-  return map ? plan_map({operation.name, to_gmap(*map), map->size()}, operation.as_simplices, structure, limits, plan)
+  return map ? plan_map({operation.name, to_gmap(*map), map->size(), operation.at.size()}, operation.as_simplices,
+                        structure, limits, plan)
              : Error{map.error().code, fmt::format("\"{}\" is no map: {}", operation.name, map.error().what)};
 }
 
 /// By the standard cell of its type, which all polygons with as many sides share.
 Status plan_polygon(const MakePolygon& operation, const Structure& structure, const Limits& limits, Plan& plan) {
-  const auto& [name, sides, as_simplices] = operation;
+  const auto& [name, sides, as_simplices, at] = operation;
   if (sides < 1) {
     return Error{Errc::bad_input, fmt::format("\"{}\" has {} sides: a polygon has 1 at least", name, sides)};
   }
@@ -203,7 +218,10 @@ Status plan_polygon(const MakePolygon& operation, const Structure& structure, co
     return s;
   }
   const GMap map = polygon(static_cast<Dart>(sides));
-  const Wanted wanted{name, map, 0};
+  const Wanted wanted{name, map, 0, at.size()};
+  if (Status s = check_points(wanted); !s) {
+    return s;
+  }
   if (Status s = check_names(wanted, structure); !s) {
     return s;
   }

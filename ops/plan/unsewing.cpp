@@ -163,9 +163,8 @@ class UnsewingPlanner {
       }
     }
     bool are_all = !whole.is_degenerate();
-    structure_.forest().for_each_member(whole.cell, [&](CellId node) {
-      are_all = are_all && (nodes.contains(node) || is_left_behind(i, node));
-    });
+    structure_.forest().for_each_member(
+        whole.cell, [&](CellId node) { are_all = are_all && (nodes.contains(node) || is_left_behind(i, node)); });
     return are_all ? Status{Done{}}
                    : Error{Errc::refused,
                            fmt::format("\"{}\" cannot be unsewn: its {}-cell \"{}\" {}, and not only by sewing",

@@ -20,6 +20,13 @@ Point read_point(Fields& in, const Json& value) {
   return p;
 }
 
+std::vector<Point> read_points(Fields& in) {
+  const Json* at = in.find("at");
+  return at == nullptr ? std::vector<Point>{}
+                       : read_each(in.items("at", *at, "a list of points"),
+                                   [&](const Json& point) { return read_point(in, point); });
+}
+
 std::optional<Point> read_point(Fields& in) {
   const Json* at = in.find("at");
   return at != nullptr ? std::optional{read_point(in, *at)} : std::nullopt;

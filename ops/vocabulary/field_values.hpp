@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ops/vocabulary/cell_list.hpp"
 #include "ops/vocabulary/json_fields.hpp"
@@ -14,6 +15,8 @@ namespace sesame::ops {
 
 /// Of the field "at", or a part of it: [x,y] or [x,y,z]. Throws Wrong.
 [[nodiscard]] Point read_point(Fields& in, const Json& value);
+/// The field "at" as a list of points, or an empty one. Throws Wrong.
+[[nodiscard]] std::vector<Point> read_points(Fields& in);
 /// The field "at", if there is one. Throws Wrong.
 [[nodiscard]] std::optional<Point> read_point(Fields& in);
 

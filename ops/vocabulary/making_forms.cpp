@@ -17,13 +17,8 @@ namespace {
 
 /// A point for each vertex, or none at all.
 std::vector<Point> read_points(Fields& in, std::size_t vertices) {
-  const Json* at = in.find("at");
-  if (at == nullptr) {
-    return {};
-  }
-  auto all =
-      read_each(in.items("at", *at, "a list of points"), [&](const Json& point) { return read_point(in, point); });
-  if (all.size() != vertices) {
+  std::vector<Point> all = read_points(in);
+  if (in.find("at") != nullptr && all.size() != vertices) {
     throw Wrong{fmt::format("field \"at\" should have {} points, one per vertex, but has {}", vertices, all.size())};
   }
   return all;

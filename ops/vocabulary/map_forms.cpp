@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ops/vocabulary/field_values.hpp"
 #include "ops/vocabulary/operation_form.hpp"
 
 namespace sesame::ops {
@@ -24,9 +25,14 @@ bool read_as_simplices(Fields& in) {
   return as != nullptr;
 }
 
-void write_as_simplices(bool as_simplices, JsonText& out) {
-  if (as_simplices) {
+/// What all that make maps have after their own fields.
+template <class Op>
+void write_rest(const Op& op, JsonText& out) {
+  if (op.as_simplices) {
     out.field("as", "simplices");
+  }
+  if (!op.at.empty()) {
+    out.field("at", op.at);
   }
 }
 
@@ -38,13 +44,14 @@ MakeGMap read_gmap(Fields& in) {
     return read_each(in.items("alpha", images, expected), [&](const Json& d) { return read_dart(in, "alpha", d); });
   });
   op.as_simplices = read_as_simplices(in);
+  op.at = read_points(in);
   return op;
 }
 
 void write_gmap(const MakeGMap& op, JsonText& out) {
   out.field("name", op.name);
   out.field("alpha", op.alpha);
-  write_as_simplices(op.as_simplices, out);
+  write_rest(op, out);
 }
 
 MakeMap read_map(Fields& in) {
@@ -56,6 +63,7 @@ MakeMap read_map(Fields& in) {
                      [&](const Json& d) { return d.is_null() ? no_dart : read_dart(in, "beta", d); });
   });
   op.as_simplices = read_as_simplices(in);
+  op.at = read_points(in);
   return op;
 }
 
@@ -75,7 +83,7 @@ void write_map(const MakeMap& op, JsonText& out) {
     out.end_list();
   }
   out.end_list();
-  write_as_simplices(op.as_simplices, out);
+  write_rest(op, out);
 }
 
 MakePolygon read_polygon(Fields& in) {
@@ -87,13 +95,14 @@ MakePolygon read_polygon(Fields& in) {
   }
   op.sides = sides.get<int>();
   op.as_simplices = read_as_simplices(in);
+  op.at = read_points(in);
   return op;
 }
 
 void write_polygon(const MakePolygon& op, JsonText& out) {
   out.field("name", op.name);
   out.field("sides", op.sides);
-  write_as_simplices(op.as_simplices, out);
+  write_rest(op, out);
 }
 
 Sew read_sew(Fields& in) {

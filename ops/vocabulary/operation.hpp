@@ -43,11 +43,13 @@ struct MakeComplex {
   CellList cells;
 };
 
-/// An n-G-map: lists of images of its darts, under alpha_0 to alpha_n.
+/// An n-G-map: lists of images of its darts, under alpha_0 to alpha_n. `at`: empty, or a point per vertex, in the order
+/// of their least darts.
 struct MakeGMap {
   std::string name;
   std::vector<std::vector<Dart>> alpha;
   bool as_simplices = false;  ///< by the simplices of its simplicial analogue instead of its cells
+  std::vector<Point> at = {};
 };
 
 /// An n-map, oriented: lists of images of its darts under beta_1 to beta_n, no_dart where they are free. It is the
@@ -56,6 +58,7 @@ struct MakeMap {
   std::string name;
   std::vector<std::vector<Dart>> beta;
   bool as_simplices = false;
+  std::vector<Point> at = {};
 };
 
 /// A 2-G-map of one face, whose side s has the darts 2s and 2s + 1.
@@ -63,6 +66,7 @@ struct MakePolygon {
   std::string name;
   int sides = 0;
   bool as_simplices = false;
+  std::vector<Point> at = {};
 };
 
 /// Makes pairs of free darts images of one another under an involution, each with its orbit.

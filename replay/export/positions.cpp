@@ -89,6 +89,12 @@ std::vector<std::pair<ops::CellId, ops::Point>> given_positions(const ops::Opera
     add_in_order(simplex->at, first, given);
   } else if (const auto* simploid = std::get_if<ops::MakeSimploid>(&operation)) {
     add_in_order(simploid->at, first, given);
+  } else if (const auto* gmap = std::get_if<ops::MakeGMap>(&operation)) {
+    add_in_order(gmap->at, first, given);  // their vertices come first
+  } else if (const auto* map = std::get_if<ops::MakeMap>(&operation)) {
+    add_in_order(map->at, first, given);
+  } else if (const auto* polygon = std::get_if<ops::MakePolygon>(&operation)) {
+    add_in_order(polygon->at, first, given);
   } else if (const auto* complex = std::get_if<ops::MakeComplex>(&operation)) {
     add_listed(*complex, structure, given);
   } else if (const auto* suspension = std::get_if<ops::MakeSuspension>(&operation)) {

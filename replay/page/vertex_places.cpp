@@ -123,7 +123,8 @@ void VertexPlaces::take(const ops::Operation& operation, const engine::StepRepor
   } else if (const auto* simploid = std::get_if<ops::MakeSimploid>(&operation);
              simploid != nullptr && simploid->at.empty()) {
     shape(standard_shape(simploid->type), report, number_of);
-  } else if (const auto* polygon = std::get_if<ops::MakePolygon>(&operation)) {
+  } else if (const auto* polygon = std::get_if<ops::MakePolygon>(&operation);
+             polygon != nullptr && polygon->at.empty()) {
     shape(regular_polygon(polygon->sides), report, number_of);
   }
 }

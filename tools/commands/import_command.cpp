@@ -11,6 +11,7 @@
 #include "tools/commands/mesh_input.hpp"
 #include "tools/commands/options.hpp"
 #include "tools/commands/output_file.hpp"
+#include "tools/mesh/map_script.hpp"
 #include "tools/mesh/script.hpp"
 #include "tools/mesh/text.hpp"
 
@@ -26,6 +27,7 @@ struct Arguments {
   Polygons polygons = Polygons::fan;
   BuildOrder order = BuildOrder::breadth_first;
   bool assemble = false;
+  bool cells = false;
   bool quiet = false;
 };
 
@@ -92,6 +94,10 @@ int run_import(const Arguments& arguments) {
     return fail("sesame import: --ring: " + ring.error().what, Outcome::wrong_usage);
   }
   if (is_facet_list(arguments.mesh)) {
+    if (arguments.cells) {
+      return fail("sesame import: --cells is for meshes, and " + name_of(arguments.mesh) + " is a list of facets",
+                  Outcome::wrong_usage);
+    }
     return import_facets(arguments);
   }
   const Result<Mesh> mesh = read(arguments.mesh);
@@ -102,8 +108,9 @@ int run_import(const Arguments& arguments) {
   const ScriptOptions options{name, arguments.ring, arguments.polygons, arguments.order, true};
   ScriptSummary summary;
   const int status = write_script(arguments, [&](std::ostream& out) {
-    Result<ScriptSummary> made =
-        arguments.assemble ? write_assembled_script(*mesh, out, options) : write_complex_script(*mesh, out, options);
+    Result<ScriptSummary> made = arguments.cells      ? write_map_script(*mesh, out, options)
+                                 : arguments.assemble ? write_assembled_script(*mesh, out, options)
+                                                      : write_complex_script(*mesh, out, options);
     if (!made) {
       return fail(name + ": " + made.error().what, Outcome::wrong_script);
     }
@@ -115,7 +122,9 @@ int run_import(const Arguments& arguments) {
       std::cerr << name << ": " << remark << '\n';
     }
     std::cerr << name << ": " << counted(summary.vertices, "vertex", "vertices") << ", "
-              << counted(summary.edges, "edge", "edges") << ", " << counted(summary.triangles, "triangle", "triangles")
+              << counted(summary.edges, "edge", "edges") << ", "
+              << (arguments.cells ? counted(summary.triangles, "polygon", "polygons")
+                                  : counted(summary.triangles, "triangle", "triangles"))
               << "; " << counted(summary.steps, "step", "steps") << '\n';
   }
   return status;
@@ -132,6 +141,9 @@ void add_import_command(CLI::App& app, int& status) {
   command->add_flag(
       "--assemble", arguments->assemble,
       "One simplex per triangle, each glued to what is there, or one insertion per facet, instead of one step");
+  command
+      ->add_flag("--cells", arguments->cells, "One map, whose faces are the polygons as they are, instead of triangles")
+      ->excludes("--assemble");
   command->add_option("--ring", arguments->ring, "The ring named in the script")->capture_default_str();
   add_choice<Polygons>(
       *command, "--polygons", arguments->polygons, {{"fan", Polygons::fan}, {"cone", Polygons::cone}},
