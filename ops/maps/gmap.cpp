@@ -10,20 +10,20 @@
 namespace sesame::ops {
 namespace {
 
-Error broken(std::string what) { return {Errc::bad_input, std::move(what)}; }
+Error no_map(std::string what) { return {Errc::bad_input, std::move(what)}; }
 
 Status check_involution(const std::vector<Dart>& alpha, std::size_t i, std::size_t darts) {
   if (alpha.size() != darts) {
-    return broken(
+    return no_map(
         fmt::format("alpha_{} has {} images, but alpha_0 has {}: each has one for every dart", i, alpha.size(), darts));
   }
   for (std::size_t d = 0; d < darts; ++d) {
     if (alpha[d] >= darts) {
-      return broken(
+      return no_map(
           fmt::format("alpha_{} sends dart {} to {}, but there are only the darts 0 to {}", i, d, alpha[d], darts - 1));
     }
     if (alpha[alpha[d]] != d) {
-      return broken(fmt::format("alpha_{} is no involution: it sends dart {} to {}, and that one to {}", i, d, alpha[d],
+      return no_map(fmt::format("alpha_{} is no involution: it sends dart {} to {}, and that one to {}", i, d, alpha[d],
                                 alpha[alpha[d]]));
     }
   }
@@ -33,7 +33,7 @@ Status check_involution(const std::vector<Dart>& alpha, std::size_t i, std::size
 Status check_product(const std::vector<std::vector<Dart>>& alpha, std::size_t i, std::size_t j) {
   for (std::size_t d = 0; d < alpha[i].size(); ++d) {
     if (alpha[j][alpha[i][d]] != alpha[i][alpha[j][d]]) {
-      return broken(
+      return no_map(
           fmt::format("alpha_{0} alpha_{1} is no involution: from dart {2}, alpha_{0} and then alpha_{1} lead "
                       "to dart {3}, but alpha_{1} and then alpha_{0} to {4}",
                       i, j, d, alpha[j][alpha[i][d]], alpha[i][alpha[j][d]]));
@@ -46,10 +46,10 @@ Status check_product(const std::vector<std::vector<Dart>>& alpha, std::size_t i,
 
 Result<GMap> GMap::make(std::vector<std::vector<Dart>> alpha) {
   if (alpha.empty()) {
-    return broken("a map needs a list of images for alpha_0, at least");
+    return no_map("a map needs a list of images for alpha_0, at least");
   }
   if (alpha.size() > std::size_t{largest_map_dimension} + 1) {
-    return broken(fmt::format("{} involutions make a map of dimension {}: at most {} is possible", alpha.size(),
+    return no_map(fmt::format("{} involutions make a map of dimension {}: at most {} is possible", alpha.size(),
                               alpha.size() - 1, largest_map_dimension));
   }
   for (std::size_t i = 0; i < alpha.size(); ++i) {
