@@ -23,16 +23,16 @@ using ops::VertexMaps;
 
 namespace {
 
-const std::vector<Polygons> polyhedra{tetrahedron_faces(), cube_faces(), prism_faces(3), prism_faces(5),
-                                      pyramid_faces(4)};
+const std::vector<Polygons> polyhedra_of_types{tetrahedron_faces(), cube_faces(), prism_faces(3), prism_faces(5),
+                                               pyramid_faces(4)};
 
-/// Some types of cells of maps: polygons, polyhedra, and the cell of dimension 4 over two cubes.
+/// Some types of cells of maps: polygons, polyhedra_of_types, and the cell of dimension 4 over two cubes.
 std::vector<TypeId> some_types(TypeTable& types) {
   std::vector<TypeId> some;
   for (Dart sides = 1; sides < 6; ++sides) {
     some.push_back(types.cell_over(ops::polygon(sides).restricted(1)));
   }
-  for (const Polygons& faces : polyhedra) {
+  for (const Polygons& faces : polyhedra_of_types) {
     some.push_back(types.cell_over(ops::rooted_at(map_of_faces(faces), 0)));
   }
   const GMap cubes = ops::disjoint_union(map_of_faces(cube_faces()), map_of_faces(cube_faces()));

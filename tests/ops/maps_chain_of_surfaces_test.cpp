@@ -158,13 +158,14 @@ TEST_CASE("surfaces lead to the same chain of maps by their G-map, and maps to t
     CHECK(*chain_of_surfaces_of_maps(*chain) == *surface_of_gmap(*map));
     CHECK(*gmap_of_chain(*chain) == *map);
   }
-  for (const GMap& map : {cube_surface(), torus_grid(3), suspension_of(cube_surface()), suspension_of(torus_grid(3))}) {
+  for (const GMap& map :
+       {surface_of_a_cube(), quad_torus(3), suspension_of(surface_of_a_cube()), suspension_of(quad_torus(3))}) {
     CHECK(*chain_of_surfaces_of_maps(*chain_of_gmap(map)) == *surface_of_gmap(map));
   }
 }
 
 TEST_CASE("a solid cell whose sides are free is a chain of surfaces, though no surface", "[maps]") {
-  for (const GMap& map : {polygon(4), extended(cube_surface()), extended(torus_grid(3))}) {
+  for (const GMap& map : {polygon(4), extended(surface_of_a_cube()), extended(quad_torus(3))}) {
     const auto order = chain_of_surfaces_of_maps(*chain_of_gmap(map));
     REQUIRE(order);
     CHECK(check_chain_of_surfaces(*order));

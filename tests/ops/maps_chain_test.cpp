@@ -113,8 +113,8 @@ bool are_conditions_met(const LevelsAndFaces& parts) {
 TEST_CASE("the chain of a map has its cells and its analogue, and leads back to it", "[maps]") {
   for (const GMap& map :
        {sewn_square(torus_pairs), sewn_square(klein_bottle_pairs), sewn_square(projective_plane_pairs),
-        sewn_square(moebius_strip_pairs), sewn_square(annulus_pairs), sewn_square({}), cube_surface(),
-        extended(cube_surface()), suspension_of(cube_surface()), suspension_of(torus_grid(3)),
+        sewn_square(moebius_strip_pairs), sewn_square(annulus_pairs), sewn_square({}), surface_of_a_cube(),
+        extended(surface_of_a_cube()), suspension_of(surface_of_a_cube()), suspension_of(quad_torus(3)),
         extended(sewn_square(projective_plane_pairs)), closed_polygon(1), polygon(1)}) {
     const ChainOfMaps chain = chain_of(map);
     CHECK(chain.cell_counts() == simplicial_analogue(map).cell_counts());
@@ -161,9 +161,9 @@ TEST_CASE("a chain of dimension 0 is points, and forgets how they are sewn", "[m
 }
 
 TEST_CASE("a canonical boundary is the map of a cell, not glued where the object is", "[maps]") {
-  const ChainOfMaps torus = chain_of(suspension_of(torus_grid(3)));
-  CHECK(torus.canonical_boundary(3, 0) == torus_grid(3));
-  CHECK(torus.canonical_boundary(3, torus_grid(3).size()) == torus_grid(3));
+  const ChainOfMaps torus = chain_of(suspension_of(quad_torus(3)));
+  CHECK(torus.canonical_boundary(3, 0) == quad_torus(3));
+  CHECK(torus.canonical_boundary(3, quad_torus(3).size()) == quad_torus(3));
   CHECK(torus.canonical_boundary(2, 0) == closed_polygon(4));
   CHECK(torus.canonical_boundary(0, 0) == GMap::points(1));
   const ChainOfMaps square = chain_of(sewn_square(torus_pairs));
@@ -264,7 +264,8 @@ TEST_CASE("a square glued to another one all along is a sphere, and then the fac
 
 TEST_CASE("a cell above those that are glued is glued along", "[maps]") {
   // Two cubes along a face, then along another one.
-  const ChainOfMaps cubes = disjoint_union(chain_of(extended(cube_surface())), chain_of(extended(cube_surface())));
+  const ChainOfMaps cubes =
+      disjoint_union(chain_of(extended(surface_of_a_cube())), chain_of(extended(surface_of_a_cube())));
   REQUIRE(cubes.cell_counts() == FVector{16, 24, 12, 2});
   const Result<GluedChain> once = glue_cells(cubes, 2, 0, 48);
   REQUIRE(once);

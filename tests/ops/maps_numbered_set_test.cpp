@@ -68,11 +68,11 @@ TEST_CASE("the analogues of known maps have their cells, simplices and homology"
       {sewn_square(moebius_strip_pairs), {2, 3, 1}, {6, 14, 8}, {"Z", "Z"}},
       {sewn_square(annulus_pairs), {2, 3, 1}, {6, 14, 8}, {"Z", "Z"}},
       {sewn_square({}), {4, 4, 1}, {9, 16, 8}, {"Z"}},
-      {cube_surface(), {8, 12, 6}, {26, 72, 48}, {"Z", "0", "Z"}},
-      {extended(cube_surface()), {8, 12, 6, 1}, {27, 98, 120, 48}, {"Z"}},
-      {suspension_of(cube_surface()), {8, 12, 6, 2}, {28, 124, 192, 96}, {"Z", "0", "0", "Z"}},
-      {torus_grid(3), {9, 18, 9}, {36, 108, 72}, {"Z", "Z^2", "Z"}},
-      {suspension_of(torus_grid(3)), {9, 18, 9, 2}, {38, 180, 288, 144}, {"Z", "0", "Z^2", "Z"}},
+      {surface_of_a_cube(), {8, 12, 6}, {26, 72, 48}, {"Z", "0", "Z"}},
+      {extended(surface_of_a_cube()), {8, 12, 6, 1}, {27, 98, 120, 48}, {"Z"}},
+      {suspension_of(surface_of_a_cube()), {8, 12, 6, 2}, {28, 124, 192, 96}, {"Z", "0", "0", "Z"}},
+      {quad_torus(3), {9, 18, 9}, {36, 108, 72}, {"Z", "Z^2", "Z"}},
+      {suspension_of(quad_torus(3)), {9, 18, 9, 2}, {38, 180, 288, 144}, {"Z", "0", "Z^2", "Z"}},
       {extended(sewn_square(projective_plane_pairs)), {2, 2, 1, 1}, {6, 17, 20, 8}, {"Z"}},
       {closed_polygon(5), {5, 5}, {10, 10}, {"Z", "Z"}},
       {GMap::points(3), {}, {}, {}},
@@ -87,9 +87,9 @@ TEST_CASE("the analogues of known maps have their cells, simplices and homology"
 }
 
 TEST_CASE("the suspension of a torus has the Euler characteristic 2 by its simplices, not by its cells", "[maps]") {
-  const NumberedSet set = simplicial_analogue(suspension_of(torus_grid(3)));
+  const NumberedSet set = simplicial_analogue(suspension_of(quad_torus(3)));
   CHECK(set.euler_characteristic() == 2);
-  CHECK(simplicial_analogue(torus_grid(3)).euler_characteristic() == 0);
+  CHECK(simplicial_analogue(quad_torus(3)).euler_characteristic() == 0);
   CHECK(NumberedSet().euler_characteristic() == 0);
 }
 
@@ -175,7 +175,7 @@ TEST_CASE("a numbered set may have principal simplices of several dimensions", "
 }
 
 TEST_CASE("faces of a numbered set lack the numbers in increasing order", "[maps]") {
-  const NumberedSet set = simplicial_analogue(suspension_of(cube_surface()));
+  const NumberedSet set = simplicial_analogue(suspension_of(surface_of_a_cube()));
   for (int p = 1; p <= set.dimension(); ++p) {
     for (SimplexNumber s = 0; s < set.count(p); ++s) {
       for (std::size_t k = 0; k <= static_cast<std::size_t>(p); ++k) {
@@ -230,7 +230,7 @@ TEST_CASE("not every set of complete simplices has numbers", "[maps]") {
 }
 
 TEST_CASE("simplices with the same vertices are found, of least dimension first", "[maps]") {
-  CHECK_FALSE(simplicial_analogue(suspension_of(cube_surface())).multi_incidence());
+  CHECK_FALSE(simplicial_analogue(suspension_of(surface_of_a_cube())).multi_incidence());
   const auto torus = simplicial_analogue(sewn_square(torus_pairs)).multi_incidence();
   REQUIRE(torus);
   CHECK(torus->dimension == 1);

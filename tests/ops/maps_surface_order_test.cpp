@@ -84,7 +84,7 @@ TEST_CASE("two digons glued to a sphere are a 2-surface, and what is beside an e
 }
 
 TEST_CASE("a switch exchanges one cell between two others, fictive ones included", "[maps]") {
-  const Order torus = std::move(*surface_of_gmap(torus_grid(3)));
+  const Order torus = std::move(*surface_of_gmap(quad_torus(3)));
   REQUIRE(torus.f_vector() == FVector{9, 18, 9});
   for (const CellSet& tuple : cell_tuples(torus, 2)) {
     const OrderCell vertex = switched(torus, no_order_cell, tuple[0], tuple[1]);
@@ -189,8 +189,8 @@ TEST_CASE("closed maps without multi-incidence and surfaces are the same, dart b
 }
 
 TEST_CASE("known closed maps without multi-incidence are surfaces, whose maps are isomorphic to them", "[maps]") {
-  std::vector<GMap> maps{cube_surface(), torus_grid(3), suspension_of(cube_surface()), suspension_of(torus_grid(3)),
-                         closed_polygon(3)};
+  std::vector<GMap> maps{surface_of_a_cube(), quad_torus(3), suspension_of(surface_of_a_cube()),
+                         suspension_of(quad_torus(3)), closed_polygon(3)};
   Random random(10);
   for (int trial = 0; trial < 10; ++trial) {
     maps.push_back(std::move(*gmap_of_surface(random_surface(random))));
@@ -253,7 +253,7 @@ TEST_CASE("a random closed map is a surface, or refused where cells have the sam
 TEST_CASE("maps that are no surfaces are refused, naming darts or cells", "[maps]") {
   CHECK(refusal_of(surface_of_gmap(sewn_square(moebius_strip_pairs))) ==
         "refused: dart 2 is 2-free: a surface has no boundary, so each dart has another one by alpha_2");
-  CHECK(refusal_of(surface_of_gmap(disjoint_union(torus_grid(3), torus_grid(3)))) ==
+  CHECK(refusal_of(surface_of_gmap(disjoint_union(quad_torus(3), quad_torus(3)))) ==
         "refused: the map is not connected: nothing leads from dart 0 to dart 72, and a surface is");
   CHECK(refusal_of(surface_of_gmap(sewn_square(torus_pairs))) ==
         "refused: no order has these cells: the cells 0, 1 are incident more than once, by the 1-simplices 0 and 1");

@@ -63,7 +63,7 @@ inline const DartPairs annulus_pairs{{1, 6}, {2, 5}};
 
 /// The 2-G-map of faces by their corners, of which no two faces have more than one edge with the same ends in common:
 /// faces are sewn along such edges.
-inline ops::GMap map_of_faces(const std::vector<std::vector<int>>& faces) {
+inline ops::GMap gmap_of_faces(const std::vector<std::vector<int>>& faces) {
   DartPairs edges;
   DartPairs corners;
   DartPairs sewn;
@@ -88,12 +88,12 @@ inline ops::GMap map_of_faces(const std::vector<std::vector<int>>& faces) {
   return std::move(*ops::GMap::make({involution(next, edges), involution(next, corners), involution(next, sewn)}));
 }
 
-inline ops::GMap cube_surface() {
-  return map_of_faces({{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}});
+inline ops::GMap surface_of_a_cube() {
+  return gmap_of_faces({{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}});
 }
 
 /// side x side squares.
-inline ops::GMap torus_grid(int side) {
+inline ops::GMap quad_torus(int side) {
   std::vector<std::vector<int>> faces;
   for (int i = 0; i < side; ++i) {
     for (int j = 0; j < side; ++j) {
@@ -102,7 +102,7 @@ inline ops::GMap torus_grid(int side) {
       faces.push_back({i * side + j, i1 * side + j, i1 * side + j1, i * side + j1});
     }
   }
-  return map_of_faces(faces);
+  return gmap_of_faces(faces);
 }
 
 /// One dimension more, in which nothing is sewn: a cone over each component.
@@ -191,9 +191,9 @@ inline ops::GMap random_surface_map(Random& random, int edges, bool closed) {
 
 /// A connected closed 3-G-map of at most `cubes` cubes, whose faces are sewn in pairs at random.
 inline ops::GMap random_cubes(Random& random, int cubes) {
-  ops::GMap all = cube_surface();
+  ops::GMap all = surface_of_a_cube();
   for (int k = 1; k < cubes; ++k) {
-    all = ops::disjoint_union(all, cube_surface());
+    all = ops::disjoint_union(all, surface_of_a_cube());
   }
   const ops::Dart faces = all.size() / 8;  // a face has 8 darts in a row, in the order of its boundary
   const std::vector<ops::Dart> order = shuffled_darts(random, faces);
