@@ -137,11 +137,11 @@ Result<Positions::Points> Positions::of_vertices(const ObjectCells& cells) const
   all.points.reserve(found.size());
   for (std::size_t k = 0; k < found.size(); ++k) {
     if (!found[k]) {
-      return Error{
-          Errc::refused,
-          fmt::format("the vertex \"{}\" has no position, and a drawing needs one of each: \"at\" of simplex, "
-                      "simploid, complex, cone, suspend or replace gives it; other formats, such as phat, need none",
-                      structure.name(cells.of(0)[k]))};
+      return Error{Errc::refused,
+                   fmt::format("the vertex \"{}\" has no position, and a drawing needs one of each: \"at\" of simplex, "
+                               "simploid, complex, gmap, map, polygon, cone, suspend or replace gives it; other "
+                               "formats, such as phat, need none",
+                               structure.name(cells.of(0)[k]))};
     }
     all.points.push_back(*found[k]);
   }
