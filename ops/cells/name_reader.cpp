@@ -89,12 +89,12 @@ std::optional<Value> NameReader::read_standard(Part part) {
 /// m.1:3, a cell of a map as a dart sees it; that from which it has its own name is one that was given.
 std::optional<Value> NameReader::read_seen(Part part) {
   const auto split = split_dart(text(part));
-  const DartStore::Made* map = split ? structure_.map_named(text({part.begin, part.begin + split->length})) : nullptr;
+  const DartStore::Made* map = split ? map_named(structure_, text({part.begin, part.begin + split->length})) : nullptr;
   const Dart dart = map != nullptr ? dart_of_text(*map, split->dart) : no_dart;
   if (dart == no_dart || map->is_by_simplices || split->dimension > map->dimension) {
     return std::nullopt;
   }
-  return structure_.seen_from_dart(*map, split->dimension, map->first + dart);
+  return seen_from_dart(structure_, *map, split->dimension, map->first + dart);
 }
 
 std::optional<Value> NameReader::read_derived(Part part) {

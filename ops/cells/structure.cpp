@@ -30,22 +30,6 @@ bool Structure::is_name_taken(std::string_view name) const {
   return directory_.find(name).has_value() || NameReader(*this, name).read().has_value();
 }
 
-const DartStore::Made* Structure::map_named(std::string_view name) const {
-  const std::uint32_t number = darts_.maps() == 0 ? std::uint32_t{none} : directory_.names().number_of(name);
-  return number == none ? nullptr : darts_.named(number);
-}
-
-std::optional<Value> Structure::seen_from_dart(const DartStore::Made& map, int i, Dart dart) const {
-  const DartCells::Seen seen = darts_.seen(map, i, dart);
-  if (seen.offset == none) {
-    return std::nullopt;
-  }
-  const CellId node{seen.offset};
-  const TypeId type = cells_.type_id(node);
-  const OrderId order = maps().order_at(type, seen.dart);
-  return Value{node, maps().seen_through(order, type), 0, order};
-}
-
 std::optional<BodyId> Structure::lookup_body(std::string_view name) const {
   const NameTable::Name* found = directory_.names().find(name);
   if (found == nullptr || found->body == none) {
@@ -67,15 +51,32 @@ std::span<const std::uint64_t> Structure::counts() const {
   return {counts_.data(), used};
 }
 
-bool Structure::was_current(CellId c, const Moment& moment) const {
-  const LazyCell* lazy = lazy_.of(c);
+bool was_current(const Structure& structure, CellId c, const Moment& moment) {
+  const LazyCell* lazy = structure.lazy().of(c);
   if (lazy != nullptr ? lazy->key.family >= moment.families : !moment.knew(c)) {
     return false;
   }
-  if (lazy_.consumed_by(c) < moment.families) {  // none is more than any
+  if (structure.lazy().consumed_by(c) < moment.families) {  // none is more than any
     return false;
   }
-  return forest_.find_at(c, moment.links) == c;
+  return structure.forest().find_at(c, moment.links) == c;
+}
+
+const DartStore::Made* map_named(const Structure& structure, std::string_view name) {
+  const DartStore& darts = structure.darts();
+  const std::uint32_t number = darts.maps() == 0 ? std::uint32_t{none} : structure.directory().names().number_of(name);
+  return number == none ? nullptr : darts.named(number);
+}
+
+std::optional<Value> seen_from_dart(const Structure& structure, const DartStore::Made& map, int i, Dart dart) {
+  const DartCells::Seen seen = structure.darts().seen(map, i, dart);
+  if (seen.offset == none) {
+    return std::nullopt;
+  }
+  const CellId node{seen.offset};
+  const TypeId type = structure.cells().type_id(node);
+  const OrderId order = structure.maps().order_at(type, seen.dart);
+  return Value{node, structure.maps().seen_through(order, type), 0, order};
 }
 
 }  // namespace sesame::ops

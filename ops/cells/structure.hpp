@@ -87,20 +87,12 @@ class Structure {
   /// The current body of a name, or empty. A body that became part of a cone is that cone's body.
   [[nodiscard]] std::optional<BodyId> lookup_body(std::string_view name) const;
 
-  /// The map of a name, or null.
-  [[nodiscard]] const DartStore::Made* map_named(std::string_view name) const;
-  /// The i-cell of a dart of a map as it was made, as the dart sees it; for a map by simplices what i-sewing the dart
-  /// glues. Not in normal form. Empty when that is gone for good.
-  [[nodiscard]] std::optional<Value> seen_from_dart(const DartStore::Made& map, int i, Dart dart) const;
-
   // ---- the object as a whole
   /// The number of current cells of each dimension, up to the largest that has one.
   [[nodiscard]] std::span<const std::uint64_t> counts() const;
   [[nodiscard]] Moment now() const {
     return {cells_.size(), forest_.links(), splits_.moves(), lazy_.families(), splits_.copies(), cells_.asked()};
   }
-  /// Whether c was a current cell of the object at a moment.
-  [[nodiscard]] bool was_current(CellId c, const Moment& moment) const;
 
   // ---- change
   /// Carries a plan out. Requires: planned for the present state. Cost: the size of the plan.
@@ -169,5 +161,14 @@ class Structure {
   DartStore darts_;
   std::vector<std::uint64_t> counts_;  ///< of current cells, by dimension
 };
+
+/// Whether c was a current cell of the object at a moment.
+[[nodiscard]] bool was_current(const Structure& structure, CellId c, const Moment& moment);
+/// The map of a name, or null.
+[[nodiscard]] const DartStore::Made* map_named(const Structure& structure, std::string_view name);
+/// The i-cell of a dart of a map as it was made, or as `DartStore::see` said last, as the dart sees it; for a map by
+/// simplices what i-sewing the dart glues. Not in normal form. Empty when that is gone for good.
+[[nodiscard]] std::optional<Value> seen_from_dart(const Structure& structure, const DartStore::Made& map, int i,
+                                                  Dart dart);
 
 }  // namespace sesame::ops

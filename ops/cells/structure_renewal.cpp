@@ -182,7 +182,7 @@ void Structure::Renewal::take_darts() {
     return to_.directory_.names().size() - 1;
   };
   to_.darts_.begin_with(from_.darts_, name, [&](const DartStore::Made& map, int i, Dart dart) {
-    const auto seen = from_.seen_from_dart(map, i, dart);
+    const auto seen = seen_from_dart(from_, map, i, dart);
     const Value value = seen ? from_.values_.normal_form(*seen) : Value{};
     const bool is_there = seen && !value.is_degenerate() && cells_.contains(value.cell);
     return is_there ? DartCells::Seen{cells_.at(value.cell), from_.maps().dart_of(value.order)}

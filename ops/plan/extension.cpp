@@ -50,7 +50,7 @@ class ExtensionPlanner {
 
  private:
   Status add_map(const std::string& name) {
-    const DartStore::Made* map = structure_.map_named(name);
+    const DartStore::Made* map = map_named(structure_, name);
     if (map == nullptr) {
       return Error{Errc::unknown_name, fmt::format("there is no map {}", sparse::quoted(name))};
     }
@@ -120,7 +120,7 @@ class ExtensionPlanner {
   }
   /// What a dart sees in a dimension by now.
   [[nodiscard]] Result<Value> seen(int i, Dart local) const {
-    const auto value = structure_.seen_from_dart(made(local), i, darts_[local]);
+    const auto value = seen_from_dart(structure_, made(local), i, darts_[local]);
     return value ? what_is_now(*value, name(local), structure_)
                  : Error{Errc::unknown_name, fmt::format("the cell of \"{}\" was removed", name(local))};
   }

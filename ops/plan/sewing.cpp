@@ -156,7 +156,7 @@ class SewingPlanner {
   /// What is glued when a dart is sewn, as the dart sees it.
   [[nodiscard]] Result<Value> glued(Dart d) const {
     const int of = is_by_simplices(d) ? index() : index() - 1;
-    const auto seen = structure_.seen_from_dart(store_.map_of(dimension_, d), of, d);
+    const auto seen = seen_from_dart(structure_, store_.map_of(dimension_, d), of, d);
     return seen ? what_is_now(*seen, name(d), structure_)
                 : Error{Errc::unknown_name, fmt::format("the cell of \"{}\" was removed", name(d))};
   }
@@ -181,7 +181,7 @@ Result<NamedDart> dart_named(const std::string& name, const Structure& structure
   if (colon == std::string::npos) {
     return wrong("dart k of the map m is called m:k");
   }
-  const DartStore::Made* map = structure.map_named(std::string_view{name}.substr(0, colon));
+  const DartStore::Made* map = map_named(structure, std::string_view{name}.substr(0, colon));
   if (map == nullptr) {
     return wrong(fmt::format("no map is called {}", sparse::quoted(name.substr(0, colon))));
   }

@@ -164,7 +164,7 @@ CellBasis cells_at(const Structure& structure, Moment moment) {
   CellBasis basis;
   structure.lazy().make_all();
   structure.cells().for_each_node([&](CellId c) {
-    if (structure.was_current(c, moment)) {
+    if (was_current(structure, c, moment)) {
       basis.add(structure.dimension(c), c);
     }
   });

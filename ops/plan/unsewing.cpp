@@ -115,7 +115,7 @@ class UnsewingPlanner {
 
   [[nodiscard]] std::string name(Dart d) const { return name_of_dart(dimension_, d, structure_); }
   [[nodiscard]] Result<Value> seen(int i, Dart d) const {
-    const auto value = structure_.seen_from_dart(store_.map_of(dimension_, d), i, d);
+    const auto value = seen_from_dart(structure_, store_.map_of(dimension_, d), i, d);
     return value ? what_is_now(*value, name(d), structure_)
                  : Error{Errc::unknown_name, fmt::format("the cell of \"{}\" was removed", name(d))};
   }
@@ -157,7 +157,7 @@ class UnsewingPlanner {
   Status check_alone(int i, const Value& whole, const std::vector<Dart>& darts) const {
     std::unordered_set<CellId> nodes;
     for (const Dart d : darts) {
-      const auto value = structure_.seen_from_dart(store_.map_of(dimension_, d), i, d);
+      const auto value = seen_from_dart(structure_, store_.map_of(dimension_, d), i, d);
       if (value) {
         nodes.insert(value->cell);
       }
@@ -176,12 +176,13 @@ class UnsewingPlanner {
   [[nodiscard]] bool is_left_behind(int i, CellId node) const {
     const std::string own = structure_.directory().own_name(node);
     const auto split = split_dart(own);
-    const DartStore::Made* map = split ? structure_.map_named(std::string_view{own}.substr(0, split->length)) : nullptr;
+    const DartStore::Made* map =
+        split ? map_named(structure_, std::string_view{own}.substr(0, split->length)) : nullptr;
     const Dart dart = map != nullptr ? dart_of_text(*map, split->dart) : no_dart;
     if (dart == no_dart || split->dimension != i) {
       return false;
     }
-    const auto sees = structure_.seen_from_dart(*map, i, map->first + dart);
+    const auto sees = seen_from_dart(structure_, *map, i, map->first + dart);
     return sees && sees->cell != node;
   }
 

@@ -609,7 +609,7 @@ TEST_CASE("what cells, and which faces, there were can be said of every past mom
   for (const auto& [moment, cells] : pasts) {
     std::map<std::string, std::vector<CellId>> found;
     s.cells().for_each_node([&, at = moment](CellId c) {
-      if (s.was_current(c, at)) {
+      if (ops::was_current(s, c, at)) {
         std::vector<CellId>& faces = found[label(s, c)];
         for (std::uint32_t f = 0; f < s.cells().type(c).faces.size(); ++f) {
           faces.push_back(s.faces().at(c, f, at).cell);

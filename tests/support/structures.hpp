@@ -255,7 +255,7 @@ inline std::string dump(const ops::DartStore& darts, const ops::Structure& struc
     text += "map " + structure.directory().names()[map.name].text + (map.is_by_simplices ? " by simplices\n" : "\n");
     for (ops::Dart d = map.first; d < map.first + map.count; ++d) {
       for (int i = 0; i <= map.dimension; ++i) {
-        const auto seen = structure.seen_from_dart(map, i, d);
+        const auto seen = ops::seen_from_dart(structure, map, i, d);
         text += " " + std::to_string(darts.alpha(map.dimension, i, d)) + " ";
         text += seen ? text_of(structure, structure.values().normal_form(*seen)) : "nothing";
       }
