@@ -90,9 +90,9 @@ std::optional<std::vector<Symbol>> Dependents<R>::lifts_with(std::span<const Gen
   for (const GeneratorId generator : generators) {
     reach_lift(rules_.symbol_of(generator));
   }
-  const std::uint64_t end = looked_at_ + most;
+  const std::uint64_t before = looked_at_;
   while (!pending_lifts_.empty() || !pending_rewritings_.empty()) {
-    if (++looked_at_ > end) {
+    if (++looked_at_ - before > most) {
       return std::nullopt;
     }
     const bool is_lift = !pending_lifts_.empty();
