@@ -416,7 +416,6 @@ TEST_CASE("maps go with all other operations") {
   const std::string ring = GENERATE("Z", "Z/2");
   CAPTURE(seed, ring);
   StreamShape shape = everything(40);
-  shape.maps = true;
   Engine engine(ring_named(ring));
   RandomSteps steps(seed, shape);
   for (int k = 0; k < 25; ++k) {

@@ -42,7 +42,8 @@ inline StreamShape everything(std::size_t most_cells) {
           .products = true,
           .pyramids = true,
           .removals = true,
-          .replacements = true};
+          .replacements = true,
+          .maps = true};
 }
 
 /// The current cells of the object, all lazy ones too, oldest first: without lazy families by increasing id.
