@@ -8,8 +8,8 @@ Replays a script and prints one JSON object a step with the keys step, op, cells
 of the effective complexes. It shares no idea with the engine: a step copies the whole state, and homology is computed
 from scratch with a Smith form on Python's integers. Where both agree, they agree for different reasons.
 
-Covered: simplex, simploid, complex, cone, suspend, identify, degenerate, deidentify, product, insert, collapse, remove,
-replace, expect, class, undo, note.
+Covered: simplex, simploid, complex, gmap, map, polygon, cone, suspend, identify, sew, unsew, extend, degenerate,
+deidentify, product, insert, collapse, remove, replace, expect, class, undo, note.
 Exit status as `sesame replay`: 0 done, 1 wrong usage or unreadable file, 2 the script is wrong, 3 an expect failed.
 
 A *value* is a cell with its vertices in some order, or a degenerate cell: a pair (y, shape). The shape has one entry for
@@ -20,13 +20,21 @@ make one so is refused. Faces of cells are values.
 
 A simplex of an abstract complex is the frozenset of the labels that its vertices have now. The order in which its
 canonical name lists them, each as the label that it has become, is that of its vertices.
+
+A cell of a map, unless it is a vertex or an edge, has no vertices in order. A value of it is the cell as one of its darts
+sees it: then the shape is a gmaps.Seen, and two cells are equated as the darts of the one see it to be like the other.
 """
 
 import collections
+import functools
 import itertools
 import json
 import math
 import sys
+
+sys.dont_write_bytecode = True
+import gmaps
+from gmaps import MapKind, Seen, dimension_of
 
 LARGEST_DIMENSION = 16  # a simplex has 2^(dim+1) - 1 cells; beyond this the oracle refuses
 
@@ -197,8 +205,14 @@ def subsets(size):
     return sorted(found)
 
 
+def is_simplex(kind):
+    return not isinstance(kind, MapKind) and len(kind) <= 1
+
+
 def face_slots(kind):
-    """The (component, index) of each face, in the flattened order; both counted from 0."""
+    """The (component, index) of each face, in the flattened order; both counted from 0. A map has one component."""
+    if isinstance(kind, MapKind):
+        return [(0, k) for k in range(len(gmaps.faces_of_kind(kind)[0]))]
     return [(i, j) for i, a in enumerate(kind) for j in range(a + 1)]
 
 
@@ -223,8 +237,15 @@ def law_pairs(kind):
                     yield ((i, j), (k, m)), ((k, m), (i if kind[k] > 1 else i - 1, j))
 
 
+def slot_sign(kind, i, j):
+    """Of a face in the boundary."""
+    if isinstance(kind, MapKind):
+        return gmaps.signs(kind)[gmaps.faces_of_kind(kind)[0][j][0]]
+    return (-1) ** (j + sum(kind[:i]))
+
+
 def slot_number(kind, i, j):
-    return sum(a + 1 for a in kind[:i]) + j
+    return j if isinstance(kind, MapKind) else sum(a + 1 for a in kind[:i]) + j
 
 
 # ------------------------------------------------------------------------------------------------ values
@@ -232,7 +253,7 @@ def slot_number(kind, i, j):
 
 def whole(kind):
     """The shape of a cell itself."""
-    return tuple(tuple(range(a + 1)) for a in kind)
+    return Seen(kind, 0) if isinstance(kind, MapKind) else tuple(tuple(range(a + 1)) for a in kind)
 
 
 def squashed(kind):
@@ -241,24 +262,28 @@ def squashed(kind):
 
 
 def type_of(shape):
-    return tuple(len(part) - 1 for part in shape)
+    return gmaps.kind_from(*shape) if isinstance(shape, Seen) else tuple(len(part) - 1 for part in shape)
 
 
 def is_degenerate(value):
-    return any(len(set(part)) < len(part) for part in value[1])
+    return not isinstance(value[1], Seen) and any(len(set(part)) < len(part) for part in value[1])
 
 
 def is_monotone(shape):
-    return all(part == tuple(sorted(part)) for part in shape)
+    return isinstance(shape, Seen) or all(part == tuple(sorted(part)) for part in shape)
 
 
 def orientation(shape):
-    """The sign of a shape that is a permutation in every component."""
+    """The sign of a shape that is a permutation in every component, or of the dart that sees the cell."""
+    if isinstance(shape, Seen):
+        return gmaps.signs(shape.kind)[shape.dart]
     return math.prod(sign_between(part, sorted(part)) for part in shape)
 
 
 def fill(outer, inner):
     """The shape of a value (y, outer) when y itself is a value of the shape inner."""
+    if isinstance(outer, Seen):
+        return Seen(inner.kind, gmaps.order_from(*inner)[outer.dart])
     entries = iter(inner)
     filled = tuple(part if max(part) == 0 else tuple(map(next(entries).__getitem__, part)) for part in outer)
     assert next(entries, None) is None
@@ -267,16 +292,31 @@ def fill(outer, inner):
 
 def reordered(shape, order):
     """The shape whose vertex k is vertex order[k] of another one, in every component."""
+    if isinstance(shape, Seen):
+        return fill(order, shape)
     return tuple(tuple(part[k] for k in places) for part, places in zip(shape, order))
 
 
 def inverse(order):
+    if isinstance(order, Seen):
+        return Seen(type_of(order), gmaps.order_from(*order).index(0))
     return tuple(tuple(map(part.index, range(len(part)))) for part in order)
+
+
+def face_at_dart(kind, faces, dart):
+    """The face of a cell of a map that a dart of the cell belongs to, as that dart sees it."""
+    faces_of_kind, places = gmaps.faces_of_kind(kind)
+    number, place = places[dart]
+    inner_cell, inner = faces[number]
+    return inner_cell, fill(gmaps.shape_from(faces_of_kind[number][1], place), inner)
 
 
 def face_of(value, i, j, faces_of):
     """d^i_j of a value; faces_of gives the faces (values) of a nondegenerate cell."""
     cell, shape = value
+    if isinstance(shape, Seen):  # the dart from which the face is seen is a dart of a face of the cell
+        dart = gmaps.order_from(*shape)[gmaps.faces_of_kind(type_of(shape))[0][j][0]]
+        return face_at_dart(shape.kind, faces_of(cell), dart)
     part = shape[i]
     vertex, rest = part[j], part[:j] + part[j + 1:]
     loses = vertex not in rest
@@ -321,14 +361,24 @@ def sections(shape):
     return itertools.product(*choices)
 
 
-def broken_law(kind, faces, faces_of):
-    """A face law that a cell with these faces breaks, or None."""
+def double_faces(kind, faces, faces_of):
+    """(value, value, what they are) of every two ways to a face of a face of a cell with these faces."""
+    if isinstance(kind, MapKind):  # the face that has dart 0 of another one has number 0
+        last = kind.alpha[-1]
+        for d in range(len(last)):
+            if d < last[d]:
+                yield (*(face_of(face_at_dart(kind, faces, x), 0, 0, faces_of) for x in (d, last[d])),
+                       f"of the faces at the darts {d} and {last[d]}")
+        return
     for (first, then), (other, last) in law_pairs(kind):
         one = face_of(faces[slot_number(kind, *first)], *then, faces_of)
         two = face_of(faces[slot_number(kind, *other)], *last, faces_of)
-        if one != two:
-            return f"of the faces {first[1]} of component {first[0] + 1} and {other[1]} of component {other[0] + 1}"
-    return None
+        yield one, two, f"of the faces {first[1]} of component {first[0] + 1} and {other[1]} of component {other[0] + 1}"
+
+
+def broken_law(kind, faces, faces_of):
+    """A face law that a cell with these faces breaks, or None."""
+    return next((what for one, two, what in double_faces(kind, faces, faces_of) if one != two), None)
 
 
 # ------------------------------------------------------------------------------------------------ the state
@@ -339,6 +389,10 @@ Reading = collections.namedtuple("Reading", "key shape")
 # A cone: of what it is the cone, by canonical names of the time, oldest first; and for each key of State.names that v*key
 # may be made of, whose cone that is and how: (canonical name, shape). Those in `late` came to it after the step.
 Cone = collections.namedtuple("Cone", "simplicial coned table late")
+
+# A map. texts: what its darts are called after "m:", one for each. glued: None, or of a map by simplices {(i, number of
+# a dart): name of the simplex that is glued when that dart is i-sewn}.
+MadeMap = collections.namedtuple("MadeMap", "dimension texts glued")
 
 # kind is the type of the simploid, () for a vertex; faces are values: d^1_0, d^1_1, ..., d^2_0, ...
 Cell = collections.namedtuple("Cell", "name kind faces body")
@@ -361,6 +415,9 @@ class State:
         self.cones = {}  # apex -> Cone
         self.products = {}  # name -> (simplicial, left table, right table), tables as those of cones
         self.abstract = set()  # numbers of abstract bodies, of their roots
+        self.maps = {}  # name -> MadeMap, in the order in which they were made
+        self.alpha = {}  # dart, as (name of its map, number) -> the tuple of its images
+        self.mapped = set()  # numbers of bodies that have, or had, cells of maps that are no simplices
         self.disordered = set()  # numbers of bodies where cells and faces have come to order their vertices differently
 
     def copy(self):
@@ -378,6 +435,9 @@ class State:
         other.cones = dict(self.cones)
         other.products = dict(self.products)
         other.abstract = set(self.abstract)
+        other.maps = dict(self.maps)
+        other.alpha = dict(self.alpha)
+        other.mapped = set(self.mapped)
         other.disordered = set(self.disordered)
         return other
 
@@ -510,6 +570,8 @@ class State:
         """Keys that have come to denote what a coned cell denotes make names of its cone from now on."""
 
         def sorted_value(value):
+            if value and isinstance(value[1], Seen):
+                return value
             return value and (value[0], tuple(tuple(sorted(part)) for part in value[1]))
 
         def over(shape, other):
@@ -549,7 +611,7 @@ class State:
         return number, whole(self.cells[number].kind)
 
     def dim(self, number):
-        return sum(self.cells[number].kind)
+        return dimension_of(self.cells[number].kind)
 
     def alive(self):
         return sorted(self.cells)
@@ -584,12 +646,15 @@ class State:
             yield self.names[key][0], ((places(rest, self.orders[key]),) if len(rest) > 1 else ())
 
     def boundary(self, number):
-        """Sum of (-1)^(j + a_1 + ... + a_{i-1}) d^i_j as {cell: coefficient}; degenerate faces count as 0."""
+        """Sum of (-1)^(j + a_1 + ... + a_{i-1}) d^i_j as {cell: coefficient}; degenerate faces count as 0.
+
+        Of a cell of a map each face, as its first dart sees it, has the sign of that dart.
+        """
         kind = self.cells[number].kind
         chain = {}
         for (i, j), face in zip(face_slots(kind), self.faces(number)):
             if not is_degenerate(face):
-                sign = orientation(face[1]) * (-1) ** (j + sum(kind[:i]))
+                sign = orientation(face[1]) * slot_sign(kind, i, j)
                 chain[face[0]] = chain.get(face[0], 0) + sign
         return {c: v for c, v in chain.items() if v}
 
@@ -632,6 +697,7 @@ class State:
             self.abstract -= {a, b}
             self.abstract |= {a} if are_abstract else set()
             self.disordered |= {a} if b in self.disordered else set()
+            self.mapped |= {a} if b in self.mapped else set()
 
     def add(self, name, kind, faces, body, body_name=None):
         self.check_free(name, body_name)
@@ -748,7 +814,7 @@ def read_chain(state, chain, prime):
         if not isinstance(term, list) or len(term) != 2:
             raise ScriptError("a term of a chain must be [integer, cell]")
         value, factor = state.value(term[1]), integer(term[0], "a coefficient")
-        dims.add(sum(type_of(value[1])))
+        dims.add(dimension_of(type_of(value[1])))
         if not is_degenerate(value):
             total[value[0]] = total.get(value[0], 0) + factor * state.sign(term[1])
     if len(dims) > 1:
@@ -897,7 +963,9 @@ def cells_to_cone(state, over):
 def add_cones(state, apexes, over):
     """The cones from each apex over the same cells, one after the other."""
     base = cells_to_cone(state, over)
-    simplicial = all(len(state.cells[c].kind) <= 1 for c in base)
+    if any(isinstance(state.cells[c].kind, MapKind) for c in base):
+        raise ScriptError("there is no cone over a cell of a map")
+    simplicial = all(is_simplex(state.cells[c].kind) for c in base)
     if base:
         body = min(state.body_root(state.cells[c].body) for c in base)
         for c in base:
@@ -957,6 +1025,8 @@ def op_suspend(state, step, _prime):
 
 def read_vertex_map(entries, kind):
     """A permutation of the vertices for each component; that of a simplex may stand alone."""
+    if isinstance(kind, MapKind):
+        raise ScriptError("a cell of a map has no vertex map")
     if not isinstance(entries, list) or not entries:
         raise ScriptError("a vertex map must be a list of vertices, or a list of such lists")
     if not isinstance(entries[0], list):
@@ -990,6 +1060,8 @@ def op_degenerate(state, step, _prime):
     fields(step, ("cell", "along"))
     value, along = state.value(step["cell"]), step["along"]
     kind = type_of(value[1])
+    if isinstance(kind, MapKind):
+        raise ScriptError(f'"{step["cell"]}" is a cell of a map, which has no directions')
     if isinstance(along, list) and len(along) == 2 and all(map(is_integer, along)):
         i, j = along[0] - 1, along[1]
     elif is_integer(along) and len(kind) <= 1:
@@ -1020,6 +1092,9 @@ def read_split(state, entry):
 def slot_in_order(shape, number):
     """The number of a face of a cell, counted as a name for it has its vertices."""
     i, j = face_slots(type_of(shape))[number]
+    if isinstance(shape, Seen):
+        faces, _ = gmaps.faces_of_kind(type_of(shape))
+        return gmaps.faces_of_kind(shape.kind)[1][gmaps.order_from(*shape)[faces[j][0]]][0]
     return slot_number(type_of(shape), i, shape[i][j])
 
 
@@ -1119,12 +1194,14 @@ def op_product(state, step, _prime):
         raise ScriptError('kind must be "simploidal" or "simplicial"')
     state.check_prefix(name)
     bodies = [state.find_body(step["left"]), state.find_body(step["right"])]
+    if not state.mapped.isdisjoint(bodies):
+        raise ScriptError("there is no product of maps by their cells")
     first, second = map(state.cells_of_body, bodies)
     if kind == "simplicial":
         if not state.disordered.isdisjoint(bodies):
             raise ScriptError("the vertices of a factor are not in the same order in cells and their faces")
         for c in first + second:
-            if len(state.cells[c].kind) > 1:
+            if not is_simplex(state.cells[c].kind):
                 raise ScriptError(f'"{state.cells[c].name}" is not a simplex; the product must be simploidal')
     made = list((simplicial_product if kind == "simplicial" else simploidal_product)(state, first, second))
     aliases = {c: [] for c in first + second}
@@ -1157,6 +1234,382 @@ def op_product(state, step, _prime):
                 cell = state.plain(numbers[key])
                 state.names[alias] = cell if kind == "simplicial" else (cell[0], pair[0][1] + pair[1][1])
     state.products[name] = (kind == "simplicial", *tables)
+
+
+# ------------------------------------------------------------------------------------------------ maps
+
+
+@functools.lru_cache(None)
+def is_ball(boundary):
+    """Whether the simplicial analogue of a canonical boundary has the homology of a sphere, and its cells are balls.
+
+    An edge is a ball over two points. A free dart makes the boundary a surface with boundary, or the like: then it has no
+    class of its own dimension. Where a side is sewn to itself it may be a sphere, but the side is no edge.
+    """
+    if len(boundary) == 1:
+        return boundary == ((1, 0),)
+    if any(cell is None for cells in gmaps.cells_of(boundary, is_ball) for cell in cells):
+        return False
+    simplices = list(gmaps.analogue(boundary))
+    number = {(numbers, least): k for k, (numbers, least, _, _) in enumerate(simplices)}
+    lists = [[] for _ in boundary]
+    for numbers, _, _, below in simplices:
+        chain = {}
+        for k, face in enumerate(below):
+            chain[number[face]] = chain.get(number[face], 0) + (-1) ** k
+        lists[len(numbers) - 1].append(chain)
+    factors = [invariant_factors(rows) for rows in lists] + [[]]
+    betti = [len(rows) - len(factors[p]) - len(factors[p + 1]) for p, rows in enumerate(lists)]
+    return betti == [1, *[0] * (len(lists) - 2), 1] and all(factor == 1 for found in factors for factor in found)
+
+
+def read_images(value, what, with_free=False):
+    """Lists of darts; some may be None, for darts that are free."""
+    if not isinstance(value, list) or not all(isinstance(images, list) for images in value):
+        raise ScriptError(f"{what} must be a list of lists")
+    for images in value:
+        if not all((with_free and d is None) or (is_integer(d) and 0 <= d < 2**32 - 1) for d in images):
+            raise ScriptError(f"{what} must have darts, which are counted from 0")
+    return value
+
+
+def read_as(step):
+    if step.get("as", "simplices") != "simplices":
+        raise ScriptError('as must be "simplices", or left out')
+    return "as" in step
+
+
+def op_gmap(state, step, _prime):
+    fields(step, ("name", "alpha"), ("as", "at"))
+    name, alpha = check_name(step["name"], "name"), read_images(step["alpha"], "alpha")
+    by_simplices = read_as(step)
+    problem = gmaps.broken_law(alpha)
+    if problem:
+        raise ScriptError(f'"{name}" is no G-map: {problem}')
+    add_map(state, name, alpha, [str(d) for d in range(len(alpha[0]))], by_simplices)
+    check_points_of_vertices(step, alpha)
+
+
+def op_map(state, step, _prime):
+    fields(step, ("name", "beta"), ("as", "at"))
+    name, beta = check_name(step["name"], "name"), read_images(step["beta"], "beta", True)
+    by_simplices = read_as(step)
+    problem = gmaps.broken_law_of_nmap(beta)
+    if problem:
+        raise ScriptError(f'"{name}" is no map: {problem}')
+    darts = range(len(beta[0]))
+    add_map(state, name, gmaps.gmap_of(beta), [*map(str, darts), *(f"{d}'" for d in darts)], by_simplices)
+    check_points_of_vertices(step, gmaps.gmap_of(beta))
+
+
+def op_polygon(state, step, _prime):
+    fields(step, ("name", "sides"), ("as", "at"))
+    name, sides = check_name(step["name"], "name"), step["sides"]
+    by_simplices = read_as(step)
+    if not is_integer(sides) or not 1 <= sides <= 10**8:
+        raise ScriptError("sides must be a number, 1 or more")
+    texts = [str(d) for d in range(2 * sides)]
+    add_map(state, name, gmaps.polygon(sides), texts, by_simplices, None if by_simplices else name)
+    check_points_of_vertices(step, gmaps.polygon(sides))
+
+
+def check_points_of_vertices(step, alpha):
+    """One for each, in the order of their least darts."""
+    if "at" in step:
+        check_points(step["at"], len(gmaps.orbits(alpha, gmaps.all_but(alpha, 0))))
+
+
+def dart_cell_name(name, i, text):
+    return f"{name}.{i}:{text}"
+
+
+def add_map(state, name, alpha, texts, by_simplices, top_name=None):
+    if not texts:
+        raise ScriptError(f'"{name}" has no darts')
+    body = state.new_body(name)
+    for i in range(len(alpha)):
+        for text in texts:
+            state.check_free(dart_cell_name(name, i, text))
+    state.alpha.update({(name, d): tuple((name, images[d]) for images in alpha) for d in range(len(texts))})
+    glued = None
+    if by_simplices:
+        glued = add_simplices_of_map(state, name, alpha, texts, body)
+    else:
+        add_cells_of_map(state, name, alpha, texts, body, top_name)
+        state.mapped.add(body)
+    state.maps[name] = MadeMap(len(alpha) - 1, tuple(texts), glued)
+
+
+def add_cells_of_map(state, name, alpha, texts, body, top_name):
+    layers = gmaps.cells_of(alpha, is_ball)
+    if any(cell is None for cells in layers for cell in cells):
+        raise ScriptError(f'"{name}" has a cell that is no ball')
+    for i, cells in enumerate(layers):
+        for cell in cells:
+            faces = {}
+            if i > 0:
+                at = {place: d for d, place in sorted(cell.darts.items(), reverse=True)}
+                for number, root in enumerate(roots_of_faces(cell.kind)):
+                    faces[number] = state.names[dart_cell_name(name, i - 1, texts[at[root]])]
+            called = dart_cell_name(name, i, texts[cell.root])
+            top = called if top_name is None or i < len(layers) - 1 else top_name
+            number = state.add(top, cell.kind, faces.values(), body, name)
+            for d, place in cell.darts.items():
+                state.names[dart_cell_name(name, i, texts[d])] = number, gmaps.shape_from(cell.kind, place)
+
+
+def roots_of_faces(kind):
+    """The darts from which the faces of a cell of a map are seen, in order. An edge has one at either end."""
+    return [root for root, _ in gmaps.faces_of_kind(kind)[0]] if isinstance(kind, MapKind) else range(len(kind) * 2)
+
+
+def add_simplices_of_map(state, name, alpha, texts, body):
+    """Returns the names of what sewing glues: an i-sewing the simplices with all numbers but i."""
+    called, glued = {}, {}
+    for numbers, least, darts, below in gmaps.analogue(alpha):
+        called[numbers, least] = f"{name}.<{'-'.join(map(str, numbers))}>:{texts[least]}"
+        faces = [state.plain(state.find(called[face])) for face in below]
+        state.add(called[numbers, least], (len(numbers) - 1,) if below else (), faces, body, name)
+        missing = set(range(len(alpha))) - set(numbers)
+        if len(missing) == 1:
+            glued.update(((min(missing), d), called[numbers, least]) for d in darts)
+    return glued
+
+
+def read_dart(state, text):
+    """(name of its map, number)."""
+    if not isinstance(text, str):
+        raise ScriptError("a dart must be a string")
+    name, _, dart = text.rpartition(":")
+    if name not in state.maps or dart not in state.maps[name].texts:
+        raise ScriptError(f'there is no dart "{text}"')
+    return name, state.maps[name].texts.index(dart)
+
+
+def dart_text(state, dart):
+    return state.maps[dart[0]].texts[dart[1]]
+
+
+def seen_by(state, i, dart):
+    """The i-cell of a dart as the dart sees it. By simplices: what is glued when it is (i+1)-sewn."""
+    made = state.maps[dart[0]]
+    name = made.glued[i + 1, dart[1]] if made.glued is not None else dart_cell_name(dart[0], i, dart_text(state, dart))
+    return state.value(name)
+
+
+def reached(state, i, dart):
+    """The darts that are i-sewn with a dart, each as the list of indices that lead there."""
+    indices = [j for j in range(len(state.alpha[dart])) if abs(j - i) >= 2]
+    found, pending = {dart: ()}, [dart]
+    while pending:
+        d = pending.pop()
+        for j in indices:
+            if state.alpha[d][j] not in found:
+                found[state.alpha[d][j]] = (*found[d], j)
+                pending.append(state.alpha[d][j])
+    return found
+
+
+def step_dimension(step):
+    if not is_integer(step["dim"]) or step["dim"] < 0:
+        raise ScriptError("dim must be a dimension")
+    return step["dim"]
+
+
+def op_sew(state, step, _prime):
+    fields(step, ("dim", "pairs"))
+    i = step_dimension(step)
+    if not isinstance(step["pairs"], list):
+        raise ScriptError("pairs must be a list of pairs of darts")
+    sewn, equations = {}, []
+    for pair in step["pairs"]:
+        if not isinstance(pair, list) or len(pair) != 2:
+            raise ScriptError("a pair must be a list of two darts")
+        one, other = (read_dart(state, text) for text in pair)
+        made = [state.maps[dart[0]] for dart in (one, other)]
+        if made[0].dimension != made[1].dimension or i > made[0].dimension:
+            raise ScriptError("there is no such sewing in the dimension of the maps")
+        if sewn.get(one) == other:
+            continue
+        if one == other:
+            raise ScriptError("a dart cannot be sewn to itself")
+        if (made[0].glued is None) != (made[1].glued is None):
+            raise ScriptError("maps by cells and by simplices cannot be sewn")
+        sew_orbits(state, i, one, other, sewn)
+        if made[0].dimension > 0:
+            orbit = [one] if made[0].glued is None else reached(state, i, one)
+            equations += [(seen_by(state, i - 1, d), seen_by(state, i - 1, sewn[d])) for d in orbit]
+    for d, image in sewn.items():
+        state.alpha[d] = (*state.alpha[d][:i], image, *state.alpha[d][i + 1:])
+    state.equate(equations)
+
+
+def sew_orbits(state, i, one, other, sewn):
+    """Notes the images of an orbit, and back; only an isomorphism will do."""
+    image = {}
+    for d, way in reached(state, i, one).items():
+        image[d] = functools.reduce(lambda at, j: state.alpha[at][j], way, other)
+    for d, e in list(image.items()):
+        if image.setdefault(e, d) != d:
+            raise ScriptError("what belongs to the darts is not alike")
+    if set(image) != {*reached(state, i, one), *reached(state, i, other)}:
+        raise ScriptError("what belongs to the darts is not alike")
+    for d, e in image.items():
+        for j in range(len(state.alpha[d])):
+            if abs(j - i) >= 2 and image[state.alpha[d][j]] != state.alpha[e][j]:
+                raise ScriptError("what belongs to the darts is not alike")
+        if state.alpha[d][i] != d or d in sewn:
+            raise ScriptError(f"a dart is {i}-sewn already")
+    sewn.update(image)
+
+
+def orbit_of(alpha, dart, left_out):
+    """The darts of a cell."""
+    found, pending = {dart}, [dart]
+    while pending:
+        d = pending.pop()
+        for j, e in enumerate(alpha[d]):
+            if j != left_out and e not in found:
+                found.add(e)
+                pending.append(e)
+    return found
+
+
+def op_unsew(state, step, _prime):
+    fields(step, ("dim", "darts"))
+    n = step_dimension(step)
+    if not isinstance(step["darts"], list):
+        raise ScriptError("darts must be a list of darts")
+    free = set()
+    for text in step["darts"]:
+        dart = read_dart(state, text)
+        made = state.maps[dart[0]]
+        if made.glued is not None or made.dimension != n:
+            raise ScriptError("only maps by cells are unsewn, in their own dimension")
+        if state.alpha[dart][n] == dart:
+            raise ScriptError(f'"{text}" is free')
+        free |= {e for d in reached(state, n, dart) for e in (d, state.alpha[d][n])}
+    before = dict(state.alpha)
+    for d in free:
+        state.alpha[d] = (*state.alpha[d][:n], d)
+    rank = {name: k for k, name in enumerate(state.maps)}
+    copies = {}  # of the dimension below: dart -> (what it saw, what it sees)
+    for i in range(n + 1):
+        here = split_cells(state, i, before, free, copies, rank) if i < n else {}
+        move_faces(state, i, here, copies)
+        copies = here
+    problem = state.broken_law()
+    if problem:
+        raise ScriptError(f"other steps have split what is unsewn: {problem}")
+
+
+def split_cells(state, i, before, free, below, rank):
+    """Gives each part of a cell a cell of its own, but that which has the dart by which the cell is called."""
+    copies, done = {}, set()
+    for dart in sorted(free, key=lambda d: (rank[d[0]], d[1])):
+        if dart in done:
+            continue
+        darts = orbit_of(before, dart, i)
+        done |= darts
+        whole = seen_by(state, i, dart)
+        if any(seen_by(state, i, d)[0] != whole[0] for d in darts):
+            raise ScriptError("other steps have split what is unsewn")
+        names = {dart_cell_name(d[0], i, dart_text(state, d)): d for d in darts}
+        called = state.cells[whole[0]].name
+        # A polygon gives its face one more name.
+        names.update((d[0], d) for d in darts if i == 2 and d[1] == 0 and d[0] in state.names)
+        if is_degenerate(whole) or any(value and value[0] == whole[0] and not is_degenerate(value) and key not in names
+                                       for key, value in state.names.items()):
+            raise ScriptError(f'"{called}" is glued to other cells, and not only by sewing')
+        parts = []
+        for d in sorted(darts, key=lambda d: (rank[d[0]], d[1])):
+            if not any(d in part for part in parts):
+                parts.append(orbit_of(state.alpha, d, i))
+        for part in parts:
+            if names[called] not in part:
+                add_part(state, i, whole[0], sorted(part, key=lambda d: (rank[d[0]], d[1])), names, copies)
+    return copies
+
+
+def add_part(state, i, cell, part, names, copies):
+    """A copy of a cell for some of its darts. Its faces are those of the cell, until they are moved."""
+    seen = {d: seen_by(state, i, d) for d in part}
+    root = next(d for d in part if seen[d] == state.plain(cell))
+    called = dart_cell_name(root[0], i, dart_text(state, root))
+    for name, d in names.items():
+        if d in seen:
+            del state.names[name]
+    for apex, cone in state.cones.items():  # what v*m.1:0 was, the cone over the cell, is none over this one
+        table = {key: of for key, of in cone.table.items() if key not in names or names[key] not in seen}
+        state.cones[apex] = cone._replace(table=table)
+    own = state.cells[cell]
+    number = state.add(called, own.kind, own.faces, own.body)
+    for name, d in names.items():
+        if d in seen:
+            state.names[name] = number, seen[d][1]
+            copies[d] = seen[d], state.names[name]
+
+
+def move_faces(state, i, here, below):
+    """Where a dart sees a copy as a face of its i-cell, that is the face now."""
+    for d, (saw, sees) in below.items():
+        cell, shape = here[d][1] if d in here else seen_by(state, i, d)
+        if is_degenerate((cell, shape)):
+            raise ScriptError("the oracle does not unsew at edges that became degenerate")
+        kind = state.cells[cell].kind
+        if isinstance(kind, MapKind):
+            number, place = gmaps.faces_of_kind(kind)[1][shape.dart]
+            other = gmaps.shape_from(gmaps.faces_of_kind(kind)[0][number][1], place)
+        else:
+            number, other = shape[0][0], ()
+        faces = list(state.faces(cell))
+        if (faces[number][0], fill(other, faces[number][1])) not in (saw, sees):
+            raise ScriptError(f'"{state.cells[saw[0]].name}" is no face of "{state.cells[cell].name}" any more')
+        faces[number] = sees[0], fill(inverse(other), sees[1])
+        state.cells[cell] = state.cells[cell]._replace(faces=tuple(faces))
+
+
+def op_extend(state, step, _prime):
+    fields(step, ("maps",))
+    if not isinstance(step["maps"], list) or not step["maps"]:
+        raise ScriptError("maps must be a list of maps, not empty")
+    chosen = []
+    for name in step["maps"]:
+        if not isinstance(name, str) or name not in state.maps:
+            raise ScriptError(f"there is no map {json.dumps(name)}")
+        if state.maps[name].glued is not None:
+            raise ScriptError(f'"{name}" is a map by simplices')
+        chosen.append(name)
+    n = state.maps[chosen[0]].dimension
+    if any(state.maps[name].dimension != n for name in chosen) or n == gmaps.LARGEST_MAP_DIMENSION:
+        raise ScriptError("the dimensions of the maps cannot be extended")
+    while met := {e[0] for (name, _), images in state.alpha.items() if name in chosen for e in images} - {*chosen}:
+        chosen += met
+    chosen = [name for name in state.maps if name in chosen]
+    darts = [(name, k) for name in chosen for k in range(len(state.maps[name].texts))]
+    number = {d: k for k, d in enumerate(darts)}
+    alpha = [[number[state.alpha[d][i]] for d in darts] for i in range(n + 1)] + [list(range(len(darts)))]
+    cells = [gmaps.cell_of(alpha, n + 1, part[0], is_ball) for part in gmaps.orbits(alpha, range(n + 1))]
+    if None in cells:
+        raise ScriptError("the new cell is no ball")
+    for cell in cells:
+        at = {place: d for d, place in sorted(cell.darts.items(), reverse=True)}
+        faces = [seen_by(state, n, darts[at[root]]) for root in roots_of_faces(cell.kind)]
+        problem = broken_law(cell.kind, faces, state.faces)
+        if problem:
+            raise ScriptError(f"other steps have split what the cell is over: {problem}")
+        for face in faces:
+            state.merge_bodies(state.cells[faces[0][0]].body, state.cells[face[0]].body)
+        texts = {d: dart_cell_name(darts[d][0], n + 1, dart_text(state, darts[d])) for d in cell.darts}
+        new = state.add(texts[cell.root], cell.kind, faces, state.body_root(state.cells[faces[0][0]].body))
+        for d, place in cell.darts.items():
+            if state.reading(texts[d]) is None or d == cell.root:
+                state.names[texts[d]] = new, gmaps.shape_from(cell.kind, place)
+    for d, e in ((d, state.alpha[d]) for d in darts):
+        state.alpha[d] = (*e, d)
+    for name in chosen:  # a new map of the same name
+        made = state.maps.pop(name)
+        state.maps[name] = made._replace(dimension=n + 1)
 
 
 def label_key(label):
@@ -1505,7 +1958,7 @@ def op_replace(state, step, prime):
         simplices = replaced_abstractly(state, move, star, by, "at" in step, fills)
         op_insert(state, {"op": "insert", "simplices": [sorted(simplex) for simplex in simplices]}, prime)
     else:
-        if any(len(state.cells[c].kind) > 1 for c in star):
+        if any(not is_simplex(state.cells[c].kind) for c in star):
             raise ScriptError("only simplices are replaced")
         if by is None:
             raise ScriptError("what is new needs a name")
@@ -1581,9 +2034,15 @@ OPERATIONS = {
     "simplex": op_simplex,
     "simploid": op_simploid,
     "complex": op_complex,
+    "gmap": op_gmap,
+    "map": op_map,
+    "polygon": op_polygon,
     "cone": op_cone,
     "suspend": op_suspend,
     "identify": op_identify,
+    "sew": op_sew,
+    "unsew": op_unsew,
+    "extend": op_extend,
     "degenerate": op_degenerate,
     "deidentify": op_deidentify,
     "product": op_product,

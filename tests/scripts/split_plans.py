@@ -65,8 +65,10 @@ def tear_out(state, top, fresh):
     """Makes a cell a standard simploid of its own: cut off from everything, nothing of its boundary glued.
 
     Of a face of other cells, a copy becomes that. Nothing is done when some face of a face is degenerate: no splitting
-    makes it otherwise.
+    makes it otherwise. Nor to a cell of a map.
     """
+    if isinstance(state.cells[top].kind, oracle.MapKind):
+        return []
     cells, shapes = {}, {}
     for subsets, value in corners(state, top):
         if oracle.is_degenerate(value):
@@ -123,9 +125,7 @@ def link_classes(state, x):
 
     for u in state.alive():
         kind, below = state.cells[u].kind, faces_of(u)
-        for (first, then), (other, last) in oracle.law_pairs(kind) if below else ():
-            one, _ = oracle.face_of(below[oracle.slot_number(kind, *first)], *then, faces_of)
-            two, _ = oracle.face_of(below[oracle.slot_number(kind, *other)], *last, faces_of)
+        for (one, _), (two, _), _ in oracle.double_faces(kind, below, faces_of) if below else ():
             if one != two:
                 classes[root(one)] = root(two)
     groups = {}
