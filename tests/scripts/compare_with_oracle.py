@@ -2,7 +2,7 @@
 """Compares `sesame replay` with the oracle, step by step, over Z, Z/2 and Z/3.
 
     compare_with_oracle.py SESAME SCRIPT...
-    compare_with_oracle.py SESAME --random COUNT [--seed N] [--steps M] [--ops basic|all|tear|nest|abstract]
+    compare_with_oracle.py SESAME --random COUNT [--seed N] [--steps M] [--ops basic|all|tear|nest|abstract|maps]
 
 Every reported step (cells, Euler characteristic, Betti numbers, torsion, class), the exit status, the line that an
 error names and the summary must agree. A chain that a class is said to bound and, with --generators, the

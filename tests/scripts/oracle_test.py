@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Tests of the oracle and of what stands on it: random scripts, the comparison's checks, the shipped examples."""
 
+import collections
 import glob
 import itertools
 import json
@@ -13,6 +14,7 @@ import unittest
 
 sys.dont_write_bytecode = True
 import compare_with_oracle
+import gmaps
 import oracle
 import random_script
 import split_plans
@@ -186,7 +188,8 @@ class OracleTest(unittest.TestCase):
                 self.assertEqual(oracle.boundary_of_chain(state, state.boundary(c), 0), {})
 
     def test_random_scripts_are_legal_and_random_wrong_ones_fail_in_the_last_line(self):
-        for operations, seed in [("basic", n) for n in range(25)] + [("all", n) for n in range(12)]:
+        for operations, seed in [*(("basic", n) for n in range(25)), *(("all", n) for n in range(12)),
+                                 *(("maps", n) for n in range(6))]:
             text = random_script.write_script(seed, 30, operations=operations)
             self.assertEqual(oracle.replay(text.encode(), "script")[0], 0)
             wrong = random_script.write_script(seed, 30, illegal=True, operations=operations)
@@ -520,6 +523,135 @@ class OperationsTest(unittest.TestCase):
             for report in reversed(reports[:-1]):
                 self.assertEqual(oracle_report(twin.apply({"op": "undo"})), report)
             self.assertEqual((twin.state.names, twin.state.bodies), ({}, {}))
+
+
+def polygon(name, sides):
+    return "polygon", {"name": name, "sides": sides}
+
+
+def sew(dim, *pairs):
+    return "sew", {"dim": dim, "pairs": [list(pair) for pair in pairs]}
+
+
+def unsew(dim, *darts):
+    return "unsew", {"dim": dim, "darts": list(darts)}
+
+
+def solid(name, kind):
+    alpha = random_script.map_of_faces(random_script.SOLIDS[kind])
+    return "gmap", {"name": name, "alpha": [*alpha, list(range(len(alpha[0])))]}
+
+
+def groups_of_analogue(state):
+    """(betti, torsion) of the simplicial analogue of all maps as they are sewn now."""
+    total = oracle.Oracle()
+    for n in {made.dimension for made in state.maps.values()}:
+        darts = [d for d in state.alpha if state.maps[d[0]].dimension == n]
+        number = {d: k for k, d in enumerate(darts)}
+        alpha = [[number[state.alpha[d][i]] for d in darts] for i in range(n + 1)]
+        total.apply({"op": "gmap", "name": f"m{n}", "alpha": alpha, "as": "simplices"})
+    numbers = oracle.summary(total.state, 0)
+    return without_zeros(numbers["betti"], numbers["torsion"])
+
+
+class MapsTest(unittest.TestCase):
+    def refuses(self, *steps):
+        with self.assertRaises(oracle.ScriptError):
+            run(*steps)
+
+    def test_a_polygon_has_its_corners_and_sides_by_any_of_their_darts(self):
+        state = run(polygon("p", 5)).state
+        self.assertEqual([state.find(f"p.1:{k}") for k in (2, 4)], [state.find(f"p.1:{k}") for k in (3, 5)])
+        self.assertEqual(state.find("p.0:1"), state.find("p.0:2"))
+        self.assertEqual(state.find("p"), state.find("p.2:7"))
+        self.assertEqual([state.cells[c].name for c in state.alive()],
+                         [*(f"p.0:{k}" for k in (0, 1, 3, 5, 7)), *(f"p.1:{k}" for k in (0, 2, 4, 6, 8)), "p"])
+
+    def test_each_dart_counts_once_in_the_boundaries_of_its_cells(self):
+        twin = run(polygon("p", 3), polygon("q", 3), solid("s", "prism"), sew(2, ("p:0", "q:4")), sew(2, ("p:3", "q:0")))
+        for name, made in twin.state.maps.items():
+            for i in range(1, made.dimension + 1):
+                for text in made.texts:
+                    value = twin.state.value(f"{name}.{i}:{text}")
+                    self.assertEqual(twin.state.face(value, 0, 0), twin.state.value(f"{name}.{i - 1}:{text}"))
+                    if name == "s":  # no face is there twice
+                        boundary = twin.state.boundary(value[0])
+                        face = twin.state.find(f"{name}.{i - 1}:{text}")
+                        sign = twin.state.sign(f"{name}.{i}:{text}") * twin.state.sign(f"{name}.{i - 1}:{text}")
+                        self.assertEqual(boundary[face], sign)
+
+    def test_maps_by_cells_have_the_groups_of_their_simplicial_analogues_after_every_step(self):
+        compared = collections.Counter()
+        for seed in range(16):
+            writer = random_script.WriterOfMaps(seed, "Z")
+            writer.weights = {"polygon": 4, "solid": 1, "surface": 1, "small_map": 1, "nmap": 2, "sew": 10, "unsew": 3,
+                              "extend": 2, "undo": 1}
+            writer.write(20)
+            twin = oracle.Oracle()
+            for step in writer.lines[1:]:
+                report = twin.apply(step)
+                self.assertIsNone(twin.state.broken_law())
+                if len(twin.state.alpha) < 150:
+                    self.assertEqual(without_zeros(report["betti"], report["torsion"]), groups_of_analogue(twin.state), seed)
+                    compared[step["op"]] += 1
+        self.assertTrue(all(compared[op] > 3 for op in ("polygon", "sew", "unsew", "extend")), compared)
+
+    def test_cells_that_are_no_balls_are_refused(self):
+        square = [[1, 0, 3, 2, 5, 4, 7, 6], [7, 2, 1, 4, 3, 6, 5, 0]]
+        torus, plane = [5, 4, 7, 6, 1, 0, 3, 2], [4, 5, 6, 7, 0, 1, 2, 3]
+        for top in (torus, plane):
+            self.assertEqual(found(run(("gmap", {"name": "m", "alpha": [*square, top]})))[0][2], 1)
+            over = {"name": "m", "alpha": [*square, top, list(range(8))]}
+            self.refuses(("gmap", over))
+            self.assertEqual(found(run(("gmap", {**over, "as": "simplices"})))[1:], ([1], []))  # a cone
+            self.refuses(("gmap", {"name": "m", "alpha": [*square, top]}), ("extend", {"maps": ["m"]}))
+        self.refuses(("gmap", {"name": "m", "alpha": [*square, [1, 0, 2, 3, 4, 5, 6, 7]]}))  # a side on itself
+        self.refuses(("gmap", {"name": "m", "alpha": [[0, 2, 1, 3], [1, 0, 3, 2], [0, 1, 2, 3]]}))  # an open face
+
+    def test_what_cannot_be_sewn_is_refused(self):
+        made = [polygon("p", 3), polygon("q", 4), solid("a", "prism"), solid("b", "cube")]
+        for dim, *pair in ((2, "p:0", "q:8"), (2, "p:0", "x:0"), (2, "p:0", "b:0"), (3, "p:0", "q:0"), (1, "p:0", "q:0"),
+                           (2, "p:0", "p:0"), (2, "p:0", "p:1"), (3, "a:0", "b:0")):
+            self.refuses(*made, sew(dim, pair))
+        self.refuses(*made, sew(2, ("p:0", "q:0")), sew(2, ("p:1", "q:3")))
+        self.refuses(*made, sew(2, ("p:0", "q:0"), ("p:1", "q:3")))
+        run(*made, sew(2, ("p:0", "q:0"), ("p:1", "q:1")))
+
+    def test_cells_of_maps_are_glued_as_darts_see_them(self):
+        state = run(polygon("p", 5), polygon("q", 5), glue(("p.2:2", "q.2:5"))).state
+        for name, other in (("p.1:2", "q.1:5"), ("p.0:2", "q.0:5"), ("p.0:3", "q.0:4"), ("p.2:2", "q.2:5")):
+            self.assertEqual(state.value(name), state.value(other))
+        self.refuses(polygon("p", 5), polygon("q", 4), glue(("p", "q")))
+        self.refuses(polygon("p", 5), glue(("p", "p.2:1")))  # a fold
+        self.refuses(polygon("p", 5), squash("p", 0))
+
+    def test_what_is_unsewn_is_called_by_its_own_darts(self):
+        twin = run(polygon("p", 3), sew(2, ("p:0", "p:3")))
+        self.assertEqual(twin.state.value("p.1:0"), twin.state.value("p.1:3"))
+        twin = run(polygon("p", 3), sew(2, ("p:0", "p:3")), unsew(2, "p:1"))
+        self.assertEqual(found(twin), ([3, 3, 1], [1], []))
+        state = twin.state
+        self.assertEqual(state.cells[state.find("p.1:2")].name, "p.1:3")  # as its orientation was that of dart 3
+        self.assertEqual([state.sign(f"p.1:{k}") for k in (2, 3)], [-1, 1])
+        self.refuses(polygon("p", 3), unsew(2, "p:0"))
+        self.refuses(polygon("p", 3), polygon("q", 3), sew(2, ("p:0", "q:1")), glue(("p.1:2", "q.1:2")), unsew(2, "p:0"))
+        self.refuses(polygon("p", 3), sew(2, ("p:2", "p:5")), squash("p.1:0", 0), unsew(2, "p:2"))
+
+    def test_a_polygon_keeps_its_name_when_it_is_a_face_of_a_solid(self):
+        pillows = [step for name in "pq" for step in (polygon(name, 2), sew(2, (f"{name}:0", f"{name}:3")),
+                                                      ("extend", {"maps": [name]}))]
+        twin = run(*pillows, sew(3, ("p:0", "q:0")), unsew(3, "q:1"))
+        for name in "pq":
+            self.assertEqual(twin.state.value(name), twin.state.value(f"{name}.2:0"))
+
+    def test_an_n_map_is_its_g_map_with_two_darts_for_each(self):
+        beta = [[1, 2, 3, 0, 5, 6, 7, 4], [4, None, None, None, 0, None, None, None]]
+        twin = run(("map", {"name": "m", "beta": beta}))
+        self.assertEqual(found(twin), ([6, 7, 2], [1], []))
+        for one, other in (("m.1:0", "m.1:4'"), ("m.0:0", "m.0:3'"), ("m.0:0", "m.0:5")):
+            self.assertEqual(twin.state.find(one), twin.state.find(other))
+        self.assertIsNone(gmaps.broken_law(gmaps.gmap_of(beta)))
+        self.refuses(("map", {"name": "m", "beta": [[0], [0]]}))
 
 
 if __name__ == "__main__":

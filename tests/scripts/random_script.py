@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Prints a random legal script for `sesame replay`.
 
-    random_script.py --seed N [--steps M] [--ring Z|Z/p] [--ops basic|all|tear|nest|abstract] [--weight NAME=N]...
+    random_script.py --seed N [--steps M] [--ring Z|Z/p] [--ops basic|all|tear|nest|abstract|maps] [--weight NAME=N]...
                      [--illegal]
 
 basic: simplex, simploid, complex, cone, suspend, identify, expect, class, undo and note: several bodies, self-gluings and
@@ -14,6 +14,8 @@ tear: a random complex is glued from simploids and torn apart again, cell by cel
 steps than asked for.
 abstract: simplices on labelled vertices are inserted and replaced, any two vertices are collapsed, and now and then a body is
 changed by one of the other operations.
+maps: polygons, solids and other maps by their cells, few by their simplices, are sewn, unsewn and extended; in most scripts all other
+operations come between.
 What is legal, the oracle knows. With --illegal the last step is wrong, and only that one.
 The same options give the same script.
 """
@@ -24,6 +26,7 @@ import random
 import sys
 
 sys.dont_write_bytecode = True
+import gmaps
 import oracle
 import split_plans
 
@@ -138,7 +141,8 @@ class Writer:
         groups = {}
         for c in state.alive():
             groups.setdefault(state.cells[c].kind, []).append(c)
-        kinds = sorted(kind for kind, members in groups.items() if len(members) > 1)
+        kinds = sorted((kind for kind, members in groups.items() if len(members) > 1),
+                       key=lambda kind: (isinstance(kind, oracle.MapKind), kind))
         if not kinds:
             return False
         higher = [kind for kind in kinds if kind]
@@ -154,7 +158,7 @@ class Writer:
                 a, b = self.random.sample(members, 2)
             pair = [self.name_of(a), self.name_of(b)]
             pairs.append([self.another(name) for name in pair] if self.random.random() < 0.1 else pair)
-            if self.random.random() < self.vertex_maps:
+            if self.random.random() < self.vertex_maps and not isinstance(kind, oracle.MapKind):
                 pairs[-1].append(self.vertex_map(kind))
         return self.attempt({"op": "identify", "pairs": pairs})
 
@@ -171,7 +175,7 @@ class Writer:
         step = {"op": "cone", "apex": self.fresh("v")}
         shape = self.random.random()
         if shape < 0.5:
-            simplices = [c for c in alive if len(state.cells[c].kind) <= 1]
+            simplices = [c for c in alive if oracle.is_simplex(state.cells[c].kind)]
             chosen = self.random.sample(simplices, min(len(simplices), self.random.randint(1, 4)))
             step["over"] = [self.name_of(c) for c in chosen]
         elif shape < 0.95:
@@ -189,7 +193,7 @@ class Writer:
         """Simplicial cones only."""
         state = self.oracle.state
         kinds = [state.cells[c].kind for c in oracle.cells_to_cone(state, step.get("over"))]
-        return all(len(kind) <= 1 for kind in kinds) and self.attempt(step)
+        return all(map(oracle.is_simplex, kinds)) and self.attempt(step)
 
     def chain_terms(self, chain):
         """A name may stand for the opposite orientation."""
@@ -426,7 +430,7 @@ class WriterOfAll(Writer):
 
     def degenerate(self):
         state = self.oracle.state
-        cells = [c for c in state.alive() if state.dim(c)]
+        cells = [c for c in state.alive() if state.dim(c) and not isinstance(state.cells[c].kind, oracle.MapKind)]
         if not cells:
             return False
         cell = self.random.choices(cells, [4 ** -state.dim(c) for c in cells])[0]
@@ -517,7 +521,7 @@ class WriterOfAll(Writer):
         state = self.oracle.state
         dim = state.dim(next(iter(chain))) if chain else 0
         zeros = [name for name, value in state.names.items() if value and isinstance(name, str)
-                 and oracle.is_degenerate(value) and sum(oracle.type_of(value[1])) == dim]
+                 and oracle.is_degenerate(value) and oracle.dimension_of(oracle.type_of(value[1])) == dim]
         if zeros and self.random.random() < 0.3:
             terms.append([self.random.choice([-1, 2]), self.random.choice(zeros)])
         return terms
@@ -534,7 +538,8 @@ class WriterOfAll(Writer):
             split = [{"cell": cell.name, "as": "fresh", "moves": [[cell.name, 0]]}]
             steps.append({"op": "deidentify", "split": split})
             steps.append({"op": "deidentify", "split": [{"cell": cell.name, "as": cell.name, "moves": []}]})
-            steps.append({"op": "degenerate", "cell": cell.name, "along": [1, (cell.kind or (0,))[0]]})
+            if not isinstance(cell.kind, oracle.MapKind):
+                steps.append({"op": "degenerate", "cell": cell.name, "along": [1, (cell.kind or (0,))[0]]})
             parts = split_plans.link_classes(state, c)
             if any(len(part) > 1 for part in parts):
                 longest = max(parts, key=len)
@@ -724,8 +729,171 @@ class WriterOfAbstract(WriterOfAll):
         return steps
 
 
+SOLIDS = {
+    "tetrahedron": [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]],
+    "cube": [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]],
+    "prism": [[2, 1, 0], [3, 4, 5], [0, 1, 4, 3], [1, 2, 5, 4], [2, 0, 3, 5]],
+    "pyramid": [[3, 2, 1, 0], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]],
+}
+
+
+def map_of_faces(faces):
+    """The 2-G-map of polygons, given by their corners, that are sewn where two have a side in common.
+
+    Side s of a polygon has its darts 2s and 2s + 1, like that of a step `polygon`; those of the polygons before come
+    first.
+    """
+    alpha, ends = [[], [], []], {}
+    for corners in faces:
+        first = len(alpha[0])
+        own = gmaps.polygon(len(corners))
+        for i in range(3):
+            alpha[i] += [first + image for image in own[i]]
+        for s in range(len(corners)):
+            side = corners[s], corners[(s + 1) % len(corners)]
+            for d, corner in ((first + 2 * s, side[0]), (first + 2 * s + 1, side[1])):
+                other = ends.setdefault((frozenset(side), corner), d)
+                alpha[2][d], alpha[2][other] = other, d
+    return alpha
+
+
+class WriterOfMaps(WriterOfAll):
+    """Maps are made and sewn, unsewn and extended, beside all that others do."""
+
+    of_maps = {"polygon": 8, "solid": 3, "surface": 2, "small_map": 2, "nmap": 2, "sew": 22, "unsew": 8, "extend": 5}
+    weights = {**WriterOfAll.weights, "product": 1, "simploid": 1, "loops": 0, "moore": 0, "simplex": 2, **of_maps}
+    growing = (*WriterOfAll.growing, "polygon", "solid", "surface", "small_map", "nmap")
+
+    def write(self, steps):
+        if self.random.random() < 0.3:  # nothing else
+            self.weights = {**self.of_maps, "query": 5, "expect": 1, "undo": 3}
+        for _ in range(self.random.randint(1, 3)):
+            self.random.choice([self.polygon, self.polygon, self.solid, self.surface])()
+        super().write(steps)
+
+    def make(self, step):
+        """By cells, seldom by simplices."""
+        if step["op"] == "polygon" and self.random.random() < 0.2:
+            step = {**step, "at": [[k, self.random.random()] for k in range(step["sides"])]}
+        return self.attempt({**step, "as": "simplices"} if self.random.random() < 0.1 else step)
+
+    def polygon(self):
+        sides = self.random.choice([1, 2, 3, 3, 4, 4, 5, 6])
+        return self.make({"op": "polygon", "name": self.fresh("p"), "sides": sides})
+
+    def solid(self):
+        alpha = map_of_faces(SOLIDS[self.random.choice(sorted(SOLIDS))])
+        return self.make({"op": "gmap", "name": self.fresh("s"), "alpha": [*alpha, list(range(len(alpha[0])))]})
+
+    def surface(self):
+        """Some or all faces of a solid."""
+        faces = SOLIDS[self.random.choice(sorted(SOLIDS))]
+        count = self.random.choice([1, 2, 3, len(faces), len(faces)])
+        return self.make({"op": "gmap", "name": self.fresh("f"), "alpha": map_of_faces(faces[:count])})
+
+    def small_map(self):
+        """Dimension 0 or 1: points, which may be in pairs, paths and circles. By cells no edge may lack an end."""
+        pairs = self.random.randint(1, 4)
+        darts = range(2 * pairs)
+        alpha = [[d ^ 1 for d in darts]]
+        if self.random.random() < 0.7:
+            alpha.append(gmaps.polygon(pairs)[1])
+            if self.random.random() < 0.3:
+                alpha[1][0], alpha[1][-1] = 0, darts[-1]
+        elif self.random.random() < 0.5:
+            alpha = [[*darts]]
+        return self.make({"op": "gmap", "name": self.fresh("c"), "alpha": alpha})
+
+    def nmap(self):
+        """Polygons, or what is left of some, with sides sewn so that the orientations agree."""
+        sizes = self.random.choices([1, 2, 3, 4], k=self.random.randint(1, 3))
+        beta = [[], []]
+        for size in sizes:
+            first = len(beta[0])
+            beta[0] += [first + (k + 1) % size for k in range(size)]
+            beta[1] += [None] * size
+        darts = list(range(len(beta[0])))
+        self.random.shuffle(darts)
+        for one, other in zip(darts[::2], darts[1::2]):
+            if self.random.random() < 0.5:
+                beta[1][one], beta[1][other] = other, one
+        step = {"op": "map", "name": self.fresh("n"), "beta": beta}
+        if self.random.random() < 0.15:  # open faces are no discs
+            beta[0][self.random.choice(darts)] = None
+            return self.attempt({**step, "as": "simplices"})
+        return self.make(step)
+
+    def dart_text(self, dart):
+        return f"{dart[0]}:{oracle.dart_text(self.oracle.state, dart)}"
+
+    def sew(self):
+        """One pair or two; many would fold something, or are not alike."""
+        state = self.oracle.state
+        names = [name for name in state.maps if any(d[0] == name and d in images
+                                                    for d, images in state.alpha.items())]
+        for _ in range(8 if names else 0):
+            n = state.maps[self.random.choice(names)].dimension
+            i = n if self.random.random() < 0.95 else self.random.randint(0, n)
+            free = [d for d, images in state.alpha.items() if state.maps[d[0]].dimension == n and images[i] == d]
+            if self.random.random() < 0.5 and free:  # within one map
+                name = self.random.choice(free)[0]
+                free = [d for d in free if d[0] == name]
+            pairs = [[self.dart_text(self.random.choice(free)) for _ in range(2)]
+                     for _ in range(self.random.choice([1, 1, 1, 2])) if free]
+            if pairs and self.attempt({"op": "sew", "dim": i, "pairs": pairs}):
+                return True
+        return False
+
+    def unsew(self):
+        state = self.oracle.state
+        sewn = [d for d, images in state.alpha.items() if images[-1] != d and state.maps[d[0]].glued is None]
+        if not sewn:
+            return False
+        chosen = self.random.choices(sewn, k=self.random.choice([1, 1, 1, 2]))
+        n = state.maps[chosen[0][0]].dimension
+        return self.attempt({"op": "unsew", "dim": n, "darts": [self.dart_text(d) for d in chosen]})
+
+    def extend(self):
+        """Any map; those that bound nothing are rare."""
+        names = sorted(self.oracle.state.maps)
+        self.random.shuffle(names)
+        return any(self.attempt({"op": "extend", "maps": [name]}) for name in names[:6])
+
+    def wrong_steps(self):
+        state = self.oracle.state
+        steps = super().wrong_steps() + [
+            {"op": "polygon", "name": "fresh", "sides": 0},
+            {"op": "gmap", "name": "fresh", "alpha": [[1, 0], [0]]},
+            {"op": "gmap", "name": "fresh", "alpha": [[0]] * 2},
+            {"op": "gmap", "name": "fresh", "alpha": []},
+            {"op": "gmap", "name": "fresh", "alpha": [[1, 0], [1, 0], [0, 1]], "as": "cells"},
+            {"op": "map", "name": "fresh", "beta": [[0], [0]]},
+            {"op": "map", "name": "fresh", "beta": [[1, 1], [None, None]]},
+            {"op": "sew", "dim": 2, "pairs": [["nobody:0", "nobody:1"]]},
+            {"op": "unsew", "dim": 2, "darts": ["nobody:0"]},
+            {"op": "extend", "maps": []},
+            {"op": "extend", "maps": ["nobody"]},
+        ]
+        for d in self.random.sample(list(state.alpha), min(len(state.alpha), 3)):
+            dart, n = self.dart_text(d), state.maps[d[0]].dimension
+            steps.append({"op": "sew", "dim": n, "pairs": [[dart, dart]]})
+            steps.append({"op": "sew", "dim": n + 1, "pairs": [[dart, dart]]})
+            steps.append({"op": "unsew", "dim": n + 1, "darts": [dart]})
+            steps.append({"op": "polygon", "name": d[0], "sides": 2})
+            if state.alpha[d][n] == d:
+                steps.append({"op": "unsew", "dim": n, "darts": [dart]})
+            else:
+                steps.append({"op": "sew", "dim": n, "pairs": [[dart, self.dart_text(state.alpha[d][n])]]})
+            if state.maps[d[0]].glued is None:
+                steps.append({"op": "simplex", "name": oracle.dart_cell_name(d[0], 0, "0"), "dim": 0})
+            else:
+                steps.append({"op": "extend", "maps": [d[0]]})
+                steps.append({"op": "simplex", "name": f"{d[0]}.<0>:0", "dim": 0})
+        return steps
+
+
 WRITERS = {"basic": Writer, "all": WriterOfAll, "tear": WriterOfTearing, "nest": WriterOfNests,
-           "abstract": WriterOfAbstract}
+           "abstract": WriterOfAbstract, "maps": WriterOfMaps}
 
 
 def combine(a, x, b, y):
@@ -749,12 +917,12 @@ def write_script(seed, steps, ring="Z", illegal=False, operations="basic", weigh
 
 def read_weights(options):
     """The arguments of --weight as a dictionary."""
-    known = WriterOfAll.weights if options.ops == "all" else {}
+    known = WRITERS[options.ops].weights if options.ops in ("all", "maps") else {}
     weights = {}
     for text in options.weight:
         name, _, number = text.partition("=")
         if name not in known or not number.isdigit():
-            sys.exit(f"random_script.py: --weight takes NAME=N with --ops all, NAME one of {', '.join(known) or '-'}")
+            sys.exit(f"random_script.py: --weight takes NAME=N with --ops all or maps, NAME one of {', '.join(known) or '-'}")
         weights[name] = int(number)
     return weights
 
