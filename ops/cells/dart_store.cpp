@@ -164,8 +164,8 @@ void DartStore::save(sparse::ArchiveWriter& to) const {
     }
   }
   for (const Dimension& of : by_dimension_) {
-    for (const auto& alpha : of.alpha) {
-      to.put_list(alpha);
+    for (std::size_t i = 0; i < of.alpha.size() && !of.maps.empty(); ++i) {  // all maps may have been undone
+      to.put_list(of.alpha[i]);
     }
   }
   to.put_map(sees_);

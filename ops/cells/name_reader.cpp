@@ -89,6 +89,12 @@ std::optional<Value> NameReader::read_standard(Part part) {
 /// m.1:3, a cell of a map as a dart sees it; that from which it has its own name is one that was given.
 std::optional<Value> NameReader::read_seen(Part part) {
   const auto split = split_dart(text(part));
+  if (!split) {  // the face of a polygon is called as that is
+    const DartStore::Made* polygon = map_named(structure_, text(part));
+    const CellId face = polygon != nullptr ? structure_.directory().names()[polygon->name].cell : CellId{none};
+    return face == none ? std::nullopt
+                        : seen_from_dart(structure_, *polygon, structure_.dimension(face), polygon->first);
+  }
   const DartStore::Made* map = split ? map_named(structure_, text({part.begin, part.begin + split->length})) : nullptr;
   const Dart dart = map != nullptr ? dart_of_text(*map, split->dart) : no_dart;
   if (dart == no_dart || map->is_by_simplices || split->dimension > map->dimension) {

@@ -36,6 +36,9 @@ class ExtensionPlanner {
     }
     add_what_is_sewn();
     gather();
+    if (Status s = check_names(); !s) {
+      return s;
+    }
     plan_.first = structure_.cells().size();
     const Orbits all = components(map_);
     for (const Dart first : all.first) {
@@ -125,6 +128,21 @@ class ExtensionPlanner {
                  : Error{Errc::unknown_name, fmt::format("the cell of \"{}\" was removed", name(local))};
   }
 
+  /// All darts of the new cells name them.
+  Status check_names() const {
+    for (Dart local = 0; local < darts_.size(); ++local) {
+      const std::string cell = cell_name(local);
+      if (structure_.is_name_taken(cell)) {
+        return Error{Errc::bad_input, fmt::format("the name \"{}\" is in use, and would be one of the new cell", cell)};
+      }
+    }
+    return Done{};
+  }
+  [[nodiscard]] std::string cell_name(Dart local) const {
+    return fmt::format("{}.{}:{}", structure_.directory().names()[made(local).name].text, dimension_ + 1,
+                       dart_text(made(local), darts_[local] - made(local).first));
+  }
+
   /// Cells may have been split, and then do not meet as the darts say.
   Status check_laws(const TypeInfo& info, const std::vector<Value>& faces, Dart first) const {
     for (const auto& [one, of_one, other, of_other, dart] : info.laws) {
@@ -145,6 +163,16 @@ class ExtensionPlanner {
   Status add_cell_over(Dart first) {
     TypeTable& types = structure_.types();
     const std::vector<Dart> order = darts_from(map_, first);
+    for (const Dart d : order) {
+      for (int i = 0; i <= dimension_; ++i) {
+        if (map_.is_free(i, d)) {
+          return Error{Errc::refused,
+                       fmt::format("\"{}\" is {}-free, so what it belongs to is open and bounds no cell: sew "
+                                   "it first",
+                                   name(d), i)};
+        }
+      }
+    }
     const TypeId as_seen = types.cell_over(restricted_to(map_, order, dimension_));
     if (as_seen == none) {
       return Error{Errc::refused, fmt::format("the cell over what \"{}\" belongs to is no ball, as that has not the "
@@ -179,12 +207,7 @@ class ExtensionPlanner {
     for (const Value& face : faces) {
       add_face(structure_.values().incidence_of(face), plan_);
     }
-    const std::string cell = fmt::format("{}.{}:{}", structure_.directory().names()[made(root).name].text,
-                                         dimension_ + 1, dart_text(made(root), darts_[root] - made(root).first));
-    if (structure_.is_name_taken(cell)) {
-      return Error{Errc::bad_input, fmt::format("the name \"{}\" of the new cell is in use", cell)};
-    }
-    plan_.names += cell;
+    plan_.names += cell_name(root);
     add_cell(canonical.type, first_face, plan_);
     return Done{};
   }

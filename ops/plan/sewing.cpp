@@ -67,7 +67,8 @@ class SewingPlanner {
     const Dart image = met != sewn_.end() ? met->second : alpha(index(), d);
     if (image != d || met != sewn_.end()) {
       return Error{Errc::refused,
-                   fmt::format("\"{}\" is {}-sewn to \"{}\" already: unsew it first", name(d), index(), name(image))};
+                   fmt::format("\"{}\" is {}-sewn to \"{}\" already: only free darts can be sewn{}", name(d), index(),
+                               name(image), index() == dimension_ ? "; unsew it first" : "")};
     }
     return Done{};
   }

@@ -13,6 +13,13 @@ using sparse::quoted;
 
 namespace {
 
+bool is_dart(const std::string& name, const Structure& structure) {
+  const std::size_t colon = name.rfind(':');
+  const DartStore::Made* map =
+      colon == std::string::npos ? nullptr : map_named(structure, std::string_view{name}.substr(0, colon));
+  return map != nullptr && dart_of_text(*map, std::string_view{name}.substr(colon + 1)) != no_dart;
+}
+
 std::string why_unreadable(const std::string& name, NameReader::Failure failure, const Structure& structure) {
   switch (failure) {
     case NameReader::Failure::nested:
@@ -27,7 +34,9 @@ std::string why_unreadable(const std::string& name, NameReader::Failure failure,
       break;
   }
   return fmt::format("there is no cell {}{}", quoted(name),
-                     structure.lookup_body(name) ? ": this is the name of a body; name a cell of it" : "");
+                     structure.lookup_body(name) ? ": this is the name of a body; name a cell of it"
+                     : is_dart(name, structure)  ? ": this is a dart; its i-cell is m.i:k for the dart m:k"
+                                                 : "");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -30,10 +31,13 @@ class UnsewingPlanner {
         return s;
       }
     }
+    if (unsewn_.empty()) {
+      return Error{Errc::bad_input, "there is no dart to unsew: list one at least"};
+    }
     plan_.first = structure_.cells().size();
     for (int i = 0; i < dimension_; ++i) {
-      for (const Sewing& each : plan_.sewings) {
-        if (Status s = split_cell_of(i, each.a); !s) {
+      for (const Dart d : unsewn_) {
+        if (Status s = split_cell_of(i, d); !s) {
           return s;
         }
       }
@@ -124,10 +128,14 @@ class UnsewingPlanner {
     if (copies_of_darts_.contains(start) || kept_.contains({i, start})) {
       return Done{};
     }
-    const std::vector<Dart> darts = orbit(i, start, [&](int j, Dart d) { return alpha(j, d); });
+    std::vector<Dart> darts = orbit(i, start, [&](int j, Dart d) { return alpha(j, d); });
+    std::ranges::sort(darts);
     const Result<Value> whole = seen(i, start);
     if (!whole) {
       return whole.error();
+    }
+    if (Status s = check_seen(i, *whole, darts); !s) {
+      return s;
     }
     if (Status s = check_alone(i, *whole, darts); !s) {
       return s;
@@ -147,6 +155,32 @@ class UnsewingPlanner {
         }
       } else if (Status s = add_copy(i, whole->cell, part); !s) {
         return s;
+      }
+    }
+    return Done{};
+  }
+
+  /// Do all these darts see the cell, and have what they see above it as a face? It may have been split otherwise, or
+  /// be degenerate.
+  Status check_seen(int i, const Value& whole, const std::vector<Dart>& darts) const {
+    for (const Dart d : darts) {
+      const Result<Value> here = seen(i, d);
+      const Result<Value> above = here ? seen(i + 1, d) : here;
+      if (!above) {
+        return above.error();
+      }
+      bool is_whole = !here->is_degenerate() && here->cell == whole.cell && !above->is_degenerate();
+      if (is_whole) {
+        const Dart place = structure_.maps().dart_of(above->order);
+        const CellShape::Place of_face =
+            structure_.types().place_in_face(structure_.cells().type_id(above->cell), place);
+        const Value face = structure_.values().face_of_cell(above->cell, of_face.face);
+        is_whole = !face.is_degenerate() && face.cell == whole.cell;
+      }
+      if (!is_whole) {
+        return Error{Errc::refused, fmt::format("\"{}\" cannot be unsewn: its {}-cell has been split, and not by "
+                                                "unsewing, or became degenerate: undo that first",
+                                                name(d), i)};
       }
     }
     return Done{};
@@ -177,9 +211,9 @@ class UnsewingPlanner {
     const std::string own = structure_.directory().own_name(node);
     const auto split = split_dart(own);
     const DartStore::Made* map =
-        split ? map_named(structure_, std::string_view{own}.substr(0, split->length)) : nullptr;
-    const Dart dart = map != nullptr ? dart_of_text(*map, split->dart) : no_dart;
-    if (dart == no_dart || split->dimension != i) {
+        map_named(structure_, split ? std::string_view{own}.substr(0, split->length) : std::string_view{own});
+    const Dart dart = map == nullptr ? no_dart : split ? dart_of_text(*map, split->dart) : 0;
+    if (dart == no_dart || (split && split->dimension != i)) {
       return false;
     }
     const auto sees = seen_from_dart(structure_, *map, i, map->first + dart);
@@ -190,7 +224,8 @@ class UnsewingPlanner {
   [[nodiscard]] Dart naming_dart(int i, CellId cell, const std::vector<Dart>& darts) const {
     const std::string called = structure_.name(cell);
     for (const Dart d : darts) {
-      if (called == cell_name(i, d) || (i == dimension_ && called == name(d))) {
+      if (called == cell_name(i, d) ||  // the face of a polygon is called as that is
+          called == structure_.directory().names()[store_.map_of(dimension_, d).name].text) {
         return d;
       }
     }
@@ -211,7 +246,7 @@ class UnsewingPlanner {
     for (std::uint32_t k = 0; k < arity; ++k) {
       faces.push_back(structure_.values().face_of_cell(source, k));
     }
-    Dart named = part[0];
+    Dart named = no_dart;
     for (const Dart d : part) {
       const Result<Value> sees = seen(i, d);
       if (!sees) {
@@ -279,7 +314,7 @@ class UnsewingPlanner {
   const DartStore& store_;
   Plan& plan_;
   int dimension_ = 0;
-  std::unordered_set<Dart> unsewn_;
+  std::set<Dart> unsewn_;
   Copies copies_below_, copies_of_darts_;                    // of the dimension below, and of this one
   std::unordered_set<std::pair<int, Dart>, PairHash> kept_;  // darts whose cell in a dimension stays
   std::unordered_set<std::pair<CellId, std::uint32_t>, PairHash> moved_;

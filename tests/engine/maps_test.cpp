@@ -415,9 +415,8 @@ TEST_CASE("maps go with all other operations") {
   const auto seed = GENERATE(range(0U, 60U));
   const std::string ring = GENERATE("Z", "Z/2");
   CAPTURE(seed, ring);
-  StreamShape shape = everything(40);
   Engine engine(ring_named(ring));
-  RandomSteps steps(seed, shape);
+  RandomSteps steps(seed, everything_and_maps(40));
   for (int k = 0; k < 25; ++k) {
     const ops::Operation op = steps.next(engine.structure());
     CAPTURE(k, ops::to_text(op));
@@ -434,4 +433,69 @@ TEST_CASE("maps go with all other operations") {
       REQUIRE(dump(engine.structure()) + answers(engine) == before);
     }
   }
+}
+
+namespace {
+
+/// Steps that must be possible, and then whether a chain is a cycle.
+engine::StepReport last_of(Engine& engine, const std::vector<std::string>& lines) {
+  engine::StepReport report;
+  for (const std::string& line : lines) {
+    report = carry_out(engine, line);
+  }
+  CHECK(engine.first_defect().value_or("") == "");
+  return report;
+}
+
+}  // namespace
+
+TEST_CASE("what is unsewn is called after darts that see it as its type does") {
+  Engine engine(ring_named("Z"));
+  const auto report =
+      last_of(engine, {R"({"op":"polygon","name":"p","sides":3})", R"({"op":"sew","dim":2,"pairs":[["p:0","p:3"]]})",
+                       R"({"op":"unsew","dim":2,"darts":["p:1"]})",
+                       R"({"op":"class","chain":[[1,"p.1:0"],[1,"p.1:2"],[1,"p.1:4"]]})"});
+  CHECK(report.answer->is_cycle);
+  for (const engine::Generator& generator : engine.generators(1)) {
+    CHECK(engine.maps().boundary(generator.cycle).terms.empty());
+  }
+}
+
+TEST_CASE("what was split or squashed otherwise is not unsewn") {
+  Engine engine(ring_named("Z"));
+  last_of(engine, {R"({"op":"polygon","name":"p","sides":2})", R"({"op":"polygon","name":"q","sides":2})",
+                   R"({"op":"deidentify","split":[{"cell":"p.0:0","as":"x","moves":[["p.1:0",0],["p.1:2",1]]}]})",
+                   R"({"op":"sew","dim":2,"pairs":[["p:0","q:1"]]})"});
+  CHECK(has(refusal(engine, ops::Unsew{2, {"p:0"}}), "has been split, and not by unsewing"));
+  last_of(engine, {R"({"op":"polygon","name":"r","sides":3})", R"({"op":"sew","dim":2,"pairs":[["r:2","r:5"]]})",
+                   R"({"op":"degenerate","cell":"r.1:0","along":0})"});
+  CHECK(has(refusal(engine, ops::Unsew{2, {"r:2"}}), "became degenerate"));
+  CHECK(has(refusal(engine, ops::Unsew{2, {}}), "list one at least"));
+}
+
+TEST_CASE("the name of a polygon goes with its darts") {
+  const std::string dart = GENERATE("p:0", "q:0");
+  Engine engine(ring_named("Z"));
+  last_of(engine, {R"({"op":"polygon","name":"p","sides":2})", R"({"op":"sew","dim":2,"pairs":[["p:0","p:3"]]})",
+                   R"({"op":"extend","maps":["p"]})", R"({"op":"polygon","name":"q","sides":2})",
+                   R"({"op":"sew","dim":2,"pairs":[["q:0","q:3"]]})", R"({"op":"extend","maps":["q"]})",
+                   R"({"op":"sew","dim":3,"pairs":[["p:0","q:0"]]})"});
+  carry_out(engine, ops::Unsew{3, {dart}});
+  CHECK(engine.first_defect().value_or("") == "");
+  const auto cell = [&](const std::string& name) {
+    return engine.structure().find(engine.structure().lookup(name).value());
+  };
+  CHECK(cell("p") == cell("p.2:0"));
+  CHECK(cell("q") == cell("q.2:0"));
+  CHECK(cell("p") != cell("q"));
+}
+
+TEST_CASE("a name that was given keeps its meaning") {
+  Engine engine(ring_named("Z"));
+  last_of(engine, {R"({"op":"polygon","name":"p","sides":2})", R"({"op":"sew","dim":2,"pairs":[["p:0","p:3"]]})",
+                   R"({"op":"simplex","name":"p.3:3","dim":0})"});
+  CHECK(has(refusal(engine, ops::Extend{{"p"}}), "the name \"p.3:3\" is in use"));
+  carry_out(engine, R"({"op":"polygon","name":"o","sides":3})");
+  CHECK(has(refusal(engine, ops::Extend{{"o"}}), "is 2-free"));
+  CHECK(has(refusal(engine, operation(R"({"op":"remove","cells":["o:0"]})")), "this is a dart"));
 }

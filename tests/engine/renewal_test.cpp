@@ -18,7 +18,7 @@ TEST_CASE("an engine that forgets cells has the groups of one that does not, thr
   CAPTURE(seed, ring);
   Engine forgets(ring_named(ring), {}, {}, forgetful_history(30));
   Engine keeps(ring_named(ring), {}, {}, {30, false});
-  RandomSteps random(seed, everything(50));
+  RandomSteps random(seed, everything_and_maps(50));
   int renewals = 0;
   const auto both = [&](const ops::Operation& step) {
     CAPTURE(ops::to_text(step));

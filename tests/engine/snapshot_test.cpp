@@ -83,7 +83,7 @@ std::optional<ops::Operation> random_twist(const ops::Structure& structure, Rand
 /// A stream of all there is: cells of all kinds, and beside them an abstract complex. Some of it is refused.
 class AllSteps {
  public:
-  explicit AllSteps(unsigned seed) : steps_{seed, everything(40)}, abstract_{seed, 7, 2} {}
+  explicit AllSteps(unsigned seed) : steps_{seed, everything_and_maps(40)}, abstract_{seed, 7, 2} {}
 
   Random& random() { return steps_.random(); }
   ops::Operation next(const ops::Structure& structure) {

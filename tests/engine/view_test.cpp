@@ -83,7 +83,7 @@ TEST_CASE("a view answers as its engine did then, whatever happened since", "[en
   };
   {
     Engine engine(ring_named(ring));
-    RandomSteps steps(seed, everything(60));
+    RandomSteps steps(seed, everything_and_maps(60));
     for (int k = 0; k < 120; ++k) {
       carry_out(engine, next_step(steps, engine));
       if (k % 10 == 0) {

@@ -35,7 +35,7 @@ TEST_CASE("a workspace that was read has the structure of the one that was writt
   const unsigned seed = GENERATE(range(0U, 40U));
   CAPTURE(seed);
   Workspace workspace;
-  RandomSteps random(seed, everything(40));
+  RandomSteps random(seed, everything_and_maps(40));
   for (int k = 0; k < 25; ++k) {
     carry_out(workspace, random.next(workspace.structure()));
   }

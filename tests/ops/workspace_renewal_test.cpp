@@ -63,7 +63,7 @@ TEST_CASE("a workspace begins with the cells of another one, and takes the same 
   const unsigned seed = GENERATE(range(0U, 60U));
   CAPTURE(seed);
   Workspace workspace;
-  RandomSteps random(seed, everything(40));
+  RandomSteps random(seed, everything_and_maps(40));
   for (int k = 0; k < 20; ++k) {
     REQUIRE(do_step(workspace, random.next(workspace.structure())));
   }

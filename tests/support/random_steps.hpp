@@ -42,8 +42,13 @@ inline StreamShape everything(std::size_t most_cells) {
           .products = true,
           .pyramids = true,
           .removals = true,
-          .replacements = true,
-          .maps = true};
+          .replacements = true};
+}
+/// The same, with maps.
+inline StreamShape everything_and_maps(std::size_t most_cells) {
+  StreamShape shape = everything(most_cells);
+  shape.maps = true;
+  return shape;
 }
 
 /// The current cells of the object, all lazy ones too, oldest first: without lazy families by increasing id.
