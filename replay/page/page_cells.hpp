@@ -4,8 +4,8 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,8 +44,8 @@ inline constexpr PageRef ref_to_unshown = -1;
 /// number of its own. Names, types and faces are those at their beginning.
 struct PageCells {
   std::vector<std::string> names;
-  std::vector<ops::CellType> types;          ///< that occur; of a cell of a map 0, its dimension and how many faces it has
-  std::vector<std::uint32_t> type_of;        ///< by cell, its number in `types`
+  std::vector<ops::CellType> types;    ///< that occur; of a cell of a map 0, its dimension and how many faces it has
+  std::vector<std::uint32_t> type_of;  ///< by cell, its number in `types`
   std::vector<std::uint32_t> first_face{0};  ///< by cell, and one more
   std::vector<PageRef> faces;
 
