@@ -13,7 +13,7 @@
 #include "ops/maps/rooted_map.hpp"
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
-#include "ops/plan/step_names.hpp"
+#include "ops/plan/sewing.hpp"
 #include "sparse/contract.hpp"
 #include "sparse/quoted.hpp"
 
@@ -117,16 +117,7 @@ class ExtensionPlanner {
   }
 
   [[nodiscard]] const DartStore::Made& made(Dart local) const { return store_.map_of(dimension_, darts_[local]); }
-  [[nodiscard]] std::string name(Dart local) const {
-    return fmt::format("{}:{}", structure_.directory().names()[made(local).name].text,
-                       dart_text(made(local), darts_[local] - made(local).first));
-  }
-  /// What a dart sees in a dimension by now.
-  [[nodiscard]] Result<Value> seen(int i, Dart local) const {
-    const auto value = seen_from_dart(structure_, made(local), i, darts_[local]);
-    return value ? what_is_now(*value, name(local), structure_)
-                 : Error{Errc::unknown_name, fmt::format("the cell of \"{}\" was removed", name(local))};
-  }
+  [[nodiscard]] std::string name(Dart local) const { return name_of_dart(dimension_, darts_[local], structure_); }
 
   /// All darts of the new cells name them.
   Status check_names() const {
@@ -192,7 +183,7 @@ class ExtensionPlanner {
       }
       const CellShape::Place of_face = types.place_in_face(canonical.type, place);
       if (of_face.dart == 0) {
-        const Result<Value> face = seen(dimension_, order[k]);
+        const Result<Value> face = seen_now(dimension_, dimension_, darts_[order[k]], structure_);
         if (!face) {
           return face.error();
         }

@@ -157,9 +157,7 @@ class SewingPlanner {
   /// What is glued when a dart is sewn, as the dart sees it.
   [[nodiscard]] Result<Value> glued(Dart d) const {
     const int of = is_by_simplices(d) ? index() : index() - 1;
-    const auto seen = seen_from_dart(structure_, store_.map_of(dimension_, d), of, d);
-    return seen ? what_is_now(*seen, name(d), structure_)
-                : Error{Errc::unknown_name, fmt::format("the cell of \"{}\" was removed", name(d))};
+    return seen_now(dimension_, of, d, structure_);
   }
 
   const Sew& operation_;
@@ -197,6 +195,13 @@ Result<NamedDart> dart_named(const std::string& name, const Structure& structure
 std::string name_of_dart(int dimension, Dart dart, const Structure& structure) {
   const DartStore::Made& map = structure.darts().map_of(dimension, dart);
   return fmt::format("{}:{}", structure.directory().names()[map.name].text, dart_text(map, dart - map.first));
+}
+
+Result<Value> seen_now(int dimension, int i, Dart dart, const Structure& structure) {
+  const auto value = seen_from_dart(structure, structure.darts().map_of(dimension, dart), i, dart);
+  const std::string name = name_of_dart(dimension, dart, structure);
+  return value ? what_is_now(*value, name, structure)
+               : Error{Errc::unknown_name, fmt::format("the cell of \"{}\" was removed", name)};
 }
 
 Result<std::vector<Equation>> equations_of(const Sew& operation, const Structure& structure, Plan& plan) {

@@ -13,7 +13,6 @@
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/sewing.hpp"
-#include "ops/plan/step_names.hpp"
 
 namespace sesame::ops {
 namespace {
@@ -118,11 +117,7 @@ class UnsewingPlanner {
   }
 
   [[nodiscard]] std::string name(Dart d) const { return name_of_dart(dimension_, d, structure_); }
-  [[nodiscard]] Result<Value> seen(int i, Dart d) const {
-    const auto value = seen_from_dart(structure_, store_.map_of(dimension_, d), i, d);
-    return value ? what_is_now(*value, name(d), structure_)
-                 : Error{Errc::unknown_name, fmt::format("the cell of \"{}\" was removed", name(d))};
-  }
+  [[nodiscard]] Result<Value> seen(int i, Dart d) const { return seen_now(dimension_, i, d, structure_); }
 
   Status split_cell_of(int i, Dart start) {
     if (copies_of_darts_.contains(start) || kept_.contains({i, start})) {
@@ -196,14 +191,14 @@ class UnsewingPlanner {
         nodes.insert(value->cell);
       }
     }
-    bool are_all = !whole.is_degenerate();
+    bool are_all = true;
     structure_.forest().for_each_member(
         whole.cell, [&](CellId node) { are_all = are_all && (nodes.contains(node) || is_left_behind(i, node)); });
     return are_all ? Status{Done{}}
                    : Error{Errc::refused,
-                           fmt::format("\"{}\" cannot be unsewn: its {}-cell \"{}\" {}, and not only by sewing",
-                                       name(darts[0]), i, structure_.name(whole.cell),
-                                       whole.is_degenerate() ? "became degenerate" : "is glued to other cells")};
+                           fmt::format("\"{}\" cannot be unsewn: its {}-cell \"{}\" is glued to other cells, and not "
+                                       "only by sewing",
+                                       name(darts[0]), i, structure_.name(whole.cell))};
   }
 
   /// Whether a node was made for a dart that sees another one by now.
