@@ -26,6 +26,15 @@ Status plan_product(const MakeProduct& operation, const Structure& structure, Pl
 Status plan_map(const MakeGMap& operation, const Structure& structure, const Limits& limits, Plan& plan);
 Status plan_map(const MakeMap& operation, const Structure& structure, const Limits& limits, Plan& plan);
 Status plan_polygon(const MakePolygon& operation, const Structure& structure, const Limits& limits, Plan& plan);
+// incidence_plan.cpp
+Status plan_incidence(const MakeIncidence& operation, const Structure& structure, const Limits& limits, Plan& plan);
+// chain_plan.cpp
+Status plan_map(const MakeChainOfMaps& operation, const Structure& structure, const Limits& limits, Plan& plan);
+// cell_surgery.cpp
+Status plan_surgery(const RemoveCell& operation, const Structure& structure, const Limits& limits, Plan& plan);
+Status plan_surgery(const ContractCell& operation, const Structure& structure, const Limits& limits, Plan& plan);
+Status plan_surgery(const InsertCell& operation, const Structure& structure, const Limits& limits, Plan& plan);
+Status plan_surgery(const SplitCell& operation, const Structure& structure, const Limits& limits, Plan& plan);
 // unsewing.cpp
 Status plan_unsewing(const Unsew& operation, const Structure& structure, const Limits& limits, Plan& plan);
 // extension.cpp

@@ -41,6 +41,30 @@ Status Planner::plan(const MakeMap& operation, Plan& plan) {
   return plan_map(operation, structure_, limits_, cleared(plan));
 }
 
+Status Planner::plan(const MakeIncidence& operation, Plan& plan) {
+  return plan_incidence(operation, structure_, limits_, cleared(plan));
+}
+
+Status Planner::plan(const MakeChainOfMaps& operation, Plan& plan) {
+  return plan_map(operation, structure_, limits_, cleared(plan));
+}
+
+Status Planner::plan(const RemoveCell& operation, Plan& plan) {
+  return plan_surgery(operation, structure_, limits_, cleared(plan));
+}
+
+Status Planner::plan(const ContractCell& operation, Plan& plan) {
+  return plan_surgery(operation, structure_, limits_, cleared(plan));
+}
+
+Status Planner::plan(const InsertCell& operation, Plan& plan) {
+  return plan_surgery(operation, structure_, limits_, cleared(plan));
+}
+
+Status Planner::plan(const SplitCell& operation, Plan& plan) {
+  return plan_surgery(operation, structure_, limits_, cleared(plan));
+}
+
 Status Planner::plan(const Unsew& operation, Plan& plan) {
   return plan_unsewing(operation, structure_, limits_, cleared(plan));
 }

@@ -30,6 +30,13 @@ class Planner {
   Status plan(const MakeGMap& operation, Plan& plan);
   Status plan(const MakePolygon& operation, Plan& plan);
   Status plan(const MakeMap& operation, Plan& plan);
+  Status plan(const MakeIncidence& operation, Plan& plan);
+  Status plan(const MakeChainOfMaps& operation, Plan& plan);
+  /// Cost: the darts of the cells that are replaced, times the dimension, and their cofaces.
+  Status plan(const RemoveCell& operation, Plan& plan);
+  Status plan(const ContractCell& operation, Plan& plan);
+  Status plan(const InsertCell& operation, Plan& plan);
+  Status plan(const SplitCell& operation, Plan& plan);
   Status plan(const Sew& operation, Plan& plan);
   Status plan(const Unsew& operation, Plan& plan);
   Status plan(const Extend& operation, Plan& plan);

@@ -20,11 +20,19 @@ namespace sesame::ops {
 /// A position; z = 0 in the plane.
 using Point = std::array<double, 3>;
 
+/// A cell that is known by its boundary: a sum of cells of one dimension less. Its faces are
+/// the cells of the sum, each once.
+struct ListedBoundary {
+  int dimension = 0;
+  std::vector<std::int64_t> coefficients;  ///< of the faces
+};
+
 struct ListedCell {
   std::string id;
   std::optional<CellType> type;  ///< empty: a simplex with as many faces as are listed
   std::vector<std::string> faces;
   std::optional<Point> at;
+  std::optional<ListedBoundary> boundary = {};  ///< then it has no type
 };
 
 /// Cells with their faces, in any order, in little room: see NameLists. What most cells have not takes none.
@@ -49,6 +57,8 @@ class CellList {
     return k < type_of_.size() && type_of_[k] != 0 ? types_.data() + (type_of_[k] - 1) : nullptr;
   }
   [[nodiscard]] const Point* at(std::size_t k) const;
+  /// Null where none is given.
+  [[nodiscard]] const ListedBoundary* boundary(std::size_t k) const;
   /// A copy of all that is said of cell k.
   [[nodiscard]] ListedCell operator[](std::size_t k) const;
 
@@ -62,6 +72,7 @@ class CellList {
   std::vector<CellType> types_;                    ///< none twice
   std::map<CellType, std::uint32_t> numbers_;      ///< where in types_
   std::vector<std::pair<std::size_t, Point>> at_;  ///< by cell, ascending
+  std::vector<std::pair<std::size_t, ListedBoundary>> boundaries_;  ///< likewise
 };
 
 }  // namespace sesame::ops

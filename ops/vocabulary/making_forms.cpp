@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "ops/vocabulary/field_values.hpp"
@@ -98,6 +99,46 @@ void write_simploid(const MakeSimploid& op, JsonText& out) {
 // ------------------------------------------------------------------------------------------------------------
 // complexes
 
+/// "dim" and "boundary":[[2,"e"],...]: each cell once, with what its coefficients add up to.
+void read_boundary(Fields& in, MakeComplex::Cell& cell) {
+  if (cell.type || in.find("faces") != nullptr) {
+    throw Wrong{fmt::format("cell {} has a \"dim\" or a \"boundary\", so it can have no \"type\" and no \"faces\"",
+                            sparse::quoted(cell.id))};
+  }
+  ListedBoundary boundary;
+  boundary.dimension = in.small("dim", in.need("dim"), 0);
+  constexpr std::string_view expected = "a list of coefficients and cell ids, such as [[2,\"e\"],[-1,\"f\"]]";
+  const Json* sum = in.find("boundary");
+  if (sum == nullptr) {
+    cell.boundary = std::move(boundary);
+    return;
+  }
+  std::map<std::string, std::size_t> place;
+  for (const Json& term : in.items("boundary", *sum, expected)) {
+    if (!term.is_array() || term.size() != 2 || !term[0].is_number_integer() || !term[1].is_string()) {
+      in.wrong("boundary", expected, term);
+    }
+    const auto [at, is_new] = place.emplace(term[1].get<std::string>(), cell.faces.size());
+    if (is_new) {
+      cell.faces.push_back(at->first);
+      boundary.coefficients.push_back(0);
+    }
+    std::int64_t& total = boundary.coefficients[at->second];
+    constexpr std::int64_t largest = 1'000'000'000;
+    const auto& value = term[0];
+    const bool is_small = value.is_number_unsigned() ? value.get<std::uint64_t>() <= std::uint64_t{largest}
+                                                     : value.get<std::int64_t>() >= -largest;
+    if (is_small) {
+      total += value.get<std::int64_t>();
+    }
+    if (!is_small || total > largest || total < -largest) {
+      throw Wrong{fmt::format("the boundary of cell {} has a coefficient of {} beyond {}", sparse::quoted(cell.id),
+                              sparse::quoted(at->first), largest)};
+    }
+  }
+  cell.boundary = std::move(boundary);
+}
+
 MakeComplex::Cell read_cell(const Json& value) {
   if (!value.is_object()) {
     throw Wrong{
@@ -112,12 +153,28 @@ MakeComplex::Cell read_cell(const Json& value) {
   if (const Json* faces = in.find("faces")) {
     cell.faces = in.texts("faces", *faces, "a list of cell ids");
   }
+  if (in.find("dim") != nullptr || in.find("boundary") != nullptr) {
+    read_boundary(in, cell);
+  }
   if (in.find("at") != nullptr && !cell.faces.empty()) {
     throw Wrong{fmt::format("cell {} has a position \"at\", but only vertices have one", sparse::quoted(cell.id))};
   }
   cell.at = read_point(in);
   in.finish();
   return cell;
+}
+
+void write_boundary(const MakeComplex::Cell& cell, JsonText& out) {
+  out.field("dim", cell.boundary->dimension);
+  if (cell.faces.empty()) {
+    return;
+  }
+  out.key("boundary");
+  out.begin_list();
+  for (std::size_t k = 0; k < cell.faces.size(); ++k) {
+    out.list_of(cell.boundary->coefficients[k], cell.faces[k]);
+  }
+  out.end_list();
 }
 
 MakeComplex read_complex(Fields& in) {
@@ -129,17 +186,18 @@ MakeComplex read_complex(Fields& in) {
   return op;
 }
 
-void write_complex(const MakeComplex& op, JsonText& out) {
-  out.field("name", op.name);
+void write_cells(const CellList& cells, JsonText& out) {
   out.key("cells");
   out.begin_list();
-  for (const MakeComplex::Cell& cell : op.cells) {
+  for (const MakeComplex::Cell& cell : cells) {
     out.begin_object();
     out.field("id", cell.id);
     if (cell.type) {
       out.field("type", *cell.type);
     }
-    if (!cell.faces.empty()) {
+    if (cell.boundary) {
+      write_boundary(cell, out);
+    } else if (!cell.faces.empty()) {
       out.field("faces", cell.faces);
     }
     if (cell.at) {
@@ -148,6 +206,43 @@ void write_complex(const MakeComplex& op, JsonText& out) {
     out.end_object();
   }
   out.end_list();
+}
+
+void write_complex(const MakeComplex& op, JsonText& out) {
+  out.field("name", op.name);
+  write_cells(op.cells, out);
+}
+
+// ------------------------------------------------------------------------------------------------------------
+// incidence graphs
+
+MakeIncidence read_incidence(Fields& in) {
+  MakeIncidence op;
+  op.name = in.text("name");
+  for (const Json& item : in.items("cells", in.need("cells"), "a list of cells")) {
+    MakeComplex::Cell cell = read_cell(item);
+    if (cell.type || cell.boundary) {
+      throw Wrong{
+          fmt::format("cell {} of an incidence graph has a \"{}\", but should have an \"id\" and \"faces\" only",
+                      sparse::quoted(cell.id), cell.type ? "type" : "dim")};
+    }
+    op.cells.push_back(cell);
+  }
+  if (const Json* as = in.find("as")) {
+    if (*as != "simplices") {
+      in.wrong("as", "\"simplices\", or left out", *as);
+    }
+    op.as_simplices = true;
+  }
+  return op;
+}
+
+void write_incidence(const MakeIncidence& op, JsonText& out) {
+  out.field("name", op.name);
+  write_cells(op.cells, out);
+  if (op.as_simplices) {
+    out.field("as", "simplices");
+  }
 }
 
 // ------------------------------------------------------------------------------------------------ cones and
@@ -221,6 +316,7 @@ void write_product(const MakeProduct& op, JsonText& out) {
 constinit const Form<MakeSimplex> simplex_form{"simplex", read_simplex, write_simplex};
 constinit const Form<MakeSimploid> simploid_form{"simploid", read_simploid, write_simploid};
 constinit const Form<MakeComplex> complex_form{"complex", read_complex, write_complex};
+constinit const Form<MakeIncidence> incidence_form{"incidence", read_incidence, write_incidence};
 constinit const Form<MakeCone> cone_form{"cone", read_cone, write_cone};
 constinit const Form<MakeSuspension> suspension_form{"suspend", read_suspension, write_suspension};
 constinit const Form<MakeProduct> product_form{"product", read_product, write_product};

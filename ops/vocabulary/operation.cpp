@@ -14,11 +14,12 @@ namespace sesame::ops {
 namespace {
 
 /// A form for each operation, in the order in which a sentence lists them.
-constexpr std::tuple forms{&simplex_form, &simploid_form, &complex_form,    &gmap_form,       &map_form,
-                           &polygon_form, &cone_form,     &suspension_form, &product_form,    &identify_form,
-                           &sew_form,     &unsew_form,    &extend_form,     &degenerate_form, &deidentify_form,
-                           &insert_form,  &collapse_form, &remove_form,     &replace_form,    &expect_form,
-                           &class_form,   &undo_form,     &note_form};
+constexpr std::tuple forms{
+    &simplex_form,    &simploid_form,      &complex_form,    &incidence_form,   &gmap_form,          &map_form,
+    &polygon_form,    &chain_of_maps_form, &cone_form,       &suspension_form,  &product_form,       &identify_form,
+    &sew_form,        &unsew_form,         &extend_form,     &remove_cell_form, &contract_cell_form, &insert_cell_form,
+    &split_cell_form, &degenerate_form,    &deidentify_form, &insert_form,      &collapse_form,      &remove_form,
+    &replace_form,    &expect_form,        &class_form,      &undo_form,        &note_form};
 
 template <class Op>
 const Form<Op>& form_of(const Op& /*operation*/) {

@@ -69,6 +69,55 @@ struct MakePolygon {
   std::vector<Point> at = {};
 };
 
+/// A closed CF-order, an incidence graph: cells with their faces and no jump in dimension.
+struct MakeIncidence {
+  std::string name;
+  CellList cells;             ///< no types, no boundaries
+  bool as_simplices = false;  ///< by the chains of its cells
+};
+
+/// A chain of maps. Level i: involutions alpha_0 to alpha_{i-1} of its darts, and their images under sigma_i, darts of
+/// level i-1; of level 0, whose darts have no involution, only the number. `at`: empty, or a point per vertex.
+struct MakeChainOfMaps {
+  struct Level {
+    std::vector<std::vector<Dart>> alpha;
+    std::vector<Dart> sigma;  ///< of level 0: empty
+  };
+  std::string name;
+  Dart points = 0;            ///< the darts of level 0
+  std::vector<Level> levels;  ///< from level 1 on
+  bool as_simplices = false;
+  std::vector<Point> at = {};
+};
+
+/// Takes a cell of a map out: what it lay between becomes one cell. The map, if it is named, is the one of the cell.
+struct RemoveCell {
+  std::optional<std::string> map;
+  std::string cell;
+};
+
+/// Shrinks a cell of a map, the dual of removal: its ends become one cell.
+struct ContractCell {
+  std::optional<std::string> map;
+  std::string cell;
+};
+
+/// Puts a cell into a cell of one dimension more, which it cuts: what a removal of it would take back.
+struct InsertCell {
+  std::string name;  ///< of the map of the new darts
+  int dimension = 0;
+  std::vector<std::string> darts;
+  std::optional<Point> at;  ///< of a new vertex
+};
+
+/// Draws a cell of a map apart, the dual of an insertion: what a contraction of the new cell would take back.
+struct SplitCell {
+  std::string name;  ///< of the map of the new darts
+  int dimension = 0;
+  std::vector<std::string> darts;
+  std::optional<Point> at;  ///< of a new vertex
+};
+
 /// Makes pairs of free darts images of one another under an involution, each with its orbit.
 struct Sew {
   int dimension = 0;
@@ -198,9 +247,10 @@ struct Note {
   std::string text;
 };
 
-using Operation = std::variant<MakeSimplex, MakeSimploid, MakeComplex, MakeGMap, MakeMap, MakePolygon, MakeCone,
-                               MakeSuspension, MakeProduct, Identify, Sew, Unsew, Extend, Degenerate, Deidentify,
-                               Insert, Collapse, Remove, Replace, Expect, AskClass, Undo, Note>;
+using Operation = std::variant<MakeSimplex, MakeSimploid, MakeComplex, MakeIncidence, MakeGMap, MakeMap, MakePolygon,
+                               MakeChainOfMaps, MakeCone, MakeSuspension, MakeProduct, Identify, Sew, Unsew, Extend,
+                               RemoveCell, ContractCell, InsertCell, SplitCell, Degenerate, Deidentify, Insert,
+                               Collapse, Remove, Replace, Expect, AskClass, Undo, Note>;
 
 /// The word that stands for an operation in a log: "simplex", "identify", ...
 [[nodiscard]] std::string_view keyword(const Operation& operation);

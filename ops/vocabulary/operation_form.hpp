@@ -23,6 +23,7 @@ struct Form {
 extern const Form<MakeSimplex> simplex_form;
 extern const Form<MakeSimploid> simploid_form;
 extern const Form<MakeComplex> complex_form;
+extern const Form<MakeIncidence> incidence_form;
 extern const Form<MakeCone> cone_form;
 extern const Form<MakeSuspension> suspension_form;
 extern const Form<MakeProduct> product_form;
@@ -30,9 +31,15 @@ extern const Form<MakeProduct> product_form;
 extern const Form<MakeGMap> gmap_form;
 extern const Form<MakeMap> map_form;
 extern const Form<MakePolygon> polygon_form;
+extern const Form<MakeChainOfMaps> chain_of_maps_form;
 extern const Form<Sew> sew_form;
 extern const Form<Unsew> unsew_form;
 extern const Form<Extend> extend_form;
+// cell_surgery_forms.cpp
+extern const Form<RemoveCell> remove_cell_form;
+extern const Form<ContractCell> contract_cell_form;
+extern const Form<InsertCell> insert_cell_form;
+extern const Form<SplitCell> split_cell_form;
 // gluing_forms.cpp
 extern const Form<Identify> identify_form;
 extern const Form<Degenerate> degenerate_form;
