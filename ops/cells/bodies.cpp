@@ -57,7 +57,7 @@ bool Bodies::join(BodyId a, BodyId b) {
   Body& child = bodies_[b];
   unions_.push_back({b, above.oldest, above.kind, above.nesting});
   above.kind = {above.kind.is_abstract && child.kind.is_abstract, above.kind.keeps_orders && child.kind.keeps_orders,
-                above.kind.has_maps || child.kind.has_maps};
+                above.kind.has_others || child.kind.has_others};
   above.nesting = std::max(above.nesting, child.nesting);
   child.parent = a;
   above.made.children.push_back(b);
@@ -127,7 +127,7 @@ void Bodies::save(sparse::ArchiveWriter& to) const {
       to.put(body.nesting);
       to.put(body.kind.is_abstract);
       to.put(body.kind.keeps_orders);
-      to.put(body.kind.has_maps);
+      to.put(body.kind.has_others);
       to.put(body.simploids);
       to.put_list(body.counts);
     }
@@ -173,7 +173,7 @@ void Bodies::load(sparse::ArchiveReader& from) {
       body.nesting = from.get<std::uint32_t>();
       body.kind.is_abstract = from.get_bool();
       body.kind.keeps_orders = from.get_bool();
-      body.kind.has_maps = from.get_bool();
+      body.kind.has_others = from.get_bool();
       body.simploids = from.get<std::uint64_t>();
       body.counts = from.get_list<std::vector<std::uint64_t>>();
       from.check(body.oldest < count && body.counts.size() <= largest_dimension + 1, "bodies have cells");

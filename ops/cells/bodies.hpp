@@ -18,7 +18,7 @@ namespace sesame::ops {
 struct BodyKind {
   bool is_abstract = false;  ///< it is an abstract simplicial complex, made by insertions and collapses only
   bool keeps_orders = true;  ///< faces have their vertices in the order of the cells whose faces they are
-  bool has_maps = false;     ///< it has, or had, cells of maps that are no simploids
+  bool has_others = false;   ///< it has, or had, cells that are no simploids
   friend bool operator==(const BodyKind&, const BodyKind&) = default;
 };
 

@@ -217,6 +217,12 @@ void TypeTable::load(sparse::ArchiveReader& from) {
       }
       continue;
     }
+    if (is_by_boundary(type)) {
+      if (!load_by_boundary(type, from)) {
+        return;
+      }
+      continue;
+    }
     const auto is_entry = [](int a) { return a >= 1 && a <= largest_dimension; };
     if (!from.check(type.size() <= largest_dimension && std::all_of(type.begin(), type.end(), is_entry) &&
                         std::accumulate(type.begin(), type.end(), 0) <= largest_dimension,
@@ -258,6 +264,13 @@ std::string describe(const CellType& type) {
     const std::size_t darts = (type.size() - 2) / static_cast<std::size_t>(type[1]);
     return type[1] == 2 ? fmt::format("polygon with {} side{}", darts / 2, darts == 2 ? "" : "s")
                         : fmt::format("cell of dimension {} with {} darts", type[1], darts);
+  }
+  if (is_by_boundary(type)) {
+    std::size_t faces = 0;
+    for (std::size_t at = 2; at < type.size(); at += 2 + static_cast<std::size_t>(type[at + 1])) {
+      ++faces;
+    }
+    return fmt::format("cell of dimension {} with a boundary of {} term{}", type[1], faces, faces == 1 ? "" : "s");
   }
   if (type.size() == 1) {
     return fmt::format("simplex of dimension {}", type[0]);

@@ -23,16 +23,22 @@ namespace sesame::ops {
 /// A vertex has the empty type, a p-simplex the type (p), a p-cube the type (1, ..., 1).
 /// The type of a cell of a map that is none of these is 0, its dimension p >= 2, and the images under alpha_0, ...,
 /// alpha_{p-1} of the darts of its canonical boundary, as CellShape has them.
+/// The type of a cell that is known by its boundary is -1, its dimension, and for each face its coefficient there, and
+/// the length and the numbers of its type.
 using CellType = std::vector<int>;
 [[nodiscard]] inline bool is_of_map(const CellType& type) { return !type.empty() && type[0] == 0; }
+[[nodiscard]] inline bool is_by_boundary(const CellType& type) { return !type.empty() && type[0] < 0; }
+/// A product of simplices.
+[[nodiscard]] inline bool is_simploid(const CellType& type) { return type.empty() || type[0] > 0; }
 
 /// The k-th face operator of a type, in the flattened order d^1_0, d^1_1, ..., d^2_0, ...
 /// That of a cell of a map has number k where its component is 0 and its vertex k; its sign is that of the root of the
-/// face, and its type that of the face as seen from there.
+/// face, and its type that of the face as seen from there. That of a cell known by its boundary has its coefficient for
+/// a sign.
 struct FaceOperator {
   int component;  ///< i, counted from 0
   int vertex;     ///< j in 0..a_i
-  int sign;       ///< (-1)^(j + a_1 + ... + a_{i-1})
+  int sign;       ///< (-1)^(j + a_1 + ... + a_{i-1}): the coefficient in the boundary
   TypeId type;    ///< of the face
 };
 
@@ -68,7 +74,8 @@ struct TypeInfo {
   int dimension = 0;
   std::vector<FaceOperator> faces;
   std::vector<FaceLaw>
-      laws;  ///< each unordered pair of equal double faces once; they imply that boundaries compose to 0
+      laws;  ///< each unordered pair of equal double faces once; they imply that boundaries compose to 0. No law says
+             ///< this of a cell known by its boundary: it is to be looked at with its faces.
   std::unique_ptr<const CellShape> shape;  ///< of a cell of a map, else null
 };
 
@@ -89,6 +96,16 @@ class TypeTable {
   /// The type of the cone over a cell: a simplex of one more dimension, or `by_edge` the product with an edge.
   TypeId coned(TypeId base, bool by_edge);
   [[nodiscard]] const TypeInfo& info(TypeId id) const { return infos_[id]; }
+
+  // ---- cells that are known by their boundaries
+  struct BoundaryFace {
+    int coefficient;  ///< not 0
+    TypeId type;
+  };
+  /// The type of those of a dimension >= 1 with some faces, in this order. How many numbers it consists of; it should
+  /// not be too many.
+  TypeId by_boundary(int dimension, std::span<const BoundaryFace> faces);
+  [[nodiscard]] std::size_t length_by_boundary(std::span<const BoundaryFace> faces) const;
 
   // ---- cells of maps; where vertices and edges are asked about they are cells of maps with one and two darts
   /// The type of the cell over a canonical boundary, rooted at dart 0, or none when that is no homology sphere. A
@@ -126,6 +143,7 @@ class TypeTable {
   const std::vector<Dart>& order_from(TypeId id, Dart root);
   StandardCell standard_simploid(const CellType& whole);
   StandardCell standard_of_map(TypeId whole);
+  bool load_by_boundary(const CellType& type, sparse::ArchiveReader& from);
   bool load_shape(const CellType& type, sparse::ArchiveReader& from);
 
   std::deque<TypeInfo> infos_;
@@ -136,10 +154,10 @@ class TypeTable {
   std::map<TypeId, Canonical> canonical_;                        ///< those that were asked for
 };
 
-/// The number of cells of a standard simploid, the product of 2^(a_i + 1) - 1; saturates at 2^63 - 1. Not of a map.
+/// The number of cells of a standard simploid, the product of 2^(a_i + 1) - 1; saturates at 2^63 - 1.
 [[nodiscard]] std::int64_t standard_cell_count(const CellType& type);
 /// "vertex", "simplex of dimension 2", "cube of dimension 2", "simploid [2,1]", "polygon with 5 sides", "cell of
-/// dimension 3 with 48 darts".
+/// dimension 3 with 48 darts", "cell of dimension 2 with a boundary of 4 terms".
 [[nodiscard]] std::string describe(const CellType& type);
 /// True for vertices and types (p).
 [[nodiscard]] bool is_simplex(const CellType& type);

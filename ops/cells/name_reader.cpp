@@ -71,7 +71,7 @@ std::optional<Value> NameReader::read_standard(Part part) {
   const auto split = split_vertices(text(part));
   const auto whole = split ? find({part.begin, part.begin + split->length}) : std::nullopt;
   if (!whole || whole->cell == none || whole->body == none ||  // a complex, for one, has no cell of its name
-      is_of_map(structure_.cells().type(whole->cell).type)) {
+      !is_simploid(structure_.cells().type(whole->cell).type)) {
     return std::nullopt;
   }
   const auto list = read_vertices(split->vertices, structure_.cells().type(whole->cell).type);

@@ -16,8 +16,11 @@ void Structure::apply(const Plan& plan) {
   BodyId new_body = none;
   if (plan.new_body || plan.family) {
     note(EventKind::body, bodies_.size());
-    const bool has_maps = plan.map && !plan.map->is_by_simplices;
-    new_body = bodies_.add({plan.abstract.has_value(), true, has_maps});
+    const bool has_others =
+        plan.map ? !plan.map->is_by_simplices : std::ranges::any_of(plan.cells, [this](const auto& c) {
+          return !is_simploid(types().info(c.type).type);
+        });
+    new_body = bodies_.add({plan.abstract.has_value(), true, has_others});
   }
   const Instant made = instant_of(forest_.links(), lazy_.families());
   for (const Plan::WrittenCone& cone : plan.cones) {

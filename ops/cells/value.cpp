@@ -283,6 +283,9 @@ bool VertexMaps::is_order_of(OrderId order, TypeId type) const {
   if (is_of_map(order) || ops::is_of_map(types_.info(type).type)) {
     return orders_[order].type == type;
   }
+  if (is_by_boundary(types_.info(type).type)) {
+    return false;
+  }
   const auto places = permutation(order);
   std::size_t vertices = 0;
   bool keeps_to_components = true;
@@ -300,6 +303,9 @@ bool VertexMaps::is_value_of(const Value& v, TypeId of_cell) const {
     return v.collapsed == 0 && (v.order == same_order ? v.type == of_cell
                                                       : is_order_of(v.order, of_cell) &&
                                                             types_.seen_from(of_cell, orders_[v.order].dart) == v.type);
+  }
+  if (v.type < types_.size() && is_by_boundary(types_.info(v.type).type)) {
+    return v.is_plain() && v.type == of_cell;
   }
   if (v.type >= types_.size() || !is_order_of(v.order, v.type) || (v.collapsed >> types_.info(v.type).dimension) != 0) {
     return false;

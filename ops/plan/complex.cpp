@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
+#include <cstdlib>
 #include <functional>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "ops/plan/double_boundary.hpp"
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/step_names.hpp"
@@ -24,6 +27,7 @@ class ComplexPlanner {
   ComplexPlanner(const MakeComplex& operation, const Structure& structure, const Limits& limits, Plan& plan)
       : operation_{operation},
         types_{structure.types()},
+        maps_{structure.maps()},
         base_{structure.cells().size()},
         limits_{limits},
         plan_{plan} {
@@ -94,6 +98,10 @@ class ComplexPlanner {
       }
       faces.push_back(*face);
     }
+    if (const ListedBoundary* boundary = operation_.cells.boundary(k);
+        boundary != nullptr && boundary->dimension == 1 && !faces.empty() && boundary->coefficients[0] < 0) {
+      std::swap(faces[0], faces[1]);  // the end of an edge, then its beginning
+    }
     if (Status s = check_laws(k, *type, faces); !s) {
       return s;
     }
@@ -107,24 +115,37 @@ class ComplexPlanner {
 
   /// Face f of cell k, by its id, placed.
   Result<CellId> place_face(std::uint32_t k, std::size_t f, std::string_view id) {
+    const Result<std::uint32_t> face = listed_face(k, id);
+    if (!face) {
+      return face.error();
+    }
+    if (Status s = check_face_type(k, f, *face); !s) {
+      return s.error();
+    }
+    if (Status s = place(*face); !s) {
+      return s.error();
+    }
+    return placed_[*face];
+  }
+
+  /// Which one is listed by the id of a face of cell k.
+  Result<std::uint32_t> listed_face(std::uint32_t k, std::string_view id) const {
     const std::uint32_t face = find(id, hash_of(id));
     if (face == none) {
       return Error{Errc::unknown_name,
                    fmt::format("{} names a face {} that is not listed there", title(k), sparse::quoted(id))};
     }
-    if (Status s = check_face_type(k, f, face); !s) {
-      return s.error();
-    }
-    if (Status s = place(face); !s) {
-      return s.error();
-    }
-    return placed_[face];
+    return face;
   }
 
   /// The type of cell k as listed. Errors: a number of faces that no such cell has; a type out of all proportion.
   Result<TypeId> type_of(std::uint32_t k) {
     if (declared_[k] != none) {
       return declared_[k];
+    }
+    if (const ListedBoundary* boundary = operation_.cells.boundary(k)) {
+      const Result<TypeId> type = type_by_boundary(k, *boundary);
+      return type ? declared_[k] = *type : type;
     }
     const std::size_t faces = operation_.cells.faces(k).size();
     const CellType* given = operation_.cells.type(k);
@@ -160,6 +181,64 @@ class ComplexPlanner {
     return declared_[k];
   }
 
+  /// The dimension of a cell as listed, be its type right or not.
+  [[nodiscard]] int dimension_of(std::uint32_t k) const {
+    if (const ListedBoundary* boundary = operation_.cells.boundary(k)) {
+      return boundary->dimension;
+    }
+    const CellType* type = operation_.cells.type(k);
+    const std::size_t faces = operation_.cells.faces(k).size();
+    return type != nullptr ? std::accumulate(type->begin(), type->end(), 0) : std::max(static_cast<int>(faces) - 1, 0);
+  }
+
+  /// Of a cell known by its boundary. Dimensions fall with each face, so no cell is met below itself.
+  Result<TypeId> type_by_boundary(std::uint32_t k, const ListedBoundary& boundary) {
+    const int p = boundary.dimension;
+    const std::size_t count = boundary.coefficients.size();
+    if (p > largest_dimension) {
+      return Error{Errc::refused,
+                   fmt::format("{} has the dimension {}: {} is the largest", title(k), p, largest_dimension)};
+    }
+    if (p == 0 && count > 0) {
+      return Error{Errc::bad_input, fmt::format("{} has the dimension 0 and a boundary: a vertex has none", title(k))};
+    }
+    if (p == 1 && (count != 2 || std::abs(boundary.coefficients[0]) != 1 ||
+                   boundary.coefficients[0] != -boundary.coefficients[1])) {
+      return Error{Errc::bad_input,
+                   fmt::format("{} has the dimension 1: its boundary should be its end less its beginning, as "
+                               "[[1,\"w\"],[-1,\"v\"]], where both may be one vertex",
+                               title(k))};
+    }
+    std::vector<TypeTable::BoundaryFace> faces;
+    for (const std::string_view id : operation_.cells.faces(k)) {
+      const Result<std::uint32_t> face = listed_face(k, id);
+      if (!face) {
+        return face.error();
+      }
+      if (const int q = dimension_of(*face); q != p - 1) {
+        return Error{Errc::bad_input,
+                     fmt::format("{} has the dimension {}, but {} in its boundary the dimension {}: it should be {}",
+                                 title(k), p, sparse::quoted(id), q, p - 1)};
+      }
+      const Result<TypeId> type = type_of(*face);
+      if (!type) {
+        return type;
+      }
+      faces.push_back({boundary.coefficients[faces.size()], *type});
+    }
+    if (p <= 1) {
+      return types_.simplex(p);
+    }
+    constexpr std::size_t most = 1'000'000;
+    if (types_.length_by_boundary(faces) > most) {
+      return Error{Errc::refused,
+                   fmt::format("the boundary of {} has more terms, with those of its faces, than a cell may "
+                               "have: cut it up",
+                               title(k))};
+    }
+    return types_.by_boundary(p, faces);
+  }
+
   /// Face f of cell k is listed as cell `face`: are the types right?
   Status check_face_type(std::uint32_t k, std::size_t f, std::uint32_t face) {
     const Result<TypeId> type = type_of(face);
@@ -182,7 +261,21 @@ class ComplexPlanner {
     return std::string_view{plan_.names}.substr(begin, planned(c).name_end - begin);
   }
 
+  /// The boundary of cell k, which is not planned yet, is a cycle.
+  Status check_cycle(std::uint32_t k, TypeId type, const Faces& faces) const {
+    const CellId left = left_of_double_boundary(
+        none, maps_, [&](CellId c) -> const TypeInfo& { return types_.info(c == none ? type : planned(c).type); },
+        [&](CellId c, std::uint32_t f) { return Value{c == none ? faces[f] : planned_face(c, f)}; });
+    return left == none ? Status{Done{}}
+                        : Error{Errc::bad_input,
+                                fmt::format("the boundary of {} is no cycle: \"{}\" is left in the boundary of it",
+                                            title(k), planned_name(left))};
+  }
+
   Status check_laws(std::uint32_t k, TypeId type, const Faces& faces) const {
+    if (is_by_boundary(types_.info(type).type)) {
+      return check_cycle(k, type, faces);
+    }
     for (const FaceLaw& law : types_.info(type).laws) {
       const CellId one = planned_face(faces[law.first], law.second);
       const CellId other = planned_face(faces[law.other_first], law.other_second);
@@ -199,6 +292,7 @@ class ComplexPlanner {
 
   const MakeComplex& operation_;
   TypeTable& types_;
+  const VertexMaps& maps_;
   CellId base_;
   const Limits& limits_;
   Plan& plan_;

@@ -215,8 +215,8 @@ Status plan_written_cones(std::span<const std::string> apexes, const std::vector
       std::any_of(coned.begin(), coned.end(), [&](CellId c) { return !is_simplex(structure.cells().type(c).type); });
   // All that may ask for nodes comes first, faces and names: the plan counts on ids.
   for (const CellId c : coned) {
-    if (is_of_map(structure.cells().type(c).type)) {
-      return check_no_maps(structure.body_of(c), "a cone", structure);
+    if (!is_simploid(structure.cells().type(c).type)) {
+      return check_simploids(structure.body_of(c), "a cone", structure);
     }
     (void)structure.faces().of(c);
     if (Status s = check_standard(coned_type(structure.cells().type(c).type, by_edges), structure, limits); !s) {
@@ -247,7 +247,7 @@ Status plan_lazy_cone(const std::string& apex, const std::vector<BodyId>& bodies
     return s;
   }
   for (const BodyId body : bodies) {
-    if (Status s = check_no_maps(body, "a cone", structure); !s) {
+    if (Status s = check_simploids(body, "a cone", structure); !s) {
       return s;
     }
   }

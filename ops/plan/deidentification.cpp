@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "ops/cells/cofaces.hpp"
+#include "ops/plan/double_boundary.hpp"
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/step_names.hpp"
 #include "sparse/quoted.hpp"
@@ -205,8 +206,25 @@ void SplitPlanner::add_cofaces() {
   }
 }
 
+/// Of a cell that is known by its boundary: is it still a cycle?
+Status SplitPlanner::check_boundary(CellId c) const {
+  const CellId left = left_of_double_boundary(
+      c, structure_.maps(), [this](CellId cell) -> const TypeInfo& { return structure_.cells().type(source_of(cell)); },
+      [this](CellId cell, std::uint32_t k) {
+        return face({cell, structure_.cells().type_id(source_of(cell)), 0, same_order}, k);
+      });
+  return left == none ? Status{Done{}}
+                      : Error{Errc::refused,
+                              fmt::format("after this split the boundary of \"{}\" would be no cycle: \"{}\" would be "
+                                          "left in the boundary of it: split more, or move more",
+                                          name_of(c), name_of(left))};
+}
+
 Status SplitPlanner::check_laws(CellId c) const {
   const TypeId type = structure_.cells().type_id(source_of(c));
+  if (is_by_boundary(structure_.types().info(type).type)) {
+    return check_boundary(c);
+  }
   const Value cell{c, type, 0};
   for (const FaceLaw& law : structure_.types().info(type).laws) {
     const Value one = face(face(cell, law.first), law.second);

@@ -63,6 +63,7 @@ class SplitPlanner {
   [[nodiscard]] std::span<const Value> changed_faces(std::size_t place) const;
   [[nodiscard]] Value face(const Value& v, std::uint32_t k) const;
   void add_cofaces();
+  [[nodiscard]] Status check_boundary(CellId c) const;
   [[nodiscard]] Status check_laws(CellId c) const;
   void write(Plan& plan);
 

@@ -32,6 +32,9 @@ Result<OrderId> order_of(const Identify::Map& map, TypeId id, const Structure& s
                                               "other name",
                                               describe(type))};
   }
+  if (is_by_boundary(type)) {
+    return Error{Errc::bad_input, fmt::format("a {} has no vertex map: it is glued face by face", describe(type))};
+  }
   if (!is_vertex_map(map, type)) {
     return Error{Errc::bad_input,
                  fmt::format("a vertex map of a {} {}", describe(type),
@@ -53,7 +56,7 @@ Result<OrderId> order_of(const Identify::Map& map, TypeId id, const Structure& s
 Status check_direction(const Degenerate& operation, const CellType& type) {
   const auto wrong = [](std::string what) { return Error{Errc::bad_input, std::move(what)}; };
   const std::string& name = operation.cell;
-  if (is_of_map(type)) {
+  if (!is_simploid(type)) {
     return wrong(fmt::format("\"{}\" is a {}: only simploids have directions along which they can be squashed", name,
                              describe(type)));
   }

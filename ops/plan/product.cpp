@@ -57,7 +57,7 @@ Status plan_product(const MakeProduct& operation, const Structure& structure, Pl
     return left ? right.error() : left.error();
   }
   for (const BodyId body : {*left, *right}) {
-    if (Status s = check_no_maps(body, "a product", structure); !s) {
+    if (Status s = check_simploids(body, "a product", structure); !s) {
       return s;
     }
   }

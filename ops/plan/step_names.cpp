@@ -81,12 +81,13 @@ Result<BodyId> resolve_body(const std::string& name, const Structure& structure)
   return *body;
 }
 
-Status check_no_maps(BodyId body, std::string_view what, const Structure& structure) {
-  return structure.bodies().kind(body).has_maps
+Status check_simploids(BodyId body, std::string_view what, const Structure& structure) {
+  return structure.bodies().kind(body).has_others
              ? Error{Errc::refused,
-                     fmt::format("the body \"{}\" has cells of maps: {} is possible of simploids only; make "
-                                 "the maps \"as\":\"simplices\"",
-                                 structure.directory().name_of_body(body), what)}
+                     fmt::format(
+                         "the body \"{}\" has cells that are no simploids: {} is possible of simploids only; make "
+                         "maps \"as\":\"simplices\"",
+                         structure.directory().name_of_body(body), what)}
              : Status{Done{}};
 }
 

@@ -22,7 +22,7 @@ namespace sesame::ops {
 [[nodiscard]] Result<BodyId> abstract_body(LabelId label, const Structure& structure);
 
 /// Has a body no cells of maps but simplices? Errors: refused, naming what cannot be done with it.
-Status check_no_maps(BodyId body, std::string_view what, const Structure& structure);
+Status check_simploids(BodyId body, std::string_view what, const Structure& structure);
 
 /// May a cell or a body be given this name? Errors: bad_input, as for those below.
 Status check_new_name(const std::string& name, const Structure& structure);

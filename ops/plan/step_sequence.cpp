@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ops/plan/double_boundary.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::ops {
@@ -198,6 +199,15 @@ std::optional<std::string> first_broken_face_law(const Structure& structure, con
       const bool is_abstract = structure.bodies().kind(structure.body_of(c)).is_abstract;
       if (auto broken = is_abstract ? broken_vertex_law(structure, c) : std::nullopt) {
         return broken;
+      }
+      if (is_by_boundary(structure.cells().type(c).type)) {
+        const CellId left = left_of_double_boundary(
+            c, structure.maps(), [&](CellId cell) -> const TypeInfo& { return structure.cells().type(cell); },
+            [&](CellId cell, std::uint32_t k) { return structure.values().face_of_cell(cell, k); });
+        if (left != none) {
+          return fmt::format("{} is left in the boundary of the boundary of {}", structure.name(left),
+                             structure.name(c));
+        }
       }
       const Value cell = structure.values().of(c);
       for (const FaceLaw& law : structure.cells().type(c).laws) {

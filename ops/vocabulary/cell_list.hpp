@@ -20,11 +20,10 @@ namespace sesame::ops {
 /// A position; z = 0 in the plane.
 using Point = std::array<double, 3>;
 
-/// A cell that is known by its boundary: a sum of cells of one dimension less. Its faces are
-/// the cells of the sum, each once.
+/// What is said of a cell that is known by its boundary, which is a sum of faces, with coefficients that are not 0.
 struct ListedBoundary {
   int dimension = 0;
-  std::vector<std::int64_t> coefficients;  ///< of the faces
+  std::vector<int> coefficients = {};  ///< of the faces
 };
 
 struct ListedCell {

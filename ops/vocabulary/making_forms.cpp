@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "ops/vocabulary/field_values.hpp"
@@ -113,28 +112,21 @@ void read_boundary(Fields& in, MakeComplex::Cell& cell) {
     cell.boundary = std::move(boundary);
     return;
   }
-  std::map<std::string, std::size_t> place;
   for (const Json& term : in.items("boundary", *sum, expected)) {
     if (!term.is_array() || term.size() != 2 || !term[0].is_number_integer() || !term[1].is_string()) {
       in.wrong("boundary", expected, term);
     }
-    const auto [at, is_new] = place.emplace(term[1].get<std::string>(), cell.faces.size());
-    if (is_new) {
-      cell.faces.push_back(at->first);
-      boundary.coefficients.push_back(0);
-    }
-    std::int64_t& total = boundary.coefficients[at->second];
     constexpr std::int64_t largest = 1'000'000'000;
-    const auto& value = term[0];
+    const Json& value = term[0];
     const bool is_small = value.is_number_unsigned() ? value.get<std::uint64_t>() <= std::uint64_t{largest}
                                                      : value.get<std::int64_t>() >= -largest;
-    if (is_small) {
-      total += value.get<std::int64_t>();
+    if (!is_small || value == 0) {
+      throw Wrong{fmt::format("the boundary of cell {} has {} times {}: coefficients are not 0, and at most {}",
+                              sparse::quoted(cell.id), value.dump(), sparse::quoted(term[1].get<std::string>()),
+                              largest)};
     }
-    if (!is_small || total > largest || total < -largest) {
-      throw Wrong{fmt::format("the boundary of cell {} has a coefficient of {} beyond {}", sparse::quoted(cell.id),
-                              sparse::quoted(at->first), largest)};
-    }
+    cell.faces.push_back(term[1].get<std::string>());
+    boundary.coefficients.push_back(value.get<int>());
   }
   cell.boundary = std::move(boundary);
 }

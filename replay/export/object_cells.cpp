@@ -129,6 +129,9 @@ void ObjectCells::corners(CellId cell, std::vector<std::uint32_t>& corners) cons
   const ops::Value value =
       structure_->maps().has_orders() ? structure_->directory().named_value(cell) : structure_->values().plain(cell);
   const ops::CellType& type = structure_->cells().type(cell).type;
+  if (ops::is_by_boundary(type)) {
+    return;
+  }
   if (ops::is_of_map(type)) {
     for (std::uint32_t side = 0; side < structure_->faces().of(cell).size() && structure_->dimension(cell) == 2;
          ++side) {

@@ -27,7 +27,12 @@ GridShape shape_of_map(const ops::CellType& type, std::size_t corners) {
   return shape;
 }
 
+/// Cells that are known by their boundaries have no shape: they stand as cells without a corner.
 const GridShape& shape_of(const ops::CellType& type) {
+  static const GridShape no_shape{0, {}};
+  if (ops::is_by_boundary(type)) {
+    return no_shape;
+  }
   static const std::array<std::pair<ops::CellType, GridShape>, 8> shapes{{
       {{}, {1, {0}}},
       {{1}, {3, {0, 1}}},
@@ -95,10 +100,16 @@ Remarks remarks_on(const ObjectCells& cells) {
   if (higher > 0) {
     remarks.push_back(fmt::format("{} cells of dimensions above 3 are not shown", higher));
   }
-  const auto of_maps = std::ranges::count_if(
-      cells.of(3), [&](ops::CellId cell) { return ops::is_of_map(cells.structure().cells().type(cell).type); });
-  if (of_maps > 0) {
+  const auto count_of = [&](int dimension, bool (*is_meant)(const ops::CellType&)) {
+    return std::ranges::count_if(cells.of(static_cast<std::size_t>(dimension)),
+                                 [&](ops::CellId cell) { return is_meant(cells.structure().cells().type(cell).type); });
+  };
+  if (const auto of_maps = count_of(3, ops::is_of_map); of_maps > 0) {
     remarks.push_back(fmt::format("of {} solids of maps only the faces are shown", of_maps));
+  }
+  if (const auto shapeless = count_of(2, ops::is_by_boundary) + count_of(3, ops::is_by_boundary); shapeless > 0) {
+    remarks.push_back(
+        fmt::format("{} cells that are known by their boundaries have no shape that could be shown", shapeless));
   }
   return remarks;
 }

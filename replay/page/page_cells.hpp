@@ -44,7 +44,8 @@ inline constexpr PageRef ref_to_unshown = -1;
 /// number of its own. Names, types and faces are those at their beginning.
 struct PageCells {
   std::vector<std::string> names;
-  std::vector<ops::CellType> types;    ///< that occur; of a cell of a map 0, its dimension and how many faces it has
+  std::vector<ops::CellType> types;    ///< that occur; of one that is no simploid its first two numbers and how many
+                                       ///< faces it has
   std::vector<std::uint32_t> type_of;  ///< by cell, its number in `types`
   std::vector<std::uint32_t> first_face{0};  ///< by cell, and one more
   std::vector<PageRef> faces;
@@ -52,7 +53,7 @@ struct PageCells {
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(names.size()); }
   [[nodiscard]] int dimension(std::uint32_t cell) const {
     const ops::CellType& type = types[type_of[cell]];
-    return ops::is_of_map(type) ? type[1] : std::accumulate(type.begin(), type.end(), 0);
+    return !ops::is_simploid(type) ? type[1] : std::accumulate(type.begin(), type.end(), 0);
   }
 };
 

@@ -301,8 +301,8 @@ PageChain PageHistory::chain(const Structure& structure, const engine::CellChain
 std::uint32_t PageHistory::type_number(const ops::CellType& type, int faces) {
   const auto [known, is_new] = types_.emplace(type, static_cast<std::uint32_t>(cells_.types.size()));
   if (is_new) {
-    // Of a cell of a map its dimension and the number of its faces say enough.
-    cells_.types.push_back(ops::is_of_map(type) ? ops::CellType{0, type[1], faces} : type);
+    // Of others than simploids the kind, the dimension and the number of faces say enough.
+    cells_.types.push_back(ops::is_simploid(type) ? type : ops::CellType{type[0], type[1], faces});
   }
   return known->second;
 }

@@ -168,5 +168,5 @@ export function stopsOf(steps: number, stride: number): number[] {
 
 export function dimensionOf(data: Data, cell: number): number {
   const type = data.cells.types[data.cells.type[cell]];
-  return type[0] === 0 ? type[1] : type.reduce((sum, part) => sum + part, 0);
+  return type[0] <= 0 ? type[1] : type.reduce((sum, part) => sum + part, 0);
 }

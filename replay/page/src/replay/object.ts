@@ -83,6 +83,10 @@ export class ObjectState {
   isPolygon(cell: number): boolean {
     return this.data.cells.types[this.data.cells.type[cell]][0] === 0;
   }
+  /** Whether a cell is known by its boundary only, which does not say how it lies. */
+  hasNoShape(cell: number): boolean {
+    return this.data.cells.types[this.data.cells.type[cell]][0] < 0;
+  }
   dimension(cell: number): number {
     return this.dimensions[cell];
   }

@@ -157,6 +157,9 @@ function ringOf([right, left, top, bottom]: readonly Side[], curves: Curves): ((
 
 /** The triangles of a face, or nothing when a side is not shown. `n`: into how many parts a curved side is cut. */
 export function patchOf(object: ObjectState, curves: Curves, placeOf: (v: number) => Vec, face: number, n: number, twins: Twins, size: number): Triangles | null {
+  if (object.hasNoShape(face)) {
+    return null;
+  }
   const count = object.faceCount(face);
   const sides: Side[] = [];
   for (let k = 0; k < count; ++k) {

@@ -15,6 +15,9 @@ export function typeText(type: readonly number[]): string {
   if (type[0] === 0) {
     return type[1] === 2 ? `polygon with ${type[2]} ${type[2] === 1 ? "side" : "sides"}` : `cell of dimension ${type[1]}`;
   }
+  if (type[0] < 0) {
+    return `cell of dimension ${type[1]}, known by its boundary`;
+  }
   const dimension = type.reduce((sum, part) => sum + part, 0);
   if (dimension === 0) {
     return "vertex";
