@@ -13,6 +13,7 @@
 #include "ops/cells/structure.hpp"
 #include "ops/plan/planner.hpp"
 #include "ops/vocabulary/operation.hpp"
+#include "tests/support/boundary_complexes.hpp"
 #include "tests/support/random_complexes.hpp"
 #include "tests/support/solids.hpp"
 
@@ -29,7 +30,7 @@ struct StreamShape {
   bool pyramids = false;      ///< cones over cells that are no simplices, and over whole bodies
   bool removals = false;      ///< of cells without cofaces, and of open stars
   bool replacements = false;  ///< flips and subdivisions, with removals
-  bool maps = false;          ///< made, sewn, unsewn and extended
+  bool maps = false;          ///< made, sewn, unsewn and extended; and cells that are known by their boundaries
 };
 
 /// A stream of all operations.
@@ -188,6 +189,9 @@ class DrawnSteps {
   }
 
   ops::Operation new_map() {
+    if (random_.one_in(4)) {
+      return random_boundary_complex(fresh_name(), random_.in(1, 4), random_);
+    }
     const std::vector<Polygons> solids{tetrahedron_faces(), cube_faces(), prism_faces(3), pyramid_faces(4)};
     const int kind = random_.in(1, 12);
     if (kind == 1) {
@@ -276,7 +280,7 @@ class DrawnSteps {
   std::optional<ops::Operation> degeneration(const ops::Structure& structure, const std::vector<ops::CellId>& cells) {
     const ops::CellId c = pick(cells);
     const ops::CellType& type = structure.cells().type(c).type;
-    if (type.empty() || ops::is_of_map(type)) {
+    if (type.empty() || !ops::is_simploid(type)) {
       return std::nullopt;
     }
     const int component = random_.in(1, static_cast<int>(type.size()));
