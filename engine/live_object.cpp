@@ -328,15 +328,7 @@ void LiveObject::visit_generators(int degree, std::uint64_t most_terms, const Ge
   tracker.undo_to_mark();
 }
 
-std::int64_t LiveObject::euler_characteristic() const {
-  std::int64_t sum = 0;
-  std::int64_t sign = 1;
-  for (const std::uint64_t count : cells()) {
-    sum += sign * static_cast<std::int64_t>(count);
-    sign = -sign;
-  }
-  return sum;
-}
+std::int64_t LiveObject::euler_characteristic() const { return ops::euler_characteristic(structure()); }
 
 Result<CellChain> LiveObject::chain(const std::vector<std::pair<Integer, std::string>>& terms) const {
   CellChain chain;

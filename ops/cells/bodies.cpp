@@ -44,6 +44,13 @@ void Bodies::count(BodyId b, std::size_t dimension, bool is_simplex, int change)
   body.simploids += is_simplex ? 0 : difference;
 }
 
+void Bodies::count_part(std::size_t dimension, int change) {
+  if (dimension >= parts_.size()) {
+    parts_.resize(dimension + 1, 0);
+  }
+  parts_[dimension] += static_cast<std::uint64_t>(std::int64_t{change});
+}
+
 bool Bodies::join(BodyId a, BodyId b) {
   a = find(a);
   b = find(b);

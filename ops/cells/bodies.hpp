@@ -59,6 +59,8 @@ class Bodies {
   [[nodiscard]] bool has_only_simplices(BodyId b) const { return simploids(b) == 0; }
   /// How many lazy families are made of one another to make its cells.
   [[nodiscard]] std::uint32_t nesting(BodyId b) const { return bodies_[find(b)].nesting; }
+  /// The current parts of cells that are no balls, of all bodies, by dimension: generators that count as no cells.
+  [[nodiscard]] std::span<const std::uint64_t> parts() const { return parts_; }
   [[nodiscard]] BodyKind kind(BodyId b) const { return bodies_[find(b)].kind; }
   /// Those that are current and not consumed, oldest name first. Cost: the bodies ever made.
   [[nodiscard]] std::vector<BodyId> current() const;
@@ -73,6 +75,7 @@ class Bodies {
   void drop_cell(BodyId b, CellId cell);
   /// A cell of a body has come or, with -1, has gone.
   void count(BodyId b, std::size_t dimension, bool is_simplex, int change);
+  void count_part(std::size_t dimension, int change);
 
   /// Makes two bodies one. Returns whether they were two.
   bool join(BodyId a, BodyId b);
@@ -123,6 +126,7 @@ class Bodies {
   std::deque<Body> bodies_;
   std::vector<Union> unions_;
   std::vector<KindChange> kind_changes_;
+  std::vector<std::uint64_t> parts_;
 };
 
 /// Adds numbers of cells by dimension to others, or takes them away.

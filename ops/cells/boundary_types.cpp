@@ -9,8 +9,8 @@
 
 namespace sesame::ops {
 
-TypeId TypeTable::by_boundary(int dimension, std::span<const BoundaryFace> faces) {
-  CellType type{-1, dimension};
+TypeId TypeTable::by_boundary(int dimension, std::span<const BoundaryFace> faces, KnownBy known_by) {
+  CellType type{static_cast<int>(known_by), dimension};
   for (const auto& [coefficient, face] : faces) {
     const CellType& of_face = infos_[face].type;
     sparse::expects(coefficient != 0 && infos_[face].dimension == dimension - 1, "faces have one dimension less");
@@ -40,7 +40,8 @@ std::size_t TypeTable::length_by_boundary(std::span<const BoundaryFace> faces) c
 
 bool TypeTable::load_by_boundary(const CellType& type, sparse::ArchiveReader& from) {
   std::vector<BoundaryFace> faces;
-  bool is_sound = type.size() >= 2 && type[0] == -1 && type[1] >= 1 && type[1] <= largest_dimension;
+  bool is_sound = type.size() >= 2 && type[0] >= static_cast<int>(KnownBy::cone_part) && type[1] >= 1 &&
+                  type[1] <= largest_dimension;
   for (std::span<const int> rest = std::span{type}.subspan(is_sound ? 2 : type.size()); is_sound && !rest.empty();) {
     is_sound = rest.size() >= 2 && rest[0] != 0 && rest[1] >= 0 && static_cast<std::size_t>(rest[1]) <= rest.size() - 2;
     if (is_sound) {
@@ -55,7 +56,8 @@ bool TypeTable::load_by_boundary(const CellType& type, sparse::ArchiveReader& fr
   }
   return from.check(is_sound && !ids_.contains(type),
                     "the type of a cell known by its boundary lists those of its faces") &&
-         from.check(by_boundary(type[1], faces) == infos_.size() - 1, "each type follows those of its faces");
+         from.check(by_boundary(type[1], faces, KnownBy{type[0]}) == infos_.size() - 1,
+                    "each type follows those of its faces");
 }
 
 }  // namespace sesame::ops

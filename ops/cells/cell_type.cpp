@@ -270,7 +270,11 @@ std::string describe(const CellType& type) {
     for (std::size_t at = 2; at < type.size(); at += 2 + static_cast<std::size_t>(type[at + 1])) {
       ++faces;
     }
-    return fmt::format("cell of dimension {} with a boundary of {} term{}", type[1], faces, faces == 1 ? "" : "s");
+    return fmt::format("{} of dimension {} with a boundary of {} term{}",
+                       is_cone(type)        ? "cell that is no ball,"
+                       : is_cone_part(type) ? "part of a cell,"
+                                            : "cell",
+                       type[1], faces, faces == 1 ? "" : "s");
   }
   if (type.size() == 1) {
     return fmt::format("simplex of dimension {}", type[0]);

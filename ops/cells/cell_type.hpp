@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ops/cells/cell_shape.hpp"
+#include "ops/cells/cone_shape.hpp"
 #include "ops/cells/dart_cells.hpp"
 #include "ops/ids.hpp"
 #include "ops/maps/gmap.hpp"
@@ -23,11 +24,26 @@ namespace sesame::ops {
 /// A vertex has the empty type, a p-simplex the type (p), a p-cube the type (1, ..., 1).
 /// The type of a cell of a map that is none of these is 0, its dimension p >= 2, and the images under alpha_0, ...,
 /// alpha_{p-1} of the darts of its canonical boundary, as CellShape has them.
-/// The type of a cell that is known by its boundary is -1, its dimension, and for each face its coefficient there, and
-/// the length and the numbers of its type.
+/// The type of a cell that is known by its boundary is a KnownBy, its dimension, and for each face its coefficient
+/// there, and the length and the numbers of its type.
 using CellType = std::vector<int>;
+
+/// How a cell comes to be known by its boundary.
+enum class KnownBy : int {
+  listing = -1,  ///< it was listed so
+  /// It stands for a cell of a map that is no ball, or is another generator of it, a *part*: see ConeShape.
+  cone = -2,
+  cone_part = -3,
+};
 [[nodiscard]] inline bool is_of_map(const CellType& type) { return !type.empty() && type[0] == 0; }
 [[nodiscard]] inline bool is_by_boundary(const CellType& type) { return !type.empty() && type[0] < 0; }
+/// Whether it stands for a cell that is no ball, and may have parts; or is one of those.
+[[nodiscard]] inline bool is_cone(const CellType& type) {
+  return !type.empty() && type[0] == static_cast<int>(KnownBy::cone);
+}
+[[nodiscard]] inline bool is_cone_part(const CellType& type) {
+  return !type.empty() && type[0] == static_cast<int>(KnownBy::cone_part);
+}
 /// A product of simplices.
 [[nodiscard]] inline bool is_simploid(const CellType& type) { return type.empty() || type[0] > 0; }
 
@@ -104,13 +120,16 @@ class TypeTable {
   };
   /// The type of those of a dimension >= 1 with some faces, in this order. How many numbers it consists of; it should
   /// not be too many.
-  TypeId by_boundary(int dimension, std::span<const BoundaryFace> faces);
+  TypeId by_boundary(int dimension, std::span<const BoundaryFace> faces, KnownBy known_by = KnownBy::listing);
   [[nodiscard]] std::size_t length_by_boundary(std::span<const BoundaryFace> faces) const;
 
   // ---- cells of maps; where vertices and edges are asked about they are cells of maps with one and two darts
   /// The type of the cell over a canonical boundary, rooted at dart 0, or none when that is no homology sphere. A
   /// vertex is over a point, an edge over two. Cost: when it is new, is_homology_sphere.
   TypeId cell_over(const GMap& boundary);
+  /// The shape of the cell over a boundary that is no homology sphere, which need not be rooted in any way.
+  /// Requires: what cone_shape_of does. Cost: when it is new, cone_shape_of.
+  const ConeShape& cone_over(const GMap& boundary);
   /// How many darts the canonical boundary has.
   [[nodiscard]] Dart darts(TypeId id) const;
   /// The type of the same cells as seen from another dart. Cost: their darts, when it is asked for first.
@@ -152,6 +171,7 @@ class TypeTable {
   std::vector<std::unique_ptr<StandardCell>> standards_;         ///< by type, those that were asked for
   std::map<std::pair<TypeId, Dart>, std::vector<Dart>> orders_;  ///< of darts, from the roots that were asked for
   std::map<TypeId, Canonical> canonical_;                        ///< those that were asked for
+  std::map<CellType, ConeShape> cones_;                          ///< likewise, by what they are over
 };
 
 /// The number of cells of a standard simploid, the product of 2^(a_i + 1) - 1; saturates at 2^63 - 1.

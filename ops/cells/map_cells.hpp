@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,8 @@ namespace sesame::ops {
 
 /// The cells of one dimension of a map, numbered in the order of their least darts. Each is of the canonical type of
 /// its kind, so a dart of the map is some dart of that; the root is the least dart of the map that is its dart 0.
+///
+/// A cell that is no ball has the shape of its `cones`, and its darts are those of that.
 struct CellsOfMap {
   /// A cell of one dimension less, as it is seen from a dart of its type.
   struct Face {
@@ -24,11 +27,12 @@ struct CellsOfMap {
   };
 
   Orbits orbits;
-  std::vector<TypeId> types;  ///< per cell
+  std::vector<TypeId> types;  ///< per cell; none where it is no ball
   std::vector<Dart> roots;    ///< per cell: a dart of the map
   std::vector<Dart> places;   ///< per dart of the map: which dart of the type of its cell it is
   std::vector<Face> faces;    ///< of cell after cell
   std::vector<std::uint32_t> face_ends;
+  std::map<std::uint32_t, const ConeShape*> cones;  ///< of the cells that are no balls
 
   [[nodiscard]] std::span<const Face> faces_of(std::uint32_t cell) const {
     const std::uint32_t begin = cell == 0 ? 0 : face_ends[cell - 1];
@@ -36,10 +40,13 @@ struct CellsOfMap {
   }
 };
 
-/// The cells of a map by dimension.
+/// From this dimension on a cell may be no ball, if it is one of the largest dimension of its map.
+inline constexpr int least_cone_dimension = 3;
+
+/// The cells of a map by dimension. Those of the largest need be no balls where `any_on_top` says so.
 /// Errors    refused, naming a dart: a cell whose canonical boundary is no homology sphere. Cost: n^2 times the darts,
 ///           and what new types cost.
-[[nodiscard]] Result<std::vector<CellsOfMap>> cells_of_map(const GMap& map, TypeTable& types);
+[[nodiscard]] Result<std::vector<CellsOfMap>> cells_of_map(const GMap& map, TypeTable& types, bool any_on_top = false);
 
 /// Which cells the darts belong to when the cells are put one after the other, by dimension.
 [[nodiscard]] DartCells dart_cells(const std::vector<CellsOfMap>& cells);

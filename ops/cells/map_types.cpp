@@ -51,6 +51,14 @@ TypeId TypeTable::cell_over(const GMap& boundary) {
   return known != ids_.end() ? known->second : is_homology_sphere(boundary) ? intern_shape(boundary) : TypeId{none};
 }
 
+const ConeShape& TypeTable::cone_over(const GMap& boundary) {
+  const auto [at, is_new] = cones_.try_emplace(encoded(boundary));
+  if (is_new) {
+    at->second = cone_shape_of(boundary);
+  }
+  return at->second;
+}
+
 TypeId TypeTable::intern_shape(const GMap& boundary) {
   auto shape = std::make_unique<CellShape>(shape_of(boundary));
   const int n = boundary.dimension();

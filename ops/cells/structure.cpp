@@ -68,6 +68,16 @@ const DartStore::Made* map_named(const Structure& structure, std::string_view na
   return number == none ? nullptr : darts.named(number);
 }
 
+std::int64_t euler_characteristic(const Structure& structure) {
+  std::int64_t sum = 0;
+  for (const std::span<const std::uint64_t> counts : {structure.counts(), structure.bodies().parts()}) {
+    for (std::size_t p = 0; p < counts.size(); ++p) {
+      sum += (p % 2 == 0 ? 1 : -1) * static_cast<std::int64_t>(counts[p]);
+    }
+  }
+  return sum;
+}
+
 std::optional<Value> seen_from_dart(const Structure& structure, const DartStore::Made& map, int i, Dart dart) {
   const DartCells::Seen seen = structure.darts().seen(map, i, dart);
   if (seen.offset == none) {
@@ -75,6 +85,9 @@ std::optional<Value> seen_from_dart(const Structure& structure, const DartStore:
   }
   const CellId node{seen.offset};
   const TypeId type = structure.cells().type_id(node);
+  if (is_cone(structure.cells().type(node).type)) {  // which has one orientation for all its darts
+    return structure.values().plain(node);
+  }
   const OrderId order = structure.maps().order_at(type, seen.dart);
   return Value{node, structure.maps().seen_through(order, type), 0, order};
 }

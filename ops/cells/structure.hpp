@@ -88,7 +88,8 @@ class Structure {
   [[nodiscard]] std::optional<BodyId> lookup_body(std::string_view name) const;
 
   // ---- the object as a whole
-  /// The number of current cells of each dimension, up to the largest that has one.
+  /// The number of current cells of each dimension, up to the largest that has one. Parts of cells that are no balls
+  /// are none; see Bodies::parts.
   [[nodiscard]] std::span<const std::uint64_t> counts() const;
   [[nodiscard]] Moment now() const {
     return {cells_.size(), forest_.links(), splits_.moves(), lazy_.families(), splits_.copies(), cells_.asked()};
@@ -164,6 +165,8 @@ class Structure {
 
 /// Whether c was a current cell of the object at a moment.
 [[nodiscard]] bool was_current(const Structure& structure, CellId c, const Moment& moment);
+/// The Euler characteristic of the object, that of its generators: parts of cells count there. Cost: the dimension.
+[[nodiscard]] std::int64_t euler_characteristic(const Structure& structure);
 /// The map of a name, or null.
 [[nodiscard]] const DartStore::Made* map_named(const Structure& structure, std::string_view name);
 /// The i-cell of a dart of a map as it was made, or as `DartStore::see` said last, as the dart sees it; for a map by

@@ -145,6 +145,11 @@ void Structure::load(sparse::ArchiveReader& from) {
   load([&] {
     counts_ = from.get_list<std::vector<std::uint64_t>>();
     from.check(counts_.size() <= largest_dimension + 1 && has_sound_counts(), "the cells are counted");
+    for (CellId c = 0; c < cells_.size(); ++c) {
+      if (is_current(c) && is_cone_part(cells_.type(c).type)) {
+        bodies_.count_part(static_cast<std::size_t>(dimension(c)), 1);
+      }
+    }
   });
   journal_.clear();
 }
@@ -223,7 +228,7 @@ bool Structure::has_sound_counts() const {
     simploids[roots[cells_.body(c)]] += is_simplex(cells_.type(c).type) ? 0 : change;
   };
   for (CellId c = 0; c < cells_.size(); ++c) {
-    if (is_current(c)) {
+    if (is_current(c) && !is_cone_part(cells_.type(c).type)) {
       add(c, 1);
     }
   }

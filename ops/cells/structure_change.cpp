@@ -293,6 +293,10 @@ void Structure::join_bodies(BodyId a, BodyId b) {
 
 void Structure::count(CellId c, int change) {
   const auto p = static_cast<std::size_t>(dimension(c));
+  if (is_cone_part(cells_.type(c).type)) {
+    bodies_.count_part(p, change);
+    return;
+  }
   if (p >= counts_.size()) {
     counts_.resize(p + 1, 0);
   }

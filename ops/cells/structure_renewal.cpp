@@ -185,8 +185,12 @@ void Structure::Renewal::take_darts() {
     const auto seen = seen_from_dart(from_, map, i, dart);
     const Value value = seen ? from_.values_.normal_form(*seen) : Value{};
     const bool is_there = seen && !value.is_degenerate() && cells_.contains(value.cell);
-    return is_there ? DartCells::Seen{cells_.at(value.cell), from_.maps().dart_of(value.order)}
-                    : DartCells::Seen{UINT32_MAX, 0};
+    if (!is_there) {
+      return DartCells::Seen{UINT32_MAX, 0};
+    }
+    const bool is_cone = ops::is_cone(from_.cells().type(value.cell).type);
+    return DartCells::Seen{cells_.at(value.cell),
+                           is_cone ? from_.darts_.seen(map, i, dart).dart : from_.maps().dart_of(value.order)};
   });
 }
 

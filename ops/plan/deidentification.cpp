@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "ops/cells/cofaces.hpp"
+#include "ops/plan/cone_cells.hpp"
 #include "ops/plan/double_boundary.hpp"
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/step_names.hpp"
@@ -89,6 +90,9 @@ Status SplitPlanner::add_copy(const Deidentify::Split& split) {
   }
   if (named->is_degenerate()) {
     return Error{Errc::refused, fmt::format("\"{}\" is degenerate: only a cell that is not can be split", split.cell)};
+  }
+  if (Status s = check_no_cone(named->cell, "a split", structure_); !s) {
+    return s;
   }
   const std::size_t number = copies_.size();
   const std::uint64_t name_hash = hash_of(split.copy);

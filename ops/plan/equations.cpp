@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "ops/plan/cone_cells.hpp"
 #include "ops/plan/step_names.hpp"
 
 namespace sesame::ops {
@@ -110,6 +111,22 @@ Result<std::vector<Equation>> equations_of(const Identify& operation, const Stru
       b = structure.maps().reordered(*order, *b);
     }
     equations.emplace_back(*a, *b);
+    const std::vector<CellId> parts = cone_parts(structure, a->cell);
+    const std::vector<CellId> others = cone_parts(structure, b->cell);
+    if (is_cone_part(structure.cells().type(a->cell).type) || parts.size() != others.size()) {
+      return Error{Errc::refused,
+                   fmt::format("\"{}\" and \"{}\" are cells that are no balls, or parts of such, and not "
+                               "alike: they cannot be identified",
+                               one, other)};
+    }
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      if (structure.cells().type_id(parts[part]) != structure.cells().type_id(others[part])) {
+        return Error{
+            Errc::refused,
+            fmt::format("\"{}\" and \"{}\" are no balls, and not alike: they cannot be identified", one, other)};
+      }
+      equations.emplace_back(structure.values().plain(parts[part]), structure.values().plain(others[part]));
+    }
   }
   return equations;
 }

@@ -9,8 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "ops/cells/map_cells.hpp"
 #include "ops/maps/orbits.hpp"
 #include "ops/maps/rooted_map.hpp"
+#include "ops/plan/cone_cells.hpp"
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/sewing.hpp"
@@ -45,6 +47,7 @@ class ExtensionPlanner {
       if (Status s = add_cell_over(first); !s) {
         return s;
       }
+      new_cells_.push_back(static_cast<std::uint32_t>(plan_.cells.size() - 1));
     }
     join_bodies(bodies_, plan_);
     write_darts(all);
@@ -166,10 +169,7 @@ class ExtensionPlanner {
     }
     const TypeId as_seen = types.cell_over(restricted_to(map_, order, dimension_));
     if (as_seen == none) {
-      return Error{Errc::refused, fmt::format("the cell over what \"{}\" belongs to is no ball, as that has not the "
-                                              "homology of a sphere: make it \"as\":\"simplices\", with one involution "
-                                              "more",
-                                              name(first))};
+      return add_cone_over(first);
     }
     const TypeTable::Canonical canonical = types.canonical(as_seen);
     const TypeInfo& info = types.info(canonical.type);
@@ -203,6 +203,50 @@ class ExtensionPlanner {
     return Done{};
   }
 
+  /// The same where that is no ball.
+  Status add_cone_over(Dart first) {
+    const std::vector<Dart> order = darts_from(map_, first);
+    if (dimension_ + 1 < least_cone_dimension) {
+      return Error{Errc::refused, fmt::format("the cell over what \"{}\" belongs to is no ball, as that has not the "
+                                              "homology of a sphere: make it \"as\":\"simplices\", with one involution "
+                                              "more",
+                                              name(first))};
+    }
+    for (const Dart d : order) {
+      if (is_cone(structure_.cells().type(largest_cell(d)).type)) {
+        return Error{Errc::refused,
+                     fmt::format("what \"{}\" belongs to has a cell that is no ball, the {}-cell of \"{}\": "
+                                 "only cells of the largest dimension may be none",
+                                 name(first), dimension_, name(d))};
+      }
+    }
+    const GMap seen = restricted_to(map_, order, dimension_);
+    const std::vector<Dart> rooted = darts_from(seen, canonical_root(seen));
+    std::vector<Dart> dart_at;  // by place in the canonical boundary
+    for (const Dart k : rooted) {
+      places_[order[k]] = static_cast<Dart>(dart_at.size());
+      dart_at.push_back(order[k]);
+    }
+    const ConeShape& shape = structure_.types().cone_over(restricted_to(seen, rooted, dimension_));
+    const std::string name_of_cell = cell_name(dart_at[0]);
+    if (Status s = check_part_names(shape, name_of_cell, structure_); !s) {
+      return s;
+    }
+    const auto face_at = [&](int q, Dart place) -> Result<SeenFace> {
+      const Result<Value> value = seen_now(dimension_, q, darts_[dart_at[place]], structure_);
+      if (!value) {
+        return value.error();
+      }
+      bodies_.insert(structure_.body_of(value->cell));
+      return SeenFace{structure_.values().incidence_of(*value), value->type};
+    };
+    return add_cone_cell(shape, name_of_cell, structure_.types(), face_at, plan_);
+  }
+
+  [[nodiscard]] CellId largest_cell(Dart local) const {
+    return CellId{store_.seen(made(local), dimension_, darts_[local]).offset};
+  }
+
   void write_darts(const Orbits& all) {
     Dart local = 0;
     for (const std::uint32_t number : maps_) {
@@ -213,7 +257,7 @@ class ExtensionPlanner {
         for (int i = 0; i <= dimension_; ++i) {
           cells->of[static_cast<std::size_t>(i)].push_back(store_.seen(map, i, d));
         }
-        cells->of.back().push_back({plan_.first + all.of[local], places_[local]});
+        cells->of.back().push_back({plan_.first + new_cells_[all.of[local]], places_[local]});
       }
       plan_.extended.push_back({number, std::move(cells)});
     }
@@ -223,10 +267,11 @@ class ExtensionPlanner {
   const DartStore& store_;
   Plan& plan_;
   int dimension_ = 0;
-  std::set<std::uint32_t> maps_;  // numbers
-  std::vector<Dart> darts_;       // of these, one map after the other
-  GMap map_;                      // whose darts are places in that list
-  std::vector<Dart> places_;      // per such place: which dart of the type of the new cell
+  std::set<std::uint32_t> maps_;          // numbers
+  std::vector<Dart> darts_;               // of these, one map after the other
+  GMap map_;                              // whose darts are places in that list
+  std::vector<Dart> places_;              // per such place: which dart of the type of the new cell
+  std::vector<std::uint32_t> new_cells_;  // per component: its cell, among the new ones
   std::set<BodyId> bodies_;
 };
 

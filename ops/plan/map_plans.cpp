@@ -9,6 +9,7 @@
 
 #include "ops/cells/map_cells.hpp"
 #include "ops/maps/map_conversions.hpp"
+#include "ops/plan/cone_cells.hpp"
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/step_names.hpp"
@@ -62,21 +63,77 @@ Status check_names(const Wanted& wanted, const Structure& structure) {
   return Done{};
 }
 
-void write_cells(const Wanted& wanted, const std::vector<CellsOfMap>& layers, const Structure& structure, Plan& plan) {
-  CellId first_below = none;
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    const CellId first_here = plan.first + plan.cells.size();
-    for (std::uint32_t c = 0; c < layers[i].orbits.count(); ++c) {
-      const std::size_t first_face = plan.faces.size();
-      for (const auto& [cell, dart] : layers[i].faces_of(c)) {
-        add_face({first_below + cell, structure.maps().order_at(layers[i - 1].types[cell], dart)}, plan);
+/// Writes the cells of a map, layer by layer.
+class CellsWriter {
+ public:
+  CellsWriter(const Wanted& wanted, const std::vector<CellsOfMap>& layers, const Structure& structure, Plan& plan)
+      : wanted_{wanted}, layers_{layers}, structure_{structure}, plan_{plan} {}
+
+  /// Errors: bad_input, when the name of a part is in use.
+  Result<std::shared_ptr<const DartCells>> write() {
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+      nodes_.emplace_back();
+      for (std::uint32_t c = 0; c < layers_[i].orbits.count(); ++c) {
+        if (layers_[i].types[c] != none) {
+          write_ball(i, c);
+        } else if (Status s = write_cone(i, c); !s) {
+          return s.error();
+        }
+        nodes_.back().push_back(plan_.first + (plan_.cells.size() - 1));
       }
-      fmt::format_to(std::back_inserter(plan.names), "{}.{}:{}", wanted.name, i, wanted.dart(layers[i].roots[c]));
-      add_cell(layers[i].types[c], first_face, plan);
     }
-    first_below = first_here;
+    auto cells = std::make_shared<DartCells>();
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+      cells->of.emplace_back();
+      for (Dart d = 0; d < layers_[i].places.size(); ++d) {
+        cells->of.back().push_back({nodes_[i][layers_[i].orbits.of[d]] - plan_.first, layers_[i].places[d]});
+      }
+    }
+    return std::shared_ptr<const DartCells>(std::move(cells));
   }
-}
+
+ private:
+  [[nodiscard]] std::string name_of(std::size_t i, std::uint32_t c) const {
+    return fmt::format("{}.{}:{}", wanted_.name, i, wanted_.dart(layers_[i].roots[c]));
+  }
+
+  void write_ball(std::size_t i, std::uint32_t c) {
+    const std::size_t first_face = plan_.faces.size();
+    for (const auto& [cell, dart] : layers_[i].faces_of(c)) {
+      add_face({nodes_[i - 1][cell], structure_.maps().order_at(layers_[i - 1].types[cell], dart)}, plan_);
+    }
+    plan_.names += name_of(i, c);
+    add_cell(layers_[i].types[c], first_face, plan_);
+  }
+
+  Status write_cone(std::size_t i, std::uint32_t c) {
+    const ConeShape& shape = *layers_[i].cones.at(c);
+    if (Status s = check_part_names(shape, name_of(i, c), structure_); !s) {
+      return s;
+    }
+    std::vector<Dart> dart_at(layers_[i].places.size(), no_dart);  // by place in the canonical boundary
+    for (Dart d = 0; d < layers_[i].places.size(); ++d) {
+      if (layers_[i].orbits.of[d] == c) {
+        dart_at[layers_[i].places[d]] = d;
+      }
+    }
+    const auto face_at = [&](int q, Dart place) -> Result<SeenFace> {
+      const CellsOfMap& layer = layers_[static_cast<std::size_t>(q)];
+      const Dart d = dart_at[place];
+      const std::uint32_t cell = layer.orbits.of[d];
+      const TypeId type = layer.types[cell];
+      return SeenFace{{nodes_[static_cast<std::size_t>(q)][cell], structure_.maps().order_at(type, layer.places[d])},
+                      structure_.types().seen_from(type, layer.places[d])};
+    };
+    return add_cone_cell(shape, name_of(i, c), structure_.types(), face_at, plan_);
+  }
+
+  const Wanted& wanted_;
+  const std::vector<CellsOfMap>& layers_;
+  const Structure& structure_;
+  Plan& plan_;
+  std::vector<std::vector<CellId>> nodes_;  ///< by dimension and cell
+};
 
 /// The simplices of the simplicial analogue: one for each set of numbers I and each orbit of the involutions whose
 /// numbers it has not. Face k is that of the set without its k-th number.
@@ -160,7 +217,7 @@ Status plan_by_simplices(const Wanted& wanted, const Structure& structure, const
 }
 
 Status plan_by_cells(const Wanted& wanted, const Structure& structure, const Limits& limits, Plan& plan) {
-  const Result<std::vector<CellsOfMap>> layers = cells_of_map(wanted.map, structure.types());
+  const Result<std::vector<CellsOfMap>> layers = cells_of_map(wanted.map, structure.types(), true);
   if (!layers) {
     return Error{layers.error().code,
                  fmt::format("{}: make \"{}\" \"as\":\"simplices\"", layers.error().what, wanted.name)};
@@ -168,13 +225,19 @@ Status plan_by_cells(const Wanted& wanted, const Structure& structure, const Lim
   std::int64_t count = 0;
   for (const CellsOfMap& layer : *layers) {
     count += layer.orbits.count();
+    for (const auto& [cell, shape] : layer.cones) {
+      count += static_cast<std::int64_t>(shape->generators.size()) - 1;
+    }
   }
   if (Status s = check_room(count, structure, limits); !s) {
     return s;
   }
   plan.first = structure.cells().size();
-  write_cells(wanted, *layers, structure, plan);
-  plan.map = {wanted.map, std::make_shared<const DartCells>(dart_cells(*layers)), false, wanted.halves};
+  const auto cells = CellsWriter(wanted, *layers, structure, plan).write();
+  if (!cells) {
+    return cells.error();
+  }
+  plan.map = {wanted.map, *cells, false, wanted.halves};
   plan.new_body = wanted.name;
   return Done{};
 }

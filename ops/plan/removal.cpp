@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ops/cells/cofaces.hpp"
+#include "ops/plan/cone_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/step_names.hpp"
 #include "ops/plan/taken_cells.hpp"
@@ -46,6 +47,32 @@ class RemovalPlanner {
                                               limits_.cells_per_step)};
     }
     cells_ = *std::move(star);
+    known_.insert(cells_.begin(), cells_.end());
+    return Done{};
+  }
+
+  /// A cell that is no ball goes with its parts. Errors: refused when a part was named, and not the cell.
+  Status add_parts(bool are_whole_stars) {
+    for (std::size_t k = 0; k < cells_.size(); ++k) {
+      const CellId cell = cells_[k];
+      if (is_cone_part(structure_.cells().type(cell).type)) {
+        const std::string whole = name_of_whole(structure_.name(cell));
+        const auto found = structure_.directory().find(whole);
+        const CellId of = found && found->cell != none ? structure_.find(found->cell) : CellId{none};
+        if (of != none && !are_whole_stars && !known_.contains(of)) {
+          return Error{Errc::refused, fmt::format("\"{}\" is a part of \"{}\", which is no ball: remove that",
+                                                  structure_.name(cell), whole)};
+        }
+        if (of != none && known_.insert(of).second) {
+          cells_.push_back(of);
+        }
+      }
+      for (const CellId part : cone_parts(structure_, cell)) {
+        if (known_.insert(part).second) {
+          cells_.push_back(part);
+        }
+      }
+    }
     return Done{};
   }
 
@@ -82,7 +109,13 @@ Status plan_removal(const Remove& operation, const Structure& structure, const L
       return added;
     }
   }
+  if (Status closed = operation.cofaces ? Status{Done{}} : planner.add_parts(false); !closed) {
+    return closed;
+  }
   if (Status closed = operation.cofaces ? planner.add_cofaces() : planner.check_cofaces(); !closed) {
+    return closed;
+  }
+  if (Status closed = operation.cofaces ? planner.add_parts(true) : Status{Done{}}; !closed) {
     return closed;
   }
   planner.write(plan);

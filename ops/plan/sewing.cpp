@@ -58,6 +58,12 @@ class SewingPlanner {
                                                 "dimensions 0 to {}",
                                                 one, a.dimension, a.dimension)};
     }
+    if (index() < a.dimension && !is_by_simplices(a.dart, a.dimension)) {
+      return Error{Errc::refused,
+                   fmt::format("to sew \"{}\" in dimension {} would change what the cells of its map are, "
+                               "which has dimension {}: make it \"as\":\"simplices\", or sewn",
+                               one, index(), a.dimension)};
+    }
     return Done{};
   }
 
@@ -153,7 +159,10 @@ class SewingPlanner {
     return Done{};
   }
 
-  [[nodiscard]] bool is_by_simplices(Dart d) const { return store_.map_of(dimension_, d).is_by_simplices; }
+  [[nodiscard]] bool is_by_simplices(Dart d) const { return is_by_simplices(d, dimension_); }
+  [[nodiscard]] bool is_by_simplices(Dart d, int dimension) const {
+    return store_.map_of(dimension, d).is_by_simplices;
+  }
   /// What is glued when a dart is sewn, as the dart sees it.
   [[nodiscard]] Result<Value> glued(Dart d) const {
     const int of = is_by_simplices(d) ? index() : index() - 1;

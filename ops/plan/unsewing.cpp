@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "ops/cells/name_text.hpp"
+#include "ops/plan/cone_cells.hpp"
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/sewing.hpp"
+#include "sparse/contract.hpp"
 
 namespace sesame::ops {
 namespace {
@@ -165,7 +167,7 @@ class UnsewingPlanner {
         return above.error();
       }
       bool is_whole = !here->is_degenerate() && here->cell == whole.cell && !above->is_degenerate();
-      if (is_whole) {
+      if (is_whole && !is_cone(structure_.cells().type(above->cell).type)) {
         const Dart place = structure_.maps().dart_of(above->order);
         const CellShape::Place of_face =
             structure_.types().place_in_face(structure_.cells().type_id(above->cell), place);
@@ -274,6 +276,9 @@ class UnsewingPlanner {
   Status add_moves(int i) {
     TypeTable& types = structure_.types();
     for (const auto& [d, copy] : copies_below_) {
+      if (Status s = add_moves_of_cone(i, d, copy); !s) {
+        return s;
+      }
       if (copies_of_darts_.contains(d)) {
         continue;
       }
@@ -281,22 +286,83 @@ class UnsewingPlanner {
       if (!cell) {
         return cell.error();
       }
-      const Dart place = structure_.maps().dart_of(cell->order);
-      const CellShape::Place of_face = types.place_in_face(structure_.cells().type_id(cell->cell), place);
-      if (!moved_.insert({cell->cell, of_face.face}).second) {
+      if (is_cone(structure_.cells().type(cell->cell).type)) {
         continue;
       }
-      if (of_face.face > UINT8_MAX) {
-        return Error{Errc::refused,
-                     fmt::format("\"{}\" has more than {} faces, so they cannot be unsewn: undo the sewing "
-                                 "instead",
-                                 structure_.name(cell->cell), UINT8_MAX + 1)};
+      const Dart place = structure_.maps().dart_of(cell->order);
+      const CellShape::Place of_face = types.place_in_face(structure_.cells().type_id(cell->cell), place);
+      if (Status s = add_move(cell->cell, of_face.face, copy); !s) {
+        return s;
       }
-      const Value face = structure_.values().face_of_cell(cell->cell, of_face.face);
-      plan_.moves.push_back({cell->cell, of_face.face, plan_.first + copy, face.order});
     }
     return Done{};
   }
+
+  Status add_move(CellId cell, std::uint32_t face, std::uint32_t copy) {
+    if (!moved_.insert({cell, face}).second) {
+      return Done{};
+    }
+    if (face > UINT8_MAX) {
+      return Error{Errc::refused,
+                   fmt::format("\"{}\" has more than {} faces, so they cannot be unsewn: undo the sewing "
+                               "instead",
+                               structure_.name(cell), UINT8_MAX + 1)};
+    }
+    const OrderId order = structure_.values().face_of_cell(cell, face).order;
+    plan_.moves.push_back({cell, face, plan_.first + copy, order});
+    return Done{};
+  }
+
+  /// The same of the generators of the largest cell of a dart, where that is no ball: of those of dimension i, whose
+  /// boundary meets the copy where the dart is.
+  Status add_moves_of_cone(int i, Dart d, std::uint32_t copy) {
+    const Result<Value> cell = seen(dimension_, d);
+    if (!cell || !is_cone(structure_.cells().type(cell->cell).type)) {
+      return cell ? Status{Done{}} : cell.error();
+    }
+    const auto [at, is_new] = cones_.try_emplace(cell->cell);
+    if (is_new) {
+      at->second = {&structure_.types().cone_over(boundary_around(d)), cone_parts(structure_, cell->cell)};
+      at->second.nodes.push_back(cell->cell);
+      sparse::expects(at->second.nodes.size() == at->second.shape->generators.size(), "a cell has all its parts");
+    }
+    const Dart place = place_in_largest(d);
+    for (std::size_t g = 0; g < at->second.nodes.size(); ++g) {
+      const ConeShape::Generator& generator = at->second.shape->generators[g];
+      for (std::uint32_t k = 0; k < generator.terms.size() && generator.degree == i; ++k) {
+        if (generator.terms[k].dart == place) {
+          if (Status s = add_move(at->second.nodes[g], k, copy); !s) {
+            return s;
+          }
+        }
+      }
+    }
+    return Done{};
+  }
+
+  [[nodiscard]] Dart place_in_largest(Dart d) const {
+    return store_.seen(store_.map_of(dimension_, d), dimension_, d).dart;
+  }
+
+  /// The canonical boundary of the largest cell of a dart, its darts as the cell has them.
+  [[nodiscard]] GMap boundary_around(Dart start) const {
+    const std::vector<Dart> darts = orbit(dimension_, start, [&](int j, Dart d) { return alpha(j, d); });
+    std::vector<std::vector<Dart>> images(static_cast<std::size_t>(dimension_), std::vector<Dart>(darts.size()));
+    for (const Dart d : darts) {
+      for (int j = 0; j < dimension_; ++j) {
+        images[static_cast<std::size_t>(j)][place_in_largest(d)] = place_in_largest(alpha(j, d));
+      }
+    }
+    Result<GMap> boundary = GMap::make(std::move(images));
+    sparse::expects(boundary.has_value(), "the boundary of a cell is a map");
+    return std::move(*boundary);
+  }
+
+  /// The generators of a cell that is no ball.
+  struct Cone {
+    const ConeShape* shape = nullptr;
+    std::vector<CellId> nodes;
+  };
 
   struct PairHash {
     template <class A, class B>
@@ -313,6 +379,7 @@ class UnsewingPlanner {
   Copies copies_below_, copies_of_darts_;                    // of the dimension below, and of this one
   std::unordered_set<std::pair<int, Dart>, PairHash> kept_;  // darts whose cell in a dimension stays
   std::unordered_set<std::pair<CellId, std::uint32_t>, PairHash> moved_;
+  std::map<CellId, Cone> cones_;
 };
 
 }  // namespace

@@ -118,7 +118,7 @@ Status AnswerCheck::follow(const ops::Operation& operation) {
 
 Status AnswerCheck::check_euler(const engine::Homology& homology) const {
   const std::int64_t found = alternating_sum(homology.betti);
-  const std::int64_t right = alternating_sum(object_.structure().counts());
+  const std::int64_t right = ops::euler_characteristic(object_.structure());
   if (found != right) {
     return Error{Errc::expectation,
                  fmt::format("found Betti numbers {} with the Euler characteristic {}; that of the cells is {}",
