@@ -13,6 +13,7 @@
 #include "ops/maps/orbits.hpp"
 #include "ops/maps/rooted_map.hpp"
 #include "ops/plan/cone_cells.hpp"
+#include "ops/plan/double_boundary.hpp"
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/sewing.hpp"
@@ -240,7 +241,45 @@ class ExtensionPlanner {
       bodies_.insert(structure_.body_of(value->cell));
       return SeenFace{structure_.values().incidence_of(*value), value->type};
     };
-    return add_cone_cell(shape, name_of_cell, structure_.types(), face_at, plan_);
+    const auto first_new = static_cast<CellId>(plan_.first + plan_.cells.size());
+    if (Status s = add_cone_cell(shape, name_of_cell, structure_.types(), face_at, plan_); !s) {
+      return s;
+    }
+    return check_cycles(first_new, first);
+  }
+
+  /// Cells may have been split, and then the boundaries of generators, from one of them on, do not close up.
+  Status check_cycles(CellId first_new, Dart first) const {
+    for (CellId c = first_new; c < plan_.first + plan_.cells.size(); ++c) {
+      const CellId left = left_of_double_boundary(
+          c, structure_.maps(),
+          [this](CellId cell) -> const TypeInfo& {
+            return is_new(cell) ? structure_.types().info(plan_.cells[cell - plan_.first].type)
+                                : structure_.cells().type(cell);
+          },
+          [this](CellId cell, std::uint32_t k) {
+            return is_new(cell) ? planned_face(cell, k) : structure_.values().face_of_cell(cell, k);
+          });
+      if (left != none) {
+        return Error{Errc::refused, fmt::format("what \"{}\" belongs to has been split, and not by unsewing: \"{}\" is "
+                                                "left in the boundary of the boundary of the cell over it",
+                                                name(first), structure_.name(left))};
+      }
+    }
+    return Done{};
+  }
+
+  [[nodiscard]] bool is_new(CellId cell) const {
+    return cell >= plan_.first && cell < plan_.first + plan_.cells.size();
+  }
+
+  [[nodiscard]] Value planned_face(CellId cell, std::uint32_t k) const {
+    const std::uint32_t at = plan_.cells[cell - plan_.first].first_face + k;
+    const auto order = std::ranges::lower_bound(plan_.face_orders, std::pair{at, OrderId{}});
+    const OrderId seen_in = order != plan_.face_orders.end() && order->first == at ? order->second : same_order;
+    const CellId node = plan_.faces[at];
+    return is_new(node) ? Value{node, plan_.cells[node - plan_.first].type, 0, seen_in}
+                        : structure_.maps().reordered(seen_in, structure_.values().of(node));
   }
 
   [[nodiscard]] CellId largest_cell(Dart local) const {
