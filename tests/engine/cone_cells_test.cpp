@@ -1,0 +1,135 @@
+// Cells of maps that are no balls: a generator for each of a small model of what they are cones over.
+#include <string>
+#include <vector>
+
+#include "tests/support/engines.hpp"
+#include "tests/support/groups.hpp"
+#include "tests/support/plain_maps.hpp"
+#include "tests/support/solids.hpp"
+
+using namespace sesame;
+using namespace sesame::tests;
+
+namespace {
+
+std::vector<std::uint64_t> cells_of(const Engine& engine) { return {engine.cells().begin(), engine.cells().end()}; }
+
+std::vector<std::uint64_t> parts_of(const Engine& engine) {
+  const auto parts = engine.structure().bodies().parts();
+  return {parts.begin(), parts.end()};
+}
+
+std::string why_not(Engine& engine, const ops::Operation& op) {
+  const std::string before = dump(engine);
+  const auto report = engine.apply(op);
+  CHECK(dump(engine) == before);
+  return report ? "" : report.error().what;
+}
+
+bool tells(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+GMap torus_of_nine() { return ops::to_gmap(torus_grid(3, 3)); }
+
+/// Surfaces with and without boundary, orientable or not, and cells over them.
+std::vector<GMap> cones() {
+  std::vector<GMap> all{torus_of_nine().extended(), solid_of(cube_faces())};
+  for (const KnownSurface& surface : known_surfaces()) {
+    const bool has_folded_edges = surface.classes == 0;
+    if (!has_folded_edges) {
+      all.push_back(surface.map.extended());
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a cell over a torus has one generator of its dimension, and two of the one below") {
+  Engine engine(ring_named("Z"));
+  carry_out(engine, make_map("m", torus_of_nine().extended()));
+  CHECK(cells_of(engine) == std::vector<std::uint64_t>{9, 18, 9, 1});
+  CHECK(parts_of(engine) == std::vector<std::uint64_t>{0, 0, 2});
+  CHECK(live_groups(engine) == std::vector<AbelianGroup>{{1, {}}});
+  CHECK(engine.euler_characteristic() == 1);
+  CHECK(engine.first_defect().value_or("") == "");
+  CHECK(engine.structure().lookup("m.3:0") == engine.structure().lookup("m.3:71"));
+  CHECK(engine.structure().lookup("m.3:0~1").has_value());
+}
+
+TEST_CASE("two cells over one torus make its suspension") {
+  Engine engine(ring_named("Z"));
+  carry_out(engine, make_map("m", torus_of_nine().extended()));
+  carry_out(engine, make_map("k", torus_of_nine().extended()));
+  for (ops::Dart d = 0; d < 72; ++d) {
+    (void)engine.apply(sew_darts(3, dart_name("m", d), dart_name("k", d)));
+  }
+  CHECK(cells_of(engine) == std::vector<std::uint64_t>{9, 18, 9, 2});
+  CHECK(engine.euler_characteristic() == 2);
+  CHECK(live_groups(engine) == std::vector<AbelianGroup>{{1, {}}, {0, {}}, {2, {}}, {1, {}}});
+  CHECK(engine.first_defect().value_or("") == "");
+}
+
+TEST_CASE("a cell over a projective plane carries its torsion") {
+  Engine engine(ring_named("Z"));
+  const GMap plane = projective_plane_of_a_square();
+  carry_out(engine, make_map("m", plane.extended()));
+  carry_out(engine, make_map("k", plane.extended()));
+  CHECK(parts_of(engine) == std::vector<std::uint64_t>{0, 0, 2});
+  for (ops::Dart d = 0; d < plane.size(); ++d) {
+    (void)engine.apply(sew_darts(3, dart_name("m", d), dart_name("k", d)));
+  }
+  CHECK(live_groups(engine) == std::vector<AbelianGroup>{{1, {}}, {0, {}}, {0, {2}}});
+  CHECK(engine.first_defect().value_or("") == "");
+}
+
+TEST_CASE("a surface that is extended bounds the cone over it") {
+  Engine engine(ring_named("Z"));
+  carry_out(engine, make_map("t", torus_of_nine()));
+  CHECK(engine.homology().betti == std::vector<std::int64_t>{1, 2, 1});
+  carry_out(engine, ops::Extend{{"t"}});
+  CHECK(cells_of(engine) == std::vector<std::uint64_t>{9, 18, 9, 1});
+  CHECK(live_groups(engine) == std::vector<AbelianGroup>{{1, {}}});
+  CHECK(engine.first_defect().value_or("") == "");
+  CHECK(tells(why_not(engine, ops::Extend{{"t"}}), "open"));
+  carry_out(engine, ops::Undo{1});
+  CHECK(engine.homology().betti == std::vector<std::int64_t>{1, 2, 1});
+  CHECK(parts_of(engine) == std::vector<std::uint64_t>{0, 0, 0});
+}
+
+TEST_CASE("a cell that is no ball goes with its parts, is glued with them, and is not split") {
+  Engine engine(ring_named("Z"));
+  carry_out(engine, make_map("m", torus_of_nine().extended()));
+  carry_out(engine, make_map("k", torus_of_nine().extended()));
+  CHECK(tells(why_not(engine, operation(R"({"op":"remove","cells":["m.3:0~1"]})")), R"(a part of "m.3:0")"));
+  CHECK(tells(why_not(engine, operation(R"({"op":"deidentify","splits":[{"cell":"m.3:0","copy":"x","moves":[]}]})")),
+              "no ball"));
+  carry_out(engine, R"({"op":"remove","cells":["m.3:5"]})");
+  CHECK(parts_of(engine) == std::vector<std::uint64_t>{0, 0, 2});
+  CHECK(engine.homology().betti == std::vector<std::int64_t>{2, 2, 1, 0});
+  carry_out(engine, ops::Undo{1});
+  carry_out(engine, R"({"op":"identify","pairs":[["m.3:0","k.3:0"]]})");
+  CHECK(cells_of(engine) == std::vector<std::uint64_t>{9, 18, 9, 1});
+  CHECK(parts_of(engine) == std::vector<std::uint64_t>{0, 0, 2});
+  CHECK(live_groups(engine) == std::vector<AbelianGroup>{{1, {}}});
+  carry_out(engine, R"({"op":"remove","cells":["m.0:0"],"cofaces":true})");
+  CHECK(parts_of(engine) == std::vector<std::uint64_t>{0, 0, 0});
+  CHECK(engine.first_defect().value_or("") == "");
+}
+
+TEST_CASE("cells of any kind, sewn and unsewn at random, are the map that their darts are") {
+  const auto seed = GENERATE(range(0U, 12U));
+  const std::string ring = GENERATE("Z", "Z/2");
+  CAPTURE(seed, ring);
+  Random random(seed);
+  PlainMaps maps(ring_named(ring), 3);
+  const std::vector<GMap> kinds = cones();
+  for (int k = 0; k < 4; ++k) {
+    const GMap& kind = kinds[static_cast<std::size_t>(random.in(0, static_cast<int>(kinds.size()) - 1))];
+    maps.make("c" + std::to_string(k), kind);
+    if (k % 2 == 0) {
+      maps.make("d" + std::to_string(k), kind);
+    }
+  }
+  maps.check();
+  sew_and_unsew(maps, random, 80);
+}
