@@ -51,14 +51,14 @@ std::string projective_space(int dimension) {
   return cells;
 }
 
-constexpr const char* torus =
+constexpr const char* torus_by_boundaries =
     R"({"id":"v","dim":0},{"id":"a","dim":1,"boundary":[[1,"v"],[-1,"v"]]},{"id":"b","dim":1,"boundary":[[1,"v"],[-1,"v"]]},)"
     R"({"id":"f","dim":2,"boundary":[[1,"a"],[1,"b"],[-1,"a"],[-1,"b"]]})";
 
 }  // namespace
 
 TEST_CASE("CW complexes have the homology that their boundaries say") {
-  CHECK(groups_of("Z", torus) == Groups{{1, {}}, {2, {}}, {1, {}}});
+  CHECK(groups_of("Z", torus_by_boundaries) == Groups{{1, {}}, {2, {}}, {1, {}}});
   CHECK(groups_of("Z", projective_space(4)) == Groups{{1, {}}, {0, {2}}, {0, {}}, {0, {2}}});
   CHECK(groups_of("Z", projective_space(5)) == Groups{{1, {}}, {0, {2}}, {0, {}}, {0, {2}}, {0, {}}, {1, {}}});
   CHECK(groups_of("Z/2", projective_space(4)) == Groups{{1, {}}, {1, {}}, {1, {}}, {1, {}}, {1, {}}});
@@ -120,8 +120,8 @@ TEST_CASE("lines of complexes by boundaries read back as they were written") {
 
 TEST_CASE("cells that are known by equal boundaries are glued, face by face") {
   Engine engine(ring_named("Z"));
-  carry_out(engine, complex_line("k", torus));
-  carry_out(engine, complex_line("l", torus));
+  carry_out(engine, complex_line("k", torus_by_boundaries));
+  carry_out(engine, complex_line("l", torus_by_boundaries));
   carry_out(engine, R"({"op":"identify","pairs":[["k.f","l.f"]]})");
   CHECK(live_groups(engine) == Groups{{1, {}}, {2, {}}, {1, {}}});
   CHECK(engine.structure().lookup("k.a").has_value());
@@ -143,7 +143,7 @@ TEST_CASE("cells that are known by equal boundaries are glued, face by face") {
 
 TEST_CASE("a split leaves the boundary of every cell a cycle") {
   Engine engine(ring_named("Z"));
-  carry_out(engine, complex_line("k", torus));
+  carry_out(engine, complex_line("k", torus_by_boundaries));
   carry_out(engine, R"({"op":"deidentify","splits":[{"cell":"k.v","copy":"w","moves":[["k.a",0]]}]})");
   CHECK(live_groups(engine) == Groups{{1, {}}, {1, {}}, {1, {}}});  // the face goes along a and back
   CHECK(engine.first_defect().value_or("") == "");

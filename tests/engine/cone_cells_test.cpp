@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "ops/maps/map_conversions.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/groups.hpp"
 #include "tests/support/plain_maps.hpp"
