@@ -39,7 +39,7 @@ CellChain Chains<R>::boundary(const CellChain& chain) const {
   for (const auto& [coefficient, cell] : chain.terms) {
     const auto element = in_own_orientation(cell, coefficient);
     structure_.faces().for_each_now(cell, [&](CellId face, int sign) {
-      out.push_back({face, sign > 0 ? element : ring_.negate(element)});
+      out.push_back({face, ring_.multiply(element, ring_.from(sign))});
     });
   }
   return to_chain(chain.degree - 1, std::move(out).normal(ring_));

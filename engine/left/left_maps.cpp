@@ -13,6 +13,14 @@ Terms<R, GeneratorId> LeftMaps<R>::g(CellId cell) const {
   return std::move(out).normal(ring_);
 }
 
+/// Coefficients in boundaries are signs but for cells that are known by their boundaries.
+template <Ring R>
+auto LeftMaps<R>::times(int coefficient, const Element& factor) const -> Element {
+  return coefficient == 1    ? factor
+         : coefficient == -1 ? ring_.negate(factor)
+                             : ring_.multiply(factor, ring_.from(coefficient));
+}
+
 template <Ring R>
 void LeftMaps<R>::add_g(CellId cell, const Element& factor, RawTerms<R, GeneratorId>& out) const {
   if (window_.has_splits() || window_.is_lazy(cell)) {
@@ -22,7 +30,7 @@ void LeftMaps<R>::add_g(CellId cell, const Element& factor, RawTerms<R, Generato
   out.push_back({generators_.of(cell), factor});  // without copies there are no changes of basis
   window_.for_each_first_face(cell, [&](CellId face, int sign) {
     if (!structure_.is_current(face)) {
-      add_path(face, structure_.forest().links(), sign > 0 ? factor : ring_.negate(factor), out);
+      add_path(face, structure_.forest().links(), times(sign, factor), out);
     }
   });
 }
@@ -39,9 +47,8 @@ void LeftMaps<R>::add_g_at(CellId cell, const ops::Moment& moment, const Element
       add_g_at(copy->source, copy->moment, factor, out);
     }
   }
-  window_.for_each_face_of_history(cell, moment, [&](CellId node, int sign, LinkId links) {
-    add_path(node, links, sign > 0 ? factor : ring_.negate(factor), out);
-  });
+  window_.for_each_face_of_history(
+      cell, moment, [&](CellId node, int sign, LinkId links) { add_path(node, links, times(sign, factor), out); });
 }
 
 template <Ring R>

@@ -70,6 +70,7 @@ class LeftMaps {
   [[nodiscard]] std::uint64_t links_followed() const { return links_followed_; }
 
  private:
+  [[nodiscard]] Element times(int coefficient, const Element& factor) const;
   /// What a generator of a cell stands for now: calls visit(node, sign) for y and, with -1, for x when it was made for
   /// a copy y of x, and likewise for each e that was added to it.
   template <class Visit>

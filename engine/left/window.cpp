@@ -25,7 +25,11 @@ Window::Window(const Structure& structure, std::vector<CellId> cells)
     for (std::uint32_t k = 0; k < arity; ++k) {
       const auto [face, sign] = structure.faces().now(cell, k);
       faces_.push_back(face);
-      signs_.push_back(static_cast<std::int8_t>(sign));
+      const bool is_sign = sign == 1 || sign == -1;
+      if (!is_sign) {
+        coefficients_.emplace(static_cast<std::uint32_t>(signs_.size()), sign);
+      }
+      signs_.push_back(static_cast<std::int8_t>(is_sign ? sign : 0));
     }
     first_face_.push_back(static_cast<std::uint32_t>(faces_.size()));
   }

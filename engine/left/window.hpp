@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -64,7 +65,7 @@ class Window {
       const std::uint32_t at = place(c);
       for (std::uint32_t k = first_face_[at]; k < first_face_[at + 1]; ++k) {
         if (faces_[k] != ops::none) {
-          visit(faces_[k], static_cast<int>(signs_[k]));
+          visit(faces_[k], coefficient(k));
         }
       }
       return;
@@ -83,7 +84,7 @@ class Window {
     const std::uint32_t first = is_first ? first_face_[place(c)] : 0;
     for (std::uint32_t k = 0; k < arity; ++k) {
       CellId node = is_first ? faces_[first + k] : structure_->cells().faces(c)[k];
-      int sign = is_first ? signs_[first + k] : structure_->faces().sign_as_created(c, k);
+      int sign = is_first ? coefficient(first + k) : structure_->faces().sign_as_created(c, k);
       structure_->splits().for_each_move_of(c, k, begin_.moves, moment.moves, [&](const MadeMove& made) {
         if (node != ops::none) {
           visit(node, sign, made.links);
@@ -134,6 +135,9 @@ class Window {
   [[nodiscard]] bool is_lazy(CellId c) const { return !is_first(c) && structure_->lazy().is_lazy(c); }
 
  private:
+  [[nodiscard]] int coefficient(std::uint32_t face) const {
+    return signs_[face] != 0 ? signs_[face] : coefficients_.at(face);
+  }
   void index_cells();
   void make_cofaces() const;
   static std::uint64_t hash_of(CellId c) { return sparse::spread_bits(c); }
@@ -156,8 +160,9 @@ class Window {
   // Per cell of the beginning, by place: its faces, `none` for a degenerate one; and who has it as a face.
   std::vector<std::uint32_t> first_face_;
   std::vector<CellId> faces_;
-  std::vector<std::int8_t> signs_;
-  mutable std::vector<std::uint32_t> first_coface_;  ///< when asked for
+  std::vector<std::int8_t> signs_;                      ///< 0 where it is one of these:
+  std::map<std::uint32_t, std::int32_t> coefficients_;  ///< of faces, of cells that are known by their boundaries
+  mutable std::vector<std::uint32_t> first_coface_;     ///< when asked for
   mutable std::vector<std::pair<CellId, std::uint32_t>> cofaces_;
 };
 

@@ -209,6 +209,13 @@ class ComplexPlanner {
                                "[[1,\"w\"],[-1,\"v\"]], where both may be one vertex",
                                title(k))};
     }
+    constexpr std::int64_t largest = 1'000'000'000;
+    const auto add_absolute = [](std::int64_t sum, int n) { return sum + std::abs(std::int64_t{n}); };
+    if (std::accumulate(boundary.coefficients.begin(), boundary.coefficients.end(), std::int64_t{0}, add_absolute) >
+        largest) {
+      return Error{Errc::refused,
+                   fmt::format("the coefficients in the boundary of {} come to more than {}", title(k), largest)};
+    }
     std::vector<TypeTable::BoundaryFace> faces;
     for (const std::string_view id : operation_.cells.faces(k)) {
       const Result<std::uint32_t> face = listed_face(k, id);
