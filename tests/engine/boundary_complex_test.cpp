@@ -142,7 +142,7 @@ TEST_CASE("cells that are known by equal boundaries are glued, face by face") {
 TEST_CASE("a split leaves the boundary of every cell a cycle") {
   Engine engine(ring_named("Z"));
   carry_out(engine, complex_line("k", torus_by_boundaries));
-  carry_out(engine, R"({"op":"deidentify","split":[{"cell":"k.v","copy":"w","moves":[["k.a",0]]}]})");
+  carry_out(engine, R"({"op":"deidentify","split":[{"cell":"k.v","as":"w","moves":[["k.a",0]]}]})");
   CHECK(live_groups(engine) == Groups{{1, {}}, {1, {}}, {1, {}}});  // the face goes along a and back
   CHECK(engine.first_defect().value_or("") == "");
   Engine again(ring_named("Z"));
@@ -151,7 +151,7 @@ TEST_CASE("a split leaves the boundary of every cell a cycle") {
       complex_line(
           "k",
           R"({"id":"v","dim":0},{"id":"a","dim":1,"boundary":[[1,"v"],[-1,"v"]]},{"id":"f","dim":2,"boundary":[[2,"a"]]})"));
-  CHECK(says(why_refused(again, R"({"op":"deidentify","split":[{"cell":"k.v","copy":"w","moves":[["k.a",0]]}]})"),
+  CHECK(says(why_refused(again, R"({"op":"deidentify","split":[{"cell":"k.v","as":"w","moves":[["k.a",0]]}]})"),
              R"(the boundary of "k.f" would be no cycle)"));
 }
 

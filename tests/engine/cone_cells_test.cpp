@@ -102,7 +102,7 @@ TEST_CASE("a cell that is no ball goes with its parts, is glued with them, and i
   carry_out(engine, make_map("m", torus_of_nine().extended()));
   carry_out(engine, make_map("k", torus_of_nine().extended()));
   CHECK(tells(why_not(engine, operation(R"({"op":"remove","cells":["m.3:0~1"]})")), R"(a part of "m.3:0")"));
-  CHECK(tells(why_not(engine, operation(R"({"op":"deidentify","split":[{"cell":"m.3:0","copy":"x","moves":[]}]})")),
+  CHECK(tells(why_not(engine, operation(R"({"op":"deidentify","split":[{"cell":"m.3:0","as":"x","moves":[]}]})")),
               "no ball"));
   carry_out(engine, R"({"op":"remove","cells":["m.3:5"]})");
   CHECK(parts_of(engine) == std::vector<std::uint64_t>{0, 0, 2});
