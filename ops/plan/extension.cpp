@@ -214,7 +214,11 @@ class ExtensionPlanner {
                                               name(first))};
     }
     for (const Dart d : order) {
-      if (is_cone(structure_.cells().type(largest_cell(d)).type)) {
+      const Result<Value> largest = seen_now(dimension_, dimension_, darts_[d], structure_);
+      if (!largest) {
+        return largest.error();
+      }
+      if (is_cone(structure_.cells().type(largest->cell).type)) {
         return Error{Errc::refused,
                      fmt::format("what \"{}\" belongs to has a cell that is no ball, the {}-cell of \"{}\": "
                                  "only cells of the largest dimension may be none",
@@ -280,10 +284,6 @@ class ExtensionPlanner {
     const CellId node = plan_.faces[at];
     return is_new(node) ? Value{node, plan_.cells[node - plan_.first].type, 0, seen_in}
                         : structure_.maps().reordered(seen_in, structure_.values().of(node));
-  }
-
-  [[nodiscard]] CellId largest_cell(Dart local) const {
-    return CellId{store_.seen(made(local), dimension_, darts_[local]).offset};
   }
 
   void write_darts(const Orbits& all) {

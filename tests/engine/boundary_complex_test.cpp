@@ -100,7 +100,7 @@ TEST_CASE("boundaries that are none are refused, with the cells named") {
     CHECK_FALSE(ops::parse_operation(complex_line("k", wrong)).has_value());
   }
   CHECK(groups_of("Z",
-                  R"({"id":"s","dim":2},{"id":"b","dim":3,"boundary":[[500000001,"s"],[-499999999,"s"],[-1,"s"]]})") ==
+                  R"({"id":"s","dim":2},{"id":"b","dim":3,"boundary":[[400000001,"s"],[-399999999,"s"],[-1,"s"]]})") ==
         Groups{});
 }
 

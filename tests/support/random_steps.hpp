@@ -195,7 +195,8 @@ class DrawnSteps {
     const std::vector<Polygons> solids{tetrahedron_faces(), cube_faces(), prism_faces(3), pyramid_faces(4)};
     const int kind = random_.in(1, 12);
     if (kind == 1) {
-      return make_map(fresh_name(), torus_of_a_square(), random_.one_in(3));
+      const bool is_cone = random_.one_in(2);
+      return make_map(fresh_name(), is_cone ? torus_of_a_square().extended() : torus_of_a_square(), random_.one_in(3));
     }
     if (kind == 2) {
       return make_map(fresh_name(), map_of_faces(solids[static_cast<std::size_t>(random_.in(0, 3))]));
