@@ -54,31 +54,34 @@ OrderCell on_a_cycle(const Lists& faces, const std::vector<int>& ranks, OrderCel
 
 }  // namespace
 
-Result<Order> Order::make(std::vector<std::vector<OrderCell>> faces) {
+std::string number_of_cell(OrderCell x) { return std::to_string(x); }
+
+Result<Order> Order::make(std::vector<std::vector<OrderCell>> faces, const OrderCellName& name) {
   Order order;
   order.faces_ = std::move(faces);
-  if (Status s = order.check_lists(); !s) {
+  if (Status s = order.check_lists(name); !s) {
     return s.error();
   }
-  if (Status s = order.find_ranks(); !s) {
+  if (Status s = order.find_ranks(name); !s) {
     return s.error();
   }
-  if (Status s = order.check_jumps(); !s) {
+  if (Status s = order.check_jumps(name); !s) {
     return s.error();
   }
   return order;
 }
 
-Status Order::check_lists() {
+Status Order::check_lists(const OrderCellName& name) {
   cofaces_.resize(faces_.size());
   for (OrderCell x = 0; x < size(); ++x) {
     std::ranges::sort(faces_[x]);
     if (!faces_[x].empty() && faces_[x].back() >= size()) {
       return bad_cells(
-          fmt::format("cell {} has the face {}, but there are only {} cells", x, faces_[x].back(), size()));
+          fmt::format("cell {} has the face {}, but there are only {} cells", name(x), faces_[x].back(), size()));
     }
     if (const auto twice = std::ranges::adjacent_find(faces_[x]); twice != faces_[x].end()) {
-      return bad_cells(fmt::format("cell {} has the face {} twice: in an order a cell is a face once", x, *twice));
+      return bad_cells(
+          fmt::format("cell {} has the face {} twice: in an order a cell is a face once", name(x), name(*twice)));
     }
     for (const OrderCell y : faces_[x]) {
       cofaces_[y].push_back(x);
@@ -88,7 +91,7 @@ Status Order::check_lists() {
 }
 
 /// A cell has its rank once all its faces have theirs.
-Status Order::find_ranks() {
+Status Order::find_ranks(const OrderCellName& name) {
   ranks_.assign(faces_.size(), -1);
   std::vector<std::size_t> missing;
   std::vector<OrderCell> ready;
@@ -113,16 +116,16 @@ Status Order::find_ranks() {
   if (const auto lost = std::ranges::find(ranks_, -1); lost != ranks_.end()) {
     const auto start = static_cast<OrderCell>(lost - ranks_.begin());
     return bad_cells(fmt::format("cell {} lies below itself, by its faces and theirs: no cell may",
-                                 on_a_cycle(faces_, ranks_, start)));
+                                 name(on_a_cycle(faces_, ranks_, start))));
   }
   if (dimension_ > largest_map_dimension) {
-    return bad_cells(fmt::format("cell {} has the dimension {}: at most {} is possible", ready.back(),
+    return bad_cells(fmt::format("cell {} has the dimension {}: at most {} is possible", name(ready.back()),
                                  rank(ready.back()), largest_map_dimension));
   }
   return Done{};
 }
 
-Status Order::check_jumps() const {
+Status Order::check_jumps(const OrderCellName& name) const {
   for (OrderCell x = 0; x < size(); ++x) {
     for (const OrderCell y : faces_[x]) {
       if (rank(y) + 1 == rank(x)) {
@@ -130,13 +133,14 @@ Status Order::check_jumps() const {
       }
       for (const OrderCell z : faces_[x]) {
         if (z != y && std::ranges::binary_search(closure(z), y)) {
-          return bad_cells(fmt::format(
-              "cell {} has the face {}, which lies below its face {}: only cells next below it are faces", x, y, z));
+          return bad_cells(
+              fmt::format("cell {} has the face {}, which lies below its face {}: only cells next below it are faces",
+                          name(x), name(y), name(z)));
         }
       }
       return bad_cells(
-          fmt::format("there is a jump in dimension from cell {} of dimension {} to its face {} of dimension {}", x,
-                      rank(x), y, rank(y)));
+          fmt::format("there is a jump in dimension from cell {} of dimension {} to its face {} of dimension {}",
+                      name(x), rank(x), name(y), rank(y)));
     }
   }
   return Done{};

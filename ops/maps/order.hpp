@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "sparse/result.hpp"
@@ -13,6 +15,9 @@ namespace sesame::ops {
 using OrderCell = std::uint32_t;
 /// Where there is none.
 inline constexpr OrderCell no_order_cell = UINT32_MAX;
+/// What sentences call a cell.
+using OrderCellName = std::function<std::string(OrderCell)>;
+[[nodiscard]] std::string number_of_cell(OrderCell x);
 
 /// A finite partial order of cells without jumps in dimension: the *rank* of a cell is the length of the longest chain
 /// below it, and counts as its dimension; its faces are the cells next below it, and have the rank below its own.
@@ -24,12 +29,13 @@ class Order {
  public:
   /// The order without a cell.
   Order() = default;
-  /// The faces of each cell.
+  /// The faces of each cell; and what it is called in errors.
   /// Errors    bad_input, naming the cell and the face: a face that is no cell, one that is listed twice, a cell below
   ///           itself, a jump in dimension, a face that lies below another face, or a dimension above
   ///           `largest_map_dimension`.
   /// Cost: that of the lists, sorted; where there is a jump, the cells below too.
-  [[nodiscard]] static Result<Order> make(std::vector<std::vector<OrderCell>> faces);
+  [[nodiscard]] static Result<Order> make(std::vector<std::vector<OrderCell>> faces,
+                                          const OrderCellName& name = number_of_cell);
 
   /// The largest rank, -1 for the order without a cell.
   [[nodiscard]] int dimension() const { return dimension_; }
@@ -66,9 +72,9 @@ class Order {
   friend bool operator==(const Order&, const Order&) = default;
 
  private:
-  [[nodiscard]] Status check_lists();
-  [[nodiscard]] Status find_ranks();
-  [[nodiscard]] Status check_jumps() const;
+  [[nodiscard]] Status check_lists(const OrderCellName& name);
+  [[nodiscard]] Status find_ranks(const OrderCellName& name);
+  [[nodiscard]] Status check_jumps(const OrderCellName& name) const;
 
   std::vector<std::vector<OrderCell>> faces_;
   std::vector<std::vector<OrderCell>> cofaces_;

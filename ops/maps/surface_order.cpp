@@ -16,7 +16,8 @@ namespace {
 /// The cells between two cells, either of which may be fictive.
 class Section {
  public:
-  explicit Section(const Order& order) : order_{order}, below_(order.size(), false), between_(order.size(), false) {}
+  Section(const Order& order, const OrderCellName& name)
+      : order_{order}, name_{name}, below_(order.size(), false), between_(order.size(), false) {}
 
   /// Takes the cells below one, or all, into account from now on.
   void set_high(OrderCell high) {
@@ -48,7 +49,7 @@ class Section {
       if (apart != no_order_cell) {
         return refused_cells(
             fmt::format("{} the cells are not connected, such as cells {} and {}: in a surface they are", place(low),
-                        cells.front(), apart));
+                        name_(cells.front()), name_(apart)));
       }
     }
     return Done{};
@@ -67,10 +68,10 @@ class Section {
 
   [[nodiscard]] std::string place(OrderCell low) const {
     if (low == no_order_cell) {
-      return high_ == no_order_cell ? "in the whole" : fmt::format("below cell {}", high_);
+      return high_ == no_order_cell ? "in the whole" : fmt::format("below cell {}", name_(high_));
     }
-    return high_ == no_order_cell ? fmt::format("above cell {}", low)
-                                  : fmt::format("between cell {} and cell {}", low, high_);
+    return high_ == no_order_cell ? fmt::format("above cell {}", name_(low))
+                                  : fmt::format("between cell {} and cell {}", name_(low), name_(high_));
   }
 
   /// The members above a cell.
@@ -103,6 +104,7 @@ class Section {
   }
 
   const Order& order_;
+  const OrderCellName& name_;
   OrderCell high_ = no_order_cell;
   std::vector<OrderCell> members_;
   std::vector<bool> below_;
@@ -139,9 +141,9 @@ Status check_closed(const GMap& map) {
 
 }  // namespace
 
-Status check_boundaries(const Order& order, const std::vector<OrderCell>& cells) {
+Status check_boundaries(const Order& order, const std::vector<OrderCell>& cells, const OrderCellName& name) {
   std::vector<bool> met(order.size(), false);
-  Section section(order);
+  Section section(order, name);
   for (const OrderCell x : cells) {
     for (const OrderCell y : order.closure(x)) {
       if (!met[y]) {
@@ -171,7 +173,8 @@ Status check_surface(const Order& order) {
   if (Status s = check_boundaries(order, principal); !s) {
     return s;
   }
-  Section section(order);
+  const OrderCellName name = number_of_cell;
+  Section section(order, name);
   return check_up_to(section, no_order_cell);
 }
 

@@ -22,8 +22,9 @@ namespace sesame::ops {
 [[nodiscard]] Status check_surface(const Order& order);
 
 /// The same for what lies between the cells of a list and the fictive cell below all: that the boundary of each is a
-/// surface.
-[[nodiscard]] Status check_boundaries(const Order& order, const std::vector<OrderCell>& cells);
+/// surface. `name`: of a cell, in errors.
+[[nodiscard]] Status check_boundaries(const Order& order, const std::vector<OrderCell>& cells,
+                                      const OrderCellName& name = number_of_cell);
 
 /// The cell beside x between two cells whose dimensions differ by two; `no_order_cell` as `low` or `high` stands for
 /// the cells below and above all. Requires: exactly two cells lie between them, and x is one of them.

@@ -86,6 +86,11 @@ TEST_CASE("faces that make no order without jumps are refused, naming the cell a
         "bad input: there is a jump in dimension from cell 4 of dimension 2 to its face 2 of dimension 0");
   CHECK(refusal_of(Order::make({{}, {}, {0, 1}, {0, 2}})) ==
         "bad input: cell 3 has the face 0, which lies below its face 2: only cells next below it are faces");
+  const auto name = [](OrderCell x) { return std::string(1, static_cast<char>('a' + x)); };
+  CHECK(refusal_of(Order::make({{}, {0, 0}}, name)) ==
+        "bad input: cell b has the face a twice: in an order a cell is a face once");
+  CHECK(refusal_of(Order::make({{}, {}, {}, {0, 1}, {2, 3}}, name)) ==
+        "bad input: there is a jump in dimension from cell e of dimension 2 to its face c of dimension 0");
   std::vector<Cells> tower(32);
   for (OrderCell x = 1; x < 32; ++x) {
     tower[x] = {x - 1};
