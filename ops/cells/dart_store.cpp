@@ -38,10 +38,22 @@ void DartStore::add(std::uint32_t name, const GMap& map, CellId node, std::share
   note_map({name, map.dimension(), first, map.size(), node, std::move(cells), is_by_simplices, halves});
 }
 
+void DartStore::add_chain(std::uint32_t name, CellId node, std::shared_ptr<const DartCells> cells) {
+  const int dimension = static_cast<int>(cells->of.size()) - 1;
+  note_map({name, dimension, 0, 0, node, std::move(cells), false});
+}
+
+/// Among those of its dimension, in which the darts are numbered.
+void DartStore::list_map(std::uint32_t number) {
+  if (const Made& map = maps_[number]; !map.has_levels()) {
+    by_dimension_[static_cast<std::size_t>(map.dimension)].maps.push_back(number);
+  }
+}
+
 void DartStore::note_map(Made map) {
-  by_dimension_[static_cast<std::size_t>(map.dimension)].maps.push_back(maps());
   by_name_.insert(std::ranges::upper_bound(by_name_, std::pair{map.name, maps()}), {map.name, maps()});
   maps_.push_back(std::move(map));
+  list_map(maps() - 1);
   events_.push_back({What::made, 0, 0, 0, 0});
 }
 
@@ -88,7 +100,7 @@ void DartStore::unsew(int dimension, int i, Dart a, Dart b) {
 }
 
 DartCells::Seen DartStore::seen(const Made& map, int i, Dart dart) const {
-  if (!sees_.empty()) {
+  if (!sees_.empty() && !map.has_levels()) {
     const auto at = sees_.find({static_cast<std::uint32_t>(map.dimension), static_cast<std::uint32_t>(i), dart});
     if (at != sees_.end()) {
       return at->second;
@@ -123,11 +135,13 @@ void DartStore::undo_last_event() {
     return;
   }
   const Made& map = maps_.back();
-  Dimension& of = by_dimension_[static_cast<std::size_t>(map.dimension)];
-  for (auto& alpha : of.alpha) {
-    alpha.truncate(map.first);
+  if (!map.has_levels()) {
+    Dimension& of = by_dimension_[static_cast<std::size_t>(map.dimension)];
+    for (auto& alpha : of.alpha) {
+      alpha.truncate(map.first);
+    }
+    of.maps.pop_back();
   }
-  of.maps.pop_back();
   by_name_.erase(std::ranges::lower_bound(by_name_, std::pair{map.name, maps() - 1}));
   maps_.pop_back();
 }
@@ -137,15 +151,32 @@ std::string dart_text(const DartStore::Made& map, Dart local) {
   return std::to_string(is_other ? local - map.halves : local) + (is_other ? "'" : "");
 }
 
-Dart dart_of_text(const DartStore::Made& map, std::string_view text) {
-  const bool is_other = map.halves != 0 && text.ends_with('\'');
-  text.remove_suffix(is_other ? 1 : 0);
+namespace {
+
+/// A number below `most`, without leading zeros, or no_dart.
+Dart number_of_text(std::string_view text, Dart most) {
   Dart dart = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), dart);
   const bool is_number =
       failure == std::errc{} && end == text.data() + text.size() && (text.size() == 1 || text[0] != '0');
-  const Dart most = map.halves != 0 ? map.halves : map.count;
-  return !is_number || dart >= most ? no_dart : is_other ? dart + map.halves : dart;
+  return is_number && dart < most ? dart : no_dart;
+}
+
+}  // namespace
+
+Dart dart_of_text(const DartStore::Made& map, std::string_view text) {
+  const bool is_other = map.halves != 0 && text.ends_with('\'');
+  text.remove_suffix(is_other ? 1 : 0);
+  const Dart dart = number_of_text(text, map.halves != 0 ? map.halves : map.count);
+  return dart != no_dart && is_other ? dart + map.halves : dart;
+}
+
+Dart dart_of_text(const DartStore::Made& map, int i, std::string_view text) {
+  if (i < 0 || i > map.dimension) {
+    return no_dart;
+  }
+  return map.has_levels() ? number_of_text(text, static_cast<Dart>(map.cells->of[static_cast<std::size_t>(i)].size()))
+                          : dart_of_text(map, text);
 }
 
 // --------------------------------------------------------------------------------------------------------- archives
@@ -175,7 +206,7 @@ void DartStore::save(sparse::ArchiveWriter& to) const {
 bool DartStore::is_sound(const Made& map, const CellStore& nodes, const TypeTable& types) const {
   for (std::size_t i = 0; i < map.cells->of.size(); ++i) {
     const int dimension = map.is_by_simplices ? map.dimension - 1 : static_cast<int>(i);
-    if (map.cells->of[i].size() != (dimension < 0 ? 0 : map.count)) {
+    if (!map.has_levels() && map.cells->of[i].size() != (dimension < 0 ? 0 : map.count)) {
       return false;
     }
     for (const auto& [offset, dart] : map.cells->of[i]) {
@@ -198,8 +229,9 @@ void DartStore::load(sparse::ArchiveReader& from, const CellStore& nodes, const 
     Made map{from.get<std::uint32_t>(), from.get<int>(), 0, from.get<Dart>(), from.get<CellId>(), {}, false};
     map.is_by_simplices = from.get_bool();
     map.halves = from.get<Dart>();
-    if (!from.check(map.dimension >= 0 && map.dimension <= largest_map_dimension && map.count > 0 &&
-                        (map.halves == 0 || map.count / 2 == map.halves),
+    if (!from.check(map.dimension >= 0 && map.dimension <= largest_map_dimension &&
+                        (map.halves == 0 || map.count / 2 == map.halves) &&
+                        (map.count > 0 || (map.halves == 0 && !map.is_by_simplices)),
                     "a map has a dimension and darts")) {
       return;
     }
@@ -208,14 +240,14 @@ void DartStore::load(sparse::ArchiveReader& from, const CellStore& nodes, const 
       cells.of.push_back(from.get_list<std::vector<DartCells::Seen>>());
     }
     map.cells = std::make_shared<const DartCells>(std::move(cells));
-    map.first = darts(map.dimension);
+    map.first = map.has_levels() ? 0 : darts(map.dimension);
     if (!from.check(from.is_good() && map.count < no_dart - map.first && is_sound(map, nodes, types),
                     "the darts of a map belong to cells")) {
       return;
     }
-    by_dimension_[static_cast<std::size_t>(map.dimension)].maps.push_back(maps());
     by_name_.emplace_back(map.name, maps());
     maps_.push_back(std::move(map));
+    list_map(maps() - 1);
   }
   std::ranges::sort(by_name_);
   for (std::size_t n = 0; n < by_dimension_.size() && from.is_good(); ++n) {

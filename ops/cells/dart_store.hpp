@@ -26,7 +26,8 @@
 namespace sesame::ops {
 
 /// Darts are numbered through all maps of a dimension n, in the order in which they were made. Sewing and what undoes
-/// it change their involutions; cells are those that were made with them, whatever has become of these since.
+/// it change their involutions; cells are those that were made with them, whatever has become of these since. The darts
+/// of a chain of maps are numbered for each level of it alone, and only name cells.
 ///
 /// Everything that happens is an event, and events are undone in reverse order. Cost: O(1), or as said.
 class DartStore {
@@ -35,13 +36,14 @@ class DartStore {
   struct Made {
     std::uint32_t name;  ///< its number among all names
     int dimension;
-    Dart first;  ///< of its darts
-    Dart count;
+    Dart first;   ///< of its darts
+    Dart count;   ///< 0: it is a chain of maps; the number of darts of a level is that of cells in `cells`
     CellId node;  ///< the first of the nodes that were made for it
     std::shared_ptr<const DartCells> cells;
     bool is_by_simplices;  ///< then what has a dimension is what sewing in it glues
     /// Of an n-map so many darts, after which those come that are called k' for the dart k of these; else 0.
     Dart halves = 0;
+    [[nodiscard]] bool has_levels() const { return count == 0; }
   };
 
   [[nodiscard]] std::uint32_t maps() const { return static_cast<std::uint32_t>(maps_.size()); }
@@ -68,6 +70,8 @@ class DartStore {
   /// The next map, with a name.
   void add(std::uint32_t name, const GMap& map, CellId node, std::shared_ptr<const DartCells> cells,
            bool is_by_simplices, Dart halves);
+  /// The next one, a chain of maps: which cells the darts of each level belong to.
+  void add_chain(std::uint32_t name, CellId node, std::shared_ptr<const DartCells> cells);
   /// Maps of one dimension, with all that is sewn to them, as maps of one dimension more, under the same names: the new
   /// involution fixes all darts.
   struct Extension {
@@ -110,6 +114,7 @@ class DartStore {
   using Place = std::array<std::uint32_t, 3>;  ///< dimension, dimension of the cell, dart
   void join(const Event& event, bool are_sewn);
   void note_map(Made map);
+  void list_map(std::uint32_t number);
   [[nodiscard]] bool is_sound(const Made& map, const CellStore& nodes, const TypeTable& types) const;
 
   std::deque<Made> maps_;
@@ -130,10 +135,10 @@ void DartStore::begin_with(const DartStore& other, Name&& name, Seen&& seen) {
         cells->of.back().push_back(seen(old, static_cast<int>(i), old.first + d));
       }
     }
-    by_dimension_[static_cast<std::size_t>(old.dimension)].maps.push_back(maps());
     by_name_.emplace_back(name(old.name), maps());
     maps_.push_back({by_name_.back().first, old.dimension, old.first, old.count, 0, std::move(cells),
                      old.is_by_simplices, old.halves});
+    list_map(maps() - 1);
   }
   std::ranges::sort(by_name_);
   for (std::size_t n = 0; n < by_dimension_.size(); ++n) {
@@ -146,8 +151,11 @@ void DartStore::begin_with(const DartStore& other, Name&& name, Seen&& seen) {
   }
 }
 
-/// "3", or "3'" of an n-map: what a dart of a map is called after its name, and which one it is, or no_dart.
+/// "3", or "3'" of an n-map: what a dart of a map is called after its name, and which one it is, or no_dart. A chain of
+/// maps has no such darts.
 [[nodiscard]] std::string dart_text(const DartStore::Made& map, Dart local);
 [[nodiscard]] Dart dart_of_text(const DartStore::Made& map, std::string_view text);
+/// The same of what is called m.i:3, in a chain of maps a dart of level i.
+[[nodiscard]] Dart dart_of_text(const DartStore::Made& map, int i, std::string_view text);
 
 }  // namespace sesame::ops

@@ -89,7 +89,7 @@ class Directory {
       pop_back();
     }
   }
-  /// The name of a node, a copy, has its vertices in an order.
+  /// The name of a node, a copy or a cell of a map, has its vertices in an order.
   void set_order(CellId node, OrderId order) { orders_.emplace(node, order); }
   void forget_order(CellId node) { orders_.erase(node); }
 
@@ -123,7 +123,7 @@ class Directory {
   std::vector<std::uint32_t> odd_;
   std::uint64_t count_of_odd_ = 0;
   mutable std::uint64_t further_looks_ = 0;
-  std::unordered_map<CellId, OrderId> orders_;  ///< of copies, as in Plan
+  std::unordered_map<CellId, OrderId> orders_;  ///< as in Plan
 };
 
 }  // namespace sesame::ops

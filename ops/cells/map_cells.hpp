@@ -1,14 +1,17 @@
 /// \file
-/// The cells of a map, with their types and faces.
+/// The cells of a map or a chain of maps, with their types and faces.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "ops/cells/cell_type.hpp"
 #include "ops/cells/dart_cells.hpp"
+#include "ops/maps/chain_of_maps.hpp"
 #include "ops/maps/gmap.hpp"
 #include "ops/maps/orbits.hpp"
 #include "sparse/result.hpp"
@@ -16,7 +19,8 @@
 namespace sesame::ops {
 
 /// The cells of one dimension of a map, numbered in the order of their least darts. Each is of the canonical type of
-/// its kind, so a dart of the map is some dart of that; the root is the least dart of the map that is its dart 0.
+/// its kind, so a dart of the map is some dart of that; the root is the least dart of the map that is its dart 0. Of a
+/// chain of maps the darts are those of a level.
 ///
 /// A cell that is no ball has the shape of its `cones`, and its darts are those of that.
 struct CellsOfMap {
@@ -47,6 +51,19 @@ inline constexpr int least_cone_dimension = 3;
 /// Errors    refused, naming a dart: a cell whose canonical boundary is no homology sphere. Cost: n^2 times the darts,
 ///           and what new types cost.
 [[nodiscard]] Result<std::vector<CellsOfMap>> cells_of_map(const GMap& map, TypeTable& types, bool any_on_top = false);
+
+/// How the i-cells of a chain of maps are looked at, each given by its least dart.
+struct CellsSeen {
+  /// The dart from which the cell is seen first: it is dart 0 of the type if the cell looks from there as the type
+  /// does.
+  std::function<Dart(int i, Dart least)> from;
+  std::function<std::string(int i, Dart least)> title;  ///< "the 2-cell of dart 5", in errors
+};
+/// From their least darts, which name them.
+[[nodiscard]] CellsSeen cells_seen_from_least_darts();
+/// The cells of a chain of maps by dimension. Errors and cost: the same.
+[[nodiscard]] Result<std::vector<CellsOfMap>> cells_of_chain(const ChainOfMaps& chain, const CellsSeen& seen,
+                                                             TypeTable& types);
 
 /// Which cells the darts belong to when the cells are put one after the other, by dimension.
 [[nodiscard]] DartCells dart_cells(const std::vector<CellsOfMap>& cells);

@@ -96,8 +96,8 @@ std::optional<Value> NameReader::read_seen(Part part) {
                         : seen_from_dart(structure_, *polygon, structure_.dimension(face), polygon->first);
   }
   const DartStore::Made* map = split ? map_named(structure_, text({part.begin, part.begin + split->length})) : nullptr;
-  const Dart dart = map != nullptr ? dart_of_text(*map, split->dart) : no_dart;
-  if (dart == no_dart || map->is_by_simplices || split->dimension > map->dimension) {
+  const Dart dart = map != nullptr ? dart_of_text(*map, split->dimension, split->dart) : no_dart;
+  if (dart == no_dart || map->is_by_simplices) {
     return std::nullopt;
   }
   return seen_from_dart(structure_, *map, split->dimension, map->first + dart);

@@ -118,7 +118,8 @@ struct Plan {
   /// Degenerate nodes to be asked for before new cells, by the position of these. Nobody has asked for them yet.
   std::vector<std::pair<std::uint32_t, Value>> degenerate;
   std::vector<CellId> sources;  ///< empty, or per new cell: the cell that it is a copy of
-  /// Copies, by position, whose names stand for their vertices in another order: that of the name of the cell split.
+  /// New cells, by position, whose names stand for their vertices in another order: of a copy that of the name of the
+  /// cell split, of a cell of a map the one that a dart sees.
   std::vector<std::pair<std::uint32_t, OrderId>> name_orders;
   std::vector<Move> moves;  ///< incidences that go to a copy
   /// Cones among the new cells, by position: the apex, then the cells of the cone, whose last faces are what is coned.
@@ -133,6 +134,7 @@ struct Plan {
   std::optional<BodyId> into_body;         ///< the new cells join this body
   std::vector<BodyId> joined_bodies;       ///< become one with `into_body` (the older name stays)
   std::optional<NewMap> map;               ///< that the new body is
+  std::shared_ptr<const DartCells> chain;  ///< the new body is a chain of maps, whose darts see these cells
   std::vector<ExtendedMap> extended;
   std::vector<Sewing> sewings;
   std::vector<NewlySeen> newly_seen;

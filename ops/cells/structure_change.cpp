@@ -16,10 +16,11 @@ void Structure::apply(const Plan& plan) {
   BodyId new_body = none;
   if (plan.new_body || plan.family) {
     note(EventKind::body, bodies_.size());
-    const bool has_others =
-        plan.map ? !plan.map->is_by_simplices : std::ranges::any_of(plan.cells, [this](const auto& c) {
-          return !is_simploid(types().info(c.type).type);
-        });
+    const bool has_others = plan.chain != nullptr ||
+                            (plan.map ? !plan.map->is_by_simplices
+                                      : std::ranges::any_of(plan.cells, [this](const auto& c) {
+                                          return !is_simploid(types().info(c.type).type);
+                                        }));
     new_body = bodies_.add({plan.abstract.has_value(), true, has_others});
   }
   const Instant made = instant_of(forest_.links(), lazy_.families());
@@ -59,7 +60,7 @@ void Structure::apply(const Plan& plan) {
   } else if (!abstract_.empty()) {
     leave_abstract(plan);
   }
-  if (plan.map || !plan.sewings.empty() || !plan.extended.empty()) {
+  if (plan.map || plan.chain != nullptr || !plan.sewings.empty() || !plan.extended.empty()) {
     change_darts(plan, first, new_body);
   }
   if (maps().has_orders()) {
@@ -72,6 +73,10 @@ void Structure::change_darts(const Plan& plan, CellId first, BodyId body) {
   if (plan.map) {
     note(EventKind::darts, darts_.events());
     darts_.add(bodies_.name(body), plan.map->map, first, plan.map->cells, plan.map->is_by_simplices, plan.map->halves);
+  }
+  if (plan.chain != nullptr) {
+    note(EventKind::darts, darts_.events());
+    darts_.add_chain(bodies_.name(body), first, plan.chain);
   }
   if (!plan.extended.empty()) {
     std::vector<DartStore::Extension> extensions;
@@ -213,11 +218,11 @@ void Structure::add_cells(const Plan& plan, BodyId new_body) {
       name_begin = cell.name_end;
     }
     count(id, 1);
+    if (next_name != plan.name_orders.end() && next_name->first == k) {
+      directory_.set_order(id, next_name->second);
+      ++next_name;
+    }
     if (source != none) {
-      if (next_name != plan.name_orders.end() && next_name->first == k) {
-        directory_.set_order(id, next_name->second);
-        ++next_name;
-      }
       bodies_.add_cells(body, {id, id + 1});
       const Moment before = now();
       const auto earlier = static_cast<std::uint32_t>(k);  // copies of this step

@@ -18,6 +18,7 @@ void Structure::undo_last_cell() {
   const CellId c = cells_.size() - 1;
   coface_index_.on_undo_of_cell(c);
   count(c, -1);
+  directory_.forget_order(c);
   directory_.pop_back_of(c);
   bodies_.drop_cell(cells_.body(c), c);
   forest_.pop_back(c);
@@ -31,7 +32,6 @@ void Structure::undo_last_asked() {
 
 void Structure::undo_last_copy() {
   splits_.undo_last_copy();
-  directory_.forget_order(cells_.size() - 1);
   undo_last_cell();
 }
 

@@ -160,13 +160,14 @@ GMap ChainOfMaps::canonical_boundary(int i, Dart d) const {
   return restricted_to(level(i), darts);
 }
 
+Orbits orbits_numbered(const ChainOfMaps& chain, IndexSet numbers) {
+  const GMap& level = chain.level(static_cast<int>(std::bit_width(numbers)) - 1);
+  return orbits(level, level.indices() & ~numbers);
+}
+
 NumberedSet simplicial_analogue(const ChainOfMaps& chain) {
   return set_of_orbits(
-      chain.dimension(),
-      [&](IndexSet set) {
-        const GMap& level = chain.level(static_cast<int>(std::bit_width(set)) - 1);
-        return orbits(level, level.indices() & ~set);
-      },
+      chain.dimension(), [&](IndexSet set) { return orbits_numbered(chain, set); },
       [&](Dart d, int from, int to) { return chain.lowered(d, from, to); });
 }
 

@@ -49,6 +49,9 @@ class ChainOfMaps {
   std::vector<std::vector<Dart>> sigma_;  // sigma_i at i - 1
 };
 
+/// The simplices numbered I, as orbits of darts: on level p, the largest number in I. Requires: I is not empty.
+[[nodiscard]] Orbits orbits_numbered(const ChainOfMaps& chain, IndexSet numbers);
+
 /// The simplices numbered I, p the largest number in I: the orbits on level p of the alpha_j with j < p and not in I.
 /// A face without p is that of the image on the level of the next smaller number. Vertices come by their numbers, then
 /// as `cells` counts them. Cost: n 2^n times the darts.

@@ -61,6 +61,11 @@ class ExtensionPlanner {
     if (map == nullptr) {
       return Error{Errc::unknown_name, fmt::format("there is no map {}", sparse::quoted(name))};
     }
+    if (map->has_levels()) {
+      return Error{Errc::refused, fmt::format("\"{}\" is a chain of cells with all levels that it has, and cannot be "
+                                              "extended: make it with one level more",
+                                              name)};
+    }
     if (map->is_by_simplices) {
       return Error{Errc::refused,
                    fmt::format("\"{}\" is a map by simplices, which cannot be extended: make it with one "

@@ -191,7 +191,17 @@ Result<NamedDart> dart_named(const std::string& name, const Structure& structure
   }
   const DartStore::Made* map = map_named(structure, std::string_view{name}.substr(0, colon));
   if (map == nullptr) {
-    return wrong(fmt::format("no map is called {}", sparse::quoted(name.substr(0, colon))));
+    const std::string before = name.substr(0, colon);
+    return wrong(structure.lookup_body(before)
+                     ? fmt::format("{} is no map with darts that are sewn; its cells are glued by identify",
+                                   sparse::quoted(before))
+                     : fmt::format("no map is called {}", sparse::quoted(before)));
+  }
+  if (map->has_levels()) {
+    return Error{Errc::refused,
+                 fmt::format("{} is no dart that can be sewn: the darts of {} are those of its levels, and name its "
+                             "cells, m.i:k; identify glues these as their darts see them, [[\"m.2:0\",\"m.2:7\"]]",
+                             sparse::quoted(name), sparse::quoted(name.substr(0, colon)))};
   }
   const Dart dart = dart_of_text(*map, std::string_view{name}.substr(colon + 1));
   if (dart == no_dart) {
