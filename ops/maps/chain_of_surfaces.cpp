@@ -60,28 +60,33 @@ Status check_chain_of_surfaces(const Order& order) {
   return check_boundaries(order, order.principal_cells());
 }
 
+ChainOfMaps chain_of_tuples(const Order& order, const std::vector<Tuples>& tuples) {
+  std::vector<GMap> levels;
+  std::vector<std::vector<Dart>> sigma;
+  for (std::size_t i = 0; i < tuples.size(); ++i) {
+    if (i == 0) {
+      levels.push_back(GMap::points(static_cast<Dart>(tuples[0].size())));
+      continue;
+    }
+    std::vector<std::vector<Dart>> alpha;
+    for (std::size_t j = 0; j < i; ++j) {
+      alpha.push_back(switches(order, tuples[i], j));
+    }
+    levels.push_back(std::move(*GMap::make(std::move(alpha))));
+    sigma.push_back(places_without_last(tuples[i], tuples[i - 1]));
+  }
+  return std::move(*ChainOfMaps::make(std::move(levels), std::move(sigma)));
+}
+
 Result<ChainOfMaps> chain_of_maps_of_surfaces(const Order& order) {
   if (Status s = check_chain_of_surfaces(order); !s) {
     return s.error();
   }
-  std::vector<GMap> levels;
-  std::vector<std::vector<Dart>> sigma;
-  Tuples shorter;
+  std::vector<Tuples> tuples;
   for (int i = 0; i <= order.dimension(); ++i) {
-    Tuples tuples = cell_tuples(order, i);
-    if (i == 0) {
-      levels.push_back(GMap::points(static_cast<Dart>(tuples.size())));
-    } else {
-      std::vector<std::vector<Dart>> alpha;
-      for (std::size_t j = 0; j < static_cast<std::size_t>(i); ++j) {
-        alpha.push_back(switches(order, tuples, j));
-      }
-      levels.push_back(std::move(*GMap::make(std::move(alpha))));
-      sigma.push_back(places_without_last(tuples, shorter));
-    }
-    shorter = std::move(tuples);
+    tuples.push_back(cell_tuples(order, i));
   }
-  return ChainOfMaps::make(std::move(levels), std::move(sigma));
+  return chain_of_tuples(order, tuples);
 }
 
 Result<Order> chain_of_surfaces_of_maps(const ChainOfMaps& chain) {

@@ -20,6 +20,10 @@ namespace sesame::ops {
 /// the j-th cell, and sigma_i forgets the i-th.
 /// Errors    as check_chain_of_surfaces. Cost: n^2 times the tuples, and their logarithm.
 [[nodiscard]] Result<ChainOfMaps> chain_of_maps_of_surfaces(const Order& order);
+/// The same of any order whose cells pass check_boundaries, be it connected or not, from its `cell_tuples` by
+/// dimension.
+[[nodiscard]] ChainOfMaps chain_of_tuples(const Order& order,
+                                          const std::vector<std::vector<std::vector<OrderCell>>>& tuples);
 
 /// The chain of surfaces of the cells of a chain of maps: its 0-cells, then its 1-cells, and so on, each in the order
 /// of `cells`. Errors    refused, naming darts or cells: a dart that is fixed by an involution, cells that are not
