@@ -20,10 +20,12 @@ void add_in_order(const std::vector<ops::Point>& points, CellId first, std::vect
   }
 }
 
-void add_listed(const ops::MakeComplex& made, const ops::Structure& structure, std::vector<Given>& given) {
-  for (std::size_t k = 0; k < made.cells.size(); ++k) {
-    if (const ops::Point* point = made.cells.at(k)) {
-      if (const auto node = structure.lookup(made.name + "." + std::string{made.cells.id(k)})) {
+/// Of a list of cells, each of which is called by its id between two texts.
+void add_listed(const ops::CellList& cells, const std::string& before, const std::string& after,
+                const ops::Structure& structure, std::vector<Given>& given) {
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (const ops::Point* point = cells.at(k)) {
+      if (const auto node = structure.lookup(before + std::string{cells.id(k)} + after)) {
         given.emplace_back(*node, *point);
       }
     }
@@ -96,7 +98,12 @@ std::vector<std::pair<ops::CellId, ops::Point>> given_positions(const ops::Opera
   } else if (const auto* polygon = std::get_if<ops::MakePolygon>(&operation)) {
     add_in_order(polygon->at, first, given);
   } else if (const auto* complex = std::get_if<ops::MakeComplex>(&operation)) {
-    add_listed(*complex, structure, given);
+    add_listed(complex->cells, complex->name + ".", "", structure, given);
+  } else if (const auto* incidence = std::get_if<ops::MakeIncidence>(&operation)) {
+    add_listed(incidence->cells, incidence->name + (incidence->as_simplices ? ".<" : "."),
+               incidence->as_simplices ? ">" : "", structure, given);
+  } else if (const auto* chain = std::get_if<ops::MakeChainOfMaps>(&operation)) {
+    add_in_order(chain->at, first, given);
   } else if (const auto* suspension = std::get_if<ops::MakeSuspension>(&operation)) {
     add_apexes(*suspension, structure, given);
   } else if (const auto* cone = std::get_if<ops::MakeCone>(&operation); cone != nullptr && cone->at) {
@@ -139,8 +146,8 @@ Result<Positions::Points> Positions::of_vertices(const ObjectCells& cells) const
     if (!found[k]) {
       return Error{Errc::refused,
                    fmt::format("the vertex \"{}\" has no position, and a drawing needs one of each: \"at\" of simplex, "
-                               "simploid, complex, gmap, map, polygon, cone, suspend or replace gives it; other "
-                               "formats, such as phat, need none",
+                               "simploid, complex, incidence, gmap, map, polygon, chain_of_maps, cone, suspend or "
+                               "replace gives it; other formats, such as phat, need none",
                                structure.name(cells.of(0)[k]))};
     }
     all.points.push_back(*found[k]);
