@@ -11,9 +11,11 @@
 
 #include "ops/cells/cofaces.hpp"
 #include "ops/cells/structure.hpp"
+#include "ops/maps/chain_operations.hpp"
 #include "ops/plan/planner.hpp"
 #include "ops/vocabulary/operation.hpp"
 #include "tests/support/boundary_complexes.hpp"
+#include "tests/support/polytopes.hpp"
 #include "tests/support/random_complexes.hpp"
 #include "tests/support/solids.hpp"
 
@@ -193,7 +195,21 @@ class DrawnSteps {
       return random_boundary_complex(fresh_name(), random_.in(1, 4), random_);
     }
     const std::vector<Polygons> solids{tetrahedron_faces(), cube_faces(), prism_faces(3), pyramid_faces(4)};
-    const int kind = random_.in(1, 12);
+    const int kind = random_.in(1, 16);
+    if (kind > 14) {
+      const ops::Order square = polygon_order(static_cast<ops::OrderCell>(random_.in(2, 5)));
+      const int more = random_.in(1, 3);
+      return make_order(fresh_name(),
+                        more == 1   ? square
+                        : more == 2 ? pyramid_over(square)
+                                    : product_of(square, edge_order()),
+                        random_.one_in(4));
+    }
+    if (kind > 12) {
+      const GMap map = kind == 13 ? ops::polygon(static_cast<Dart>(random_.in(1, 5)))
+                                  : solid_of(solids[static_cast<std::size_t>(random_.in(0, 3))]);
+      return make_chain(fresh_name(), *ops::chain_of_gmap(map), random_.one_in(4));
+    }
     if (kind == 1) {
       const bool is_cone = random_.one_in(2);
       return make_map(fresh_name(), is_cone ? torus_of_a_square().extended() : torus_of_a_square(), random_.one_in(3));
@@ -207,7 +223,8 @@ class DrawnSteps {
     return ops::MakePolygon{fresh_name(), random_.in(1, 5), false};
   }
 
-  /// Two random darts of maps of one dimension, or one of these comes away; or all that is closed bounds a cell.
+  /// Two random darts of maps of one dimension, or one of these comes away; or all that is closed bounds a cell. Of a
+  /// chain of maps the cells of two darts become one.
   std::optional<ops::Operation> sewing(const ops::Structure& structure) {
     const ops::DartStore& darts = structure.darts();
     const auto any_map = [&] {
@@ -221,6 +238,15 @@ class DrawnSteps {
       return std::nullopt;
     }
     const auto one = any_map();
+    if (one.has_levels()) {
+      const int level = random_.in(0, one.dimension);
+      const auto cell = [&] {
+        const auto darts = static_cast<int>(one.cells->of[static_cast<std::size_t>(level)].size());
+        return seen_cell(structure.directory().names()[one.name].text, level,
+                         static_cast<ops::Dart>(random_.in(0, darts - 1)));
+      };
+      return ops::Identify{{{cell(), cell()}}};
+    }
     if (random_.one_in(4)) {
       return ops::Unsew{one.dimension, {any_dart(one)}};
     }
@@ -228,7 +254,11 @@ class DrawnSteps {
       return ops::Extend{{structure.directory().names()[one.name].text}};
     }
     for (int tries = 0; tries < 12; ++tries) {
-      ops::Sew op{one.dimension, {{any_dart(one), any_dart(any_map())}}};
+      const auto other = any_map();
+      if (other.has_levels()) {
+        continue;
+      }
+      ops::Sew op{one.dimension, {{any_dart(one), any_dart(other)}}};
       if (is_legal(structure, op)) {
         return op;
       }

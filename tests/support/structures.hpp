@@ -253,6 +253,13 @@ inline std::string dump(const ops::DartStore& darts, const ops::Structure& struc
   for (std::uint32_t number = 0; number < darts.maps(); ++number) {
     const ops::DartStore::Made& map = darts.map(number);
     text += "map " + structure.directory().names()[map.name].text + (map.is_by_simplices ? " by simplices\n" : "\n");
+    for (int i = 0; i <= map.dimension && map.has_levels(); ++i) {
+      for (ops::Dart d = 0; d < map.cells->of[static_cast<std::size_t>(i)].size(); ++d) {
+        const auto seen = ops::seen_from_dart(structure, map, i, d);
+        text += " " + (seen ? text_of(structure, structure.values().normal_form(*seen)) : "nothing");
+      }
+      text += "\n";
+    }
     for (ops::Dart d = map.first; d < map.first + map.count; ++d) {
       for (int i = 0; i <= map.dimension; ++i) {
         const auto seen = ops::seen_from_dart(structure, map, i, d);
