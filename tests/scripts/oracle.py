@@ -8,7 +8,7 @@ Replays a script and prints one JSON object a step with the keys step, op, cells
 of the effective complexes. It shares no idea with the engine: a step copies the whole state, and homology is computed
 from scratch with a Smith form on Python's integers. Where both agree, they agree for different reasons.
 
-Covered: simplex, simploid, complex, gmap, map, polygon, cone, suspend, identify, sew, unsew, extend, degenerate,
+Covered: simplex, simploid, complex, incidence, gmap, map, polygon, chain_of_maps, cone, suspend, identify, sew, unsew, extend, degenerate,
 deidentify, product, insert, collapse, remove, replace, expect, class, undo, note.
 Exit status as `sesame replay`: 0 done, 1 wrong usage or unreadable file, 2 the script is wrong, 3 an expect failed.
 
@@ -33,6 +33,7 @@ import math
 import sys
 
 sys.dont_write_bytecode = True
+import chains
 import gmaps
 from gmaps import MapKind, Seen, dimension_of
 
@@ -1376,6 +1377,134 @@ def add_simplices_of_map(state, name, alpha, texts, body):
     return glued
 
 
+# ------------------------------------------------------------------------------------------------ levels of darts
+
+
+def read_level(entry, i):
+    if not isinstance(entry, dict):
+        raise ScriptError("levels must be objects")
+    names = ("darts", "alpha", "sigma") if i == 0 else ("alpha", "sigma")
+    if any(field not in names for field in entry) or (i > 0 and len(entry) < 2):
+        raise ScriptError("a level has alpha and sigma, level 0 a number of darts")
+    if i == 0:
+        if entry.get("alpha", []) != [] or entry.get("sigma", []) != []:
+            raise ScriptError("level 0 has neither alpha nor sigma")
+        return chains.Level([], [], read_images([[entry["darts"]]], "darts")[0][0] if "darts" in entry else None)
+    alpha, sigma = read_images(entry["alpha"], "alpha"), read_images([entry["sigma"]], "sigma")[0]
+    return chains.Level(alpha, sigma, len(sigma))
+
+
+def op_chain_of_maps(state, step, _prime):
+    fields(step, ("name", "levels"), ("as", "at"))
+    name, entries = check_name(step["name"], "name"), step["levels"]
+    by_simplices = read_as(step)
+    if not isinstance(entries, list) or not entries:
+        raise ScriptError("levels must be a list that is not empty")
+    levels = [read_level(entry, i) for i, entry in enumerate(entries)]
+    if levels[0].size is None:
+        if len(levels) == 1 or not levels[1].sigma:
+            raise ScriptError("level 0 needs a number of darts")
+        levels[0] = levels[0]._replace(size=max(levels[1].sigma) + 1)
+    problem = chains.broken_law(levels)
+    if problem:
+        raise ScriptError(f'"{name}" is no chain of maps: {problem}')
+    if "at" in step and step["at"] != []:
+        check_points(step["at"], levels[0].size)
+    body = state.new_body(name)
+    for i, level in enumerate(levels):
+        for d in range(level.size):
+            state.check_free(dart_cell_name(name, i, d))
+    if not by_simplices:
+        add_cells_of_levels(state, name, levels, body, lambda i, cell: dart_cell_name(name, i, cell.root))
+        return
+    called = {}
+    for numbers, least, below in chains.analogue(levels):
+        called[numbers, least] = f"{name}.<{'-'.join(map(str, numbers))}>:{least}"
+        faces = [state.plain(state.find(called[face])) for face in below]
+        state.add(called[numbers, least], (len(numbers) - 1,) if below else (), faces, body, name)
+
+
+def add_cells_of_levels(state, name, levels, body, called, order_of=lambda i, cell: cell.root):
+    """The cells of a chain of maps, each layer sorted by `order_of`."""
+    for i in range(len(levels)):
+        layer = chains.cells(levels, i, is_ball)
+        if None in layer:
+            raise ScriptError(f'"{name}" has a cell that is no ball')
+        for cell in sorted(layer, key=lambda cell: order_of(i, cell)):
+            at = {place: d for d, place in cell.darts.items()}
+            roots = roots_of_faces(cell.kind)
+            faces = [state.names[dart_cell_name(name, i - 1, levels[i].sigma[at[root]])] for root in roots if i > 0]
+            number = state.add(called(i, cell), cell.kind, faces, body, name)
+            for d, place in cell.darts.items():
+                state.names[dart_cell_name(name, i, d)] = number, gmaps.shape_from(cell.kind, place)
+    state.mapped.add(body)
+
+
+def op_incidence(state, step, _prime):
+    fields(step, ("name", "cells"), ("as",))
+    name, entries = check_name(step["name"], "name"), step["cells"]
+    by_simplices = read_as(step)
+    if not isinstance(entries, list) or not entries:
+        raise ScriptError("cells must be a list that is not empty")
+    listed = {}
+    for entry in entries:
+        if not isinstance(entry, dict) or any(field not in ("id", "faces", "at") for field in entry):
+            raise ScriptError("a cell of an incidence graph has an id, faces, and a point when it has no faces")
+        ident, own = check_name(entry.get("id"), "id"), entry.get("faces", [])
+        if ident in listed or not isinstance(own, list) or ("at" in entry and own):
+            raise ScriptError(f'the cell "{ident}" is listed twice, or its faces are no list, or it has a point')
+        if "at" in entry:
+            check_point(entry["at"], "at")
+        listed[ident] = own
+    ids = list(listed)
+    if any(not isinstance(face, str) or face not in listed for own in listed.values() for face in own):
+        raise ScriptError("a face is not listed")
+    faces = [[ids.index(face) for face in listed[ident]] for ident in ids]
+    rank = chains.ranks(faces)
+    if rank is None:
+        raise ScriptError(f'"{name}" is no incidence graph')
+    body = state.new_body(name)
+    if by_simplices:
+        add_chains(state, name, ids, faces, body)
+    else:
+        add_cells_of_graph(state, name, ids, faces, rank, body)
+
+
+def add_chains(state, name, ids, faces, body):
+    if any("<" in ident for ident in ids):
+        raise ScriptError('an id has a "<"')
+
+    def called(chain):
+        return f"{name}.<{'<'.join(ids[x] for x in chain)}>"
+
+    for chain in chains.chains_of(faces):
+        below = [state.plain(state.find(called(chain[:k] + chain[k + 1:]))) for k in range(len(chain)) if len(chain) > 1]
+        state.add(called(chain), (len(chain) - 1,) if below else (), below, body, name)
+
+
+def add_cells_of_graph(state, name, ids, faces, rank, body):
+    flags = chains.tuples(faces, max(rank))
+    levels = chains.levels_of(faces, flags)
+    whole_cells = levels and all(len({level[d][-1] for d in part}) == 1 and len(part) == sum(
+        flag[-1] == level[part[0]][-1] for flag in level) for i, level in enumerate(flags) if i > 0
+        for part in gmaps.orbits(levels[i].alpha, range(i)))
+    if not whole_cells:
+        raise ScriptError(f'"{name}" has a cell over no surface')
+    names_of_darts = {dart_cell_name("", i, d)[1:] for i, level in enumerate(flags) for d in range(len(level))}
+    if any(ident in names_of_darts for ident in ids):
+        raise ScriptError("an id is that of a dart")
+    for text in names_of_darts:
+        state.check_free(f"{name}.{text}")
+
+    def cell_of(i, cell):
+        return flags[i][cell.root][-1]
+
+    add_cells_of_levels(state, name, levels, body, lambda i, cell: f"{name}.{ids[cell_of(i, cell)]}", cell_of)
+    for x, ident in enumerate(ids):
+        flag = chains.first_flag(faces, x)
+        state.names[f"{name}.{ident}"] = state.names[dart_cell_name(name, rank[x], flags[rank[x]].index(flag))]
+
+
 def read_dart(state, text):
     """(name of its map, number)."""
     if not isinstance(text, str):
@@ -2034,6 +2163,8 @@ OPERATIONS = {
     "simplex": op_simplex,
     "simploid": op_simploid,
     "complex": op_complex,
+    "chain_of_maps": op_chain_of_maps,
+    "incidence": op_incidence,
     "gmap": op_gmap,
     "map": op_map,
     "polygon": op_polygon,

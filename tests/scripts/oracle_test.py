@@ -586,6 +586,7 @@ class MapsTest(unittest.TestCase):
             writer = random_script.WriterOfMaps(seed, "Z")
             writer.weights = {"polygon": 4, "solid": 1, "surface": 1, "small_map": 1, "nmap": 2, "sew": 10, "unsew": 3,
                               "extend": 2, "undo": 1}
+            writer.of_maps = writer.weights  # no chains of maps
             writer.write(20)
             twin = oracle.Oracle()
             for step in writer.lines[1:]:
@@ -607,6 +608,67 @@ class MapsTest(unittest.TestCase):
             self.refuses(("gmap", {"name": "m", "alpha": [*square, top]}), ("extend", {"maps": ["m"]}))
         self.refuses(("gmap", {"name": "m", "alpha": [*square, [1, 0, 2, 3, 4, 5, 6, 7]]}))  # a side on itself
         self.refuses(("gmap", {"name": "m", "alpha": [[0, 2, 1, 3], [1, 0, 3, 2], [0, 1, 2, 3]]}))  # an open face
+
+    def test_chains_of_maps_have_the_groups_of_their_analogues_after_every_gluing(self):
+        compared = 0
+        for seed in range(40):
+            writer = random_script.WriterOfMaps(seed, "Z")
+            while not any(line.get("op") == "chain_of_maps" for line in writer.lines):
+                writer.chain()
+            step = {field: value for field, value in writer.lines[-1].items() if field != "as"}
+            name, levels = step["name"], step["levels"]
+            cells, simplices = run((step["op"], step)), run((step["op"], {**step, "as": "simplices"}))
+            self.assertEqual(found(cells)[1:], found(simplices)[1:])
+            top = levels[-1]
+            for _ in range(6 if len(levels) > 1 else 0):
+                d, e = (writer.random.randrange(len(top["sigma"])) for _ in range(2))
+                pairs = [[d, e]]  # what becomes one with these
+                for one, other in pairs:
+                    for images in top["alpha"]:
+                        if [images[one], images[other]] not in pairs:
+                            pairs.append([images[one], images[other]])
+                i = len(levels) - 1
+                numbers = "-".join(map(str, range(i + 1)))
+                try:
+                    cells.apply({"op": "identify", "pairs": [[f"{name}.{i}:{d}", f"{name}.{i}:{e}"]]})
+                except oracle.ScriptError:
+                    continue
+                simplices.apply({"op": "identify", "pairs": [[f"{name}.<{numbers}>:{k}" for k in pair] for pair in pairs]})
+                self.assertIsNone(cells.state.broken_law())
+                self.assertEqual(found(cells)[1:], found(simplices)[1:], seed)
+                compared += 1
+        self.assertGreater(compared, 40)
+
+    def test_incidence_graphs_have_the_groups_of_their_chains(self):
+        for seed in range(20):
+            writer = random_script.WriterOfMaps(seed, "Z")
+            while not any(line.get("op") == "incidence" for line in writer.lines):
+                writer.incidence()
+            step = {field: value for field, value in writer.lines[-1].items() if field != "as"}
+            chains = run((step["op"], {**step, "as": "simplices"}))
+            try:
+                cells = run((step["op"], step))
+            except oracle.ScriptError:
+                continue
+            self.assertIsNone(cells.state.broken_law())
+            self.assertEqual(found(cells)[1:], found(chains)[1:])
+            for cell in step["cells"]:
+                if cell.get("faces"):  # the first face counts once
+                    called, first = f'{step["name"]}.{cell["id"]}', f'{step["name"]}.{cell["faces"][0]}'
+                    boundary = cells.state.boundary(cells.state.find(called))
+                    self.assertEqual(boundary[cells.state.find(first)], cells.state.sign(called) * cells.state.sign(first))
+
+    def test_incidence_graphs_with_jumps_or_cells_that_are_no_balls_are_refused(self):
+        def graph(*cells, **more):
+            return "incidence", {"name": "K", "cells": [{"id": k, "faces": list(own)} for k, own in cells], **more}
+
+        vertices = [(v, "") for v in "abcd"]
+        circles = [("e", "ab"), ("f", "ab"), ("g", "cd"), ("h", "cd")]
+        self.refuses(graph(*vertices, ("e", "ab"), ("f", "ec")))
+        for over in ([("s", "abc")], [*circles, ("w", "efgh")]):
+            self.refuses(graph(*vertices, *over))
+            self.assertEqual(len(found(run(graph(*vertices, *over, **{"as": "simplices"})))[0]), 2 if over[0][0] == "s" else 3)
+        self.refuses(graph(("a", ""), ("b", ""), ("1:0", "ab"), ("e", "ab")))
 
     def test_what_cannot_be_sewn_is_refused(self):
         made = [polygon("p", 3), polygon("q", 4), solid("a", "prism"), solid("b", "cube")]

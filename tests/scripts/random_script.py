@@ -760,9 +760,9 @@ def map_of_faces(faces):
 class WriterOfMaps(WriterOfAll):
     """Maps are made and sewn, unsewn and extended, beside all that others do."""
 
-    of_maps = {"polygon": 8, "solid": 3, "surface": 2, "small_map": 2, "nmap": 2, "sew": 22, "unsew": 8, "extend": 5}
+    of_maps = {"polygon": 8, "solid": 3, "surface": 2, "small_map": 2, "nmap": 2, "chain": 3, "incidence": 3, "sew": 22, "unsew": 8, "extend": 5}
     weights = {**WriterOfAll.weights, "product": 1, "simploid": 1, "loops": 0, "moore": 0, "simplex": 2, **of_maps}
-    growing = (*WriterOfAll.growing, "polygon", "solid", "surface", "small_map", "nmap")
+    growing = (*WriterOfAll.growing, "polygon", "solid", "surface", "small_map", "nmap", "chain", "incidence")
 
     def write(self, steps):
         if self.random.random() < 0.3:  # nothing else
@@ -823,6 +823,53 @@ class WriterOfMaps(WriterOfAll):
             return self.attempt({**step, "as": "simplices"})
         return self.make(step)
 
+    def chain(self):
+        """Polygons, some of which have sides in common, and edges: of each the least darts of sides are the same."""
+        sizes = self.random.choices([1, 2, 3, 4], k=self.random.randint(1, 3))
+        points, edges, sides = 0, [], []  # edges by their ends, sides of polygons by the edges that they go along
+        for size in sizes:
+            shared = self.random.random() < 0.5
+            corners = [0 if shared and k == 0 else points + k for k in range(size)]
+            points += size
+            for k in range(size):
+                ends = [corners[k], corners[(k + 1) % size]]
+                number = edges.index(ends) if ends in edges and self.random.random() < 0.5 else len(edges)
+                edges[number:number + 1] = [ends]
+                sides.append(number)
+        edges += [[self.random.randrange(points) for _ in range(2)] for _ in range(self.random.randint(0, 1))]
+        darts, alpha, first = range(2 * len(sides)), [], 0
+        for size in sizes:
+            alpha += [2 * first + image for image in gmaps.polygon(size)[1]]
+            first += size
+        levels = [{"darts": points}, {"alpha": [[d ^ 1 for d in range(2 * len(edges))]], "sigma": sum(edges, [])},
+                  {"alpha": [[d ^ 1 for d in darts], alpha], "sigma": [2 * sides[d // 2] + d % 2 for d in darts]}]
+        step = {"op": "chain_of_maps", "name": self.fresh("h"), "levels": levels[:self.random.choice([1, 2, 3, 3, 3, 3])]}
+        if self.random.random() < 0.1:
+            spoilt = self.random.choice(step["levels"][1:] or [{"sigma": [0]}])["sigma"]
+            spoilt[self.random.randrange(len(spoilt))] = self.random.randrange(len(spoilt))
+        return self.make(step)
+
+    def incidence(self):
+        """A solid, its surface, or some of its faces, listed in any order."""
+        polygons = SOLIDS[self.random.choice(sorted(SOLIDS))]
+        polygons = polygons[:self.random.choice([1, 2, len(polygons), len(polygons)])]
+        cells, edges = {f"v{corner}": [] for corners in polygons for corner in corners}, {}
+        for k, corners in enumerate(polygons):
+            below = []
+            for one, other in zip(corners, [*corners[1:], corners[0]]):
+                ident = edges.setdefault(frozenset((one, other)), f"e{min(one, other)}{max(one, other)}")
+                cells[ident] = [f"v{one}", f"v{other}"]
+                below.append(ident)
+            cells[f"f{k}"] = below
+        if self.random.random() < 0.6:  # where some faces are missing there is no ball
+            cells["w"] = [f"f{k}" for k in range(len(polygons))]
+        listed = list(cells.items())
+        self.random.shuffle(listed)
+        for _, below in listed:
+            self.random.shuffle(below)
+        return self.make({"op": "incidence", "name": self.fresh("g"),
+                          "cells": [{"id": ident, **({"faces": below} if below else {})} for ident, below in listed]})
+
     def dart_text(self, dart):
         return f"{dart[0]}:{oracle.dart_text(self.oracle.state, dart)}"
 
@@ -868,6 +915,14 @@ class WriterOfMaps(WriterOfAll):
             {"op": "gmap", "name": "fresh", "alpha": []},
             {"op": "gmap", "name": "fresh", "alpha": [[1, 0], [1, 0], [0, 1]], "as": "cells"},
             {"op": "map", "name": "fresh", "beta": [[0], [0]]},
+            {"op": "chain_of_maps", "name": "fresh", "levels": [{"darts": 0}]},
+            {"op": "chain_of_maps", "name": "fresh", "levels": [{}, {"alpha": [[0, 1]], "sigma": [0, 1]}]},
+            {"op": "chain_of_maps", "name": "fresh", "levels": [{}, {"alpha": [[1, 0]], "sigma": [0, 1]},
+                                                                {"alpha": [[1, 0], [1, 0]], "sigma": [0, 0]}]},
+            {"op": "incidence", "name": "fresh", "cells": []},
+            {"op": "incidence", "name": "fresh", "cells": [{"id": "a"}, {"id": "e", "faces": ["a"]}]},
+            {"op": "incidence", "name": "fresh", "cells": [{"id": "a"}, {"id": "b"}, {"id": "c"},
+                                                           {"id": "e", "faces": ["a", "b"]}, {"id": "f", "faces": ["e", "c"]}]},
             {"op": "map", "name": "fresh", "beta": [[1, 1], [None, None]]},
             {"op": "sew", "dim": 2, "pairs": [["nobody:0", "nobody:1"]]},
             {"op": "unsew", "dim": 2, "darts": ["nobody:0"]},
