@@ -279,6 +279,9 @@ std::optional<Value> NameReader::cone_over(const Cone& cone, const Value& value)
     if (node == none) {
       return std::nullopt;
     }
+    if (!is_simploid(structure_.cells().type(value.cell).type)) {  // known by its boundary: it has one orientation
+      return structure_.values().plain(node);
+    }
     // The base has its vertices in the order of the name that it had.
     VertexMaps& maps = structure_.maps();
     const auto last = static_cast<std::uint32_t>(structure_.cells().faces(node).size() - 1);

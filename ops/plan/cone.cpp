@@ -117,6 +117,10 @@ class ConePlanner {
   /// `name` is that of v*c, where c has its vertices in the order of its canonical name. Requires: the faces of c have
   /// been added.
   void add(CellId c, const std::string& name) {
+    if (!is_simploid(structure_.cells().type(c).type)) {
+      add_by_boundary(c, name);
+      return;
+    }
     std::vector<Incidence> faces;
     const TypeId type = structure_.cells().type_id(c);
     const int p = structure_.dimension(c);
@@ -143,6 +147,42 @@ class ConePlanner {
 
  private:
   [[nodiscard]] CellId next() const { return plan_.first + plan_.cells.size(); }
+
+  /// Of a cell that is no simploid, v*c is known by its boundary: the cones over the faces, and c.
+  void add_by_boundary(CellId c, const std::string& name) {
+    TypeTable& types = structure_.types();
+    const int p = structure_.dimension(c);
+    const auto arity = static_cast<std::uint32_t>(structure_.faces().of(c).size());
+    const Value named = structure_.directory().named_value(c);
+    std::vector<TypeTable::BoundaryFace> faces;
+    const std::size_t first_face = plan_.faces.size();
+    for (std::uint32_t k = 0; k < arity; ++k) {
+      const Value face = structure_.values().face(named, k);
+      if (face.is_degenerate()) {
+        continue;  // as is the cone over it
+      }
+      const int sign = types.info(named.type).faces[k].sign;
+      if (is_simploid(structure_.cells().type(face.cell).type)) {
+        add_face(coned_value(face), plan_);
+        faces.push_back({sign, types.coned(face.type, by_edges_)});
+      } else {
+        const auto& [node, type, collapsed, order] = cone_of_.at(face.cell);
+        const int turned = structure_.maps().sign(face.order) * structure_.directory().sign_of_name(face.cell);
+        add_face({node}, plan_);
+        faces.push_back({sign * turned, type});
+      }
+    }
+    add_face({c, named.order}, plan_);
+    faces.push_back({p % 2 == 0 ? -1 : 1, named.type});
+    const CellType& of = structure_.cells().type(c).type;
+    const KnownBy known_by = is_by_boundary(of) ? KnownBy{of[0]} : KnownBy::listing;
+    const TypeId type = types.by_boundary(p + 1, faces, known_by);
+    cone_of_.emplace(c, Value{next(), type, 0, same_order});
+    plan_.names += name;
+    add_cell(type, first_face, plan_);
+    plan_.cones.back().end = static_cast<std::uint32_t>(plan_.cells.size());
+  }
+
   /// v*c for a value c: degenerate in the same directions; the new one comes last.
   Incidence coned_value(const Value& v) {
     const Value base = structure_.maps().compose(v, cone_of_.at(v.cell));
@@ -215,10 +255,10 @@ Status plan_written_cones(std::span<const std::string> apexes, const std::vector
       std::any_of(coned.begin(), coned.end(), [&](CellId c) { return !is_simplex(structure.cells().type(c).type); });
   // All that may ask for nodes comes first, faces and names: the plan counts on ids.
   for (const CellId c : coned) {
-    if (!is_simploid(structure.cells().type(c).type)) {
-      return check_simploids(structure.body_of(c), "a cone", structure);
-    }
     (void)structure.faces().of(c);
+    if (!is_simploid(structure.cells().type(c).type)) {
+      continue;
+    }
     if (Status s = check_standard(coned_type(structure.cells().type(c).type, by_edges), structure, limits); !s) {
       return s;
     }
@@ -246,11 +286,6 @@ Status plan_lazy_cone(const std::string& apex, const std::vector<BodyId>& bodies
   if (Status s = check_new_prefix(apex, structure); !s) {
     return s;
   }
-  for (const BodyId body : bodies) {
-    if (Status s = check_simploids(body, "a cone", structure); !s) {
-      return s;
-    }
-  }
   NewFamily cone{FamilyKind::cone, apex, bodies, false, {}, 0};
   std::uint64_t over_edges = 0;  // and larger cells: v*c has a type longer than one when it is a product with an edge
   for (const BodyId body : bodies) {
@@ -273,6 +308,22 @@ Status plan_lazy_cone(const std::string& apex, const std::vector<BodyId>& bodies
   add_cell(structure.types().vertex(), 0, plan);
   plan.family = std::move(cone);
   return Done{};
+}
+
+/// Lazy cones are made of simploids only.
+bool has_others(const std::vector<BodyId>& bodies, const Structure& structure) {
+  return std::ranges::any_of(bodies, [&](BodyId body) { return structure.bodies().kind(body).has_others; });
+}
+
+/// Before cells are listed: of a product there may be more than anybody can list.
+Status check_written(const std::vector<BodyId>& bodies, std::string_view what, const Structure& structure,
+                     const Limits& limits) {
+  const std::uint64_t cells = cells_in(bodies, structure);
+  return cells > static_cast<std::uint64_t>(limits.cells_per_step)
+             ? Error{Errc::refused, fmt::format("{} is written out, and this one would be taken over {} cells; the "
+                                                "limit is {} cells a step",
+                                                what, cells, limits.cells_per_step)}
+             : Status{Done{}};
 }
 
 Status check_apexes(const MakeSuspension& operation, const Structure& structure) {
@@ -304,8 +355,14 @@ Status plan_cone(const MakeCone& operation, const Structure& structure, const Li
   if (!bodies) {
     return bodies.error();
   }
-  if (*bodies && cells_in(**bodies, structure) > static_cast<std::uint64_t>(limits.cells_of_explicit_cone)) {
+  if (*bodies && !has_others(**bodies, structure) &&
+      cells_in(**bodies, structure) > static_cast<std::uint64_t>(limits.cells_of_explicit_cone)) {
     return plan_lazy_cone(operation.apex, **bodies, structure, plan);
+  }
+  if (Status s = *bodies ? check_written(**bodies, "a cone over cells that are no simploids", structure, limits)
+                         : Status{Done{}};
+      !s) {
+    return s;
   }
   const auto coned = coned_cells(*bodies, operation.over, structure);
   return coned ? plan_written_cones({&operation.apex, 1}, *coned, structure, limits, plan) : coned.error();
@@ -319,12 +376,8 @@ Status plan_suspension(const MakeSuspension& operation, const Structure& structu
   if (!bodies) {
     return bodies.error();
   }
-  // Before cells are listed: of a product there may be more than anybody can list.
-  const std::uint64_t cells = *bodies ? cells_in(**bodies, structure) : 0;
-  if (cells > static_cast<std::uint64_t>(limits.cells_per_step)) {
-    return Error{Errc::refused, fmt::format("a suspension is written out, and this one would be taken over {} cells; "
-                                            "the limit is {} cells a step",
-                                            cells, limits.cells_per_step)};
+  if (Status s = *bodies ? check_written(**bodies, "a suspension", structure, limits) : Status{Done{}}; !s) {
+    return s;
   }
   const auto coned = coned_cells(*bodies, operation.over, structure);
   return coned ? plan_written_cones(operation.apexes, *coned, structure, limits, plan) : coned.error();

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "ops/cells/cofaces.hpp"
+
 namespace sesame::ops {
 
 Status check_part_names(const ConeShape& shape, const std::string& name, const Structure& structure) {
@@ -10,6 +12,19 @@ Status check_part_names(const ConeShape& shape, const std::string& name, const S
       return Error{
           Errc::bad_input,
           fmt::format("the name \"{}\" is in use, and would be one of a part of the new cell \"{}\"", part, name)};
+    }
+  }
+  return Done{};
+}
+
+Status check_cofaces(CellId cell, const std::unordered_set<CellId>& known, std::string_view what,
+                     const Structure& structure) {
+  for (const CellId coface : cofaces(structure, cell)) {
+    const CellType& type = structure.cells().type(coface).type;
+    if (!known.contains(coface) && !is_cone(type) && !is_cone_part(type)) {
+      return Error{Errc::refused, fmt::format("\"{}\" is a face of \"{}\", which is no cell of its map: {} would tear "
+                                              "that; remove it first",
+                                              structure.name(cell), structure.name(coface), what)};
     }
   }
   return Done{};

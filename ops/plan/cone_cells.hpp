@@ -3,6 +3,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "ops/cells/structure.hpp"
@@ -49,6 +51,9 @@ Status add_cone_cell(const ConeShape& shape, const std::string& name, TypeTable&
 
 /// Errors: bad_input, when the name of a part is in use.
 Status check_part_names(const ConeShape& shape, const std::string& name, const Structure& structure);
+/// Errors: refused, when a cell has a coface besides some and the generators of cells that are no balls.
+Status check_cofaces(CellId cell, const std::unordered_set<CellId>& known, std::string_view what,
+                     const Structure& structure);
 /// What a part of a cell is called after that: "m.3:0" of "m.3:0~1".
 [[nodiscard]] std::string name_of_whole(const std::string& part);
 /// The current parts of a current cell that is no ball.

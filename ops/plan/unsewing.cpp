@@ -157,15 +157,17 @@ class UnsewingPlanner {
     return Done{};
   }
 
-  /// Do all these darts see the cell, and have what they see above it as a face? It may have been split otherwise, or
-  /// be degenerate.
+  /// Do all these darts see the cell, and have what they see above it, and nothing else, as a coface? It may have been
+  /// split otherwise, or be degenerate.
   Status check_seen(int i, const Value& whole, const std::vector<Dart>& darts) const {
+    std::unordered_set<CellId> cells_above;
     for (const Dart d : darts) {
       const Result<Value> here = seen(i, d);
       const Result<Value> above = here ? seen(i + 1, d) : here;
       if (!above) {
         return above.error();
       }
+      cells_above.insert(above->cell);
       bool is_whole = !here->is_degenerate() && here->cell == whole.cell && !above->is_degenerate();
       if (is_whole && !is_cone(structure_.cells().type(above->cell).type)) {
         const Dart place = structure_.maps().dart_of(above->order);
@@ -180,7 +182,7 @@ class UnsewingPlanner {
                                                 name(d), i)};
       }
     }
-    return Done{};
+    return check_cofaces(whole.cell, cells_above, "unsewing", structure_);
   }
 
   /// Are all nodes that the cell stands for cells of these darts, or were they of darts that have been unsewn? Others
