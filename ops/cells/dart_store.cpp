@@ -77,6 +77,12 @@ void DartStore::extend(std::span<const Extension> extensions) {
       }
       of.alpha.back().push_back(new_first.at(number) + (d - old.first));
     }
+    for (Dart d = 0; d < old.count; ++d) {
+      if (const auto with = taken_out_with(n, old.first + d)) {
+        taken_out_.emplace(DartPlace{static_cast<std::uint32_t>(n) + 1, new_first.at(number) + d},
+                           static_cast<std::uint32_t>(*with));
+      }
+    }
     note_map({old.name, n + 1, new_first.at(number), old.count, 0, cells, false, old.halves});
   }
 }
@@ -117,6 +123,21 @@ void DartStore::see(int dimension, int i, Dart dart, const DartCells::Seen& node
   events_.push_back({What::seen, static_cast<std::int8_t>(dimension), static_cast<std::int8_t>(i), dart, 0});
 }
 
+std::optional<int> DartStore::taken_out_with(int dimension, Dart dart) const {
+  if (taken_out_.empty()) {
+    return std::nullopt;
+  }
+  const auto at = taken_out_.find({static_cast<std::uint32_t>(dimension), dart});
+  return at == taken_out_.end() ? std::nullopt : std::optional{static_cast<int>(at->second)};
+}
+
+void DartStore::take_out(int dimension, int i, Dart dart) {
+  const DartPlace place{static_cast<std::uint32_t>(dimension), dart};
+  const bool is_new = taken_out_.emplace(place, static_cast<std::uint32_t>(i)).second;
+  sparse::expects(is_new, "a dart is taken out of a map once");
+  events_.push_back({What::taken_out, static_cast<std::int8_t>(dimension), static_cast<std::int8_t>(i), dart, 0});
+}
+
 void DartStore::undo_last_event() {
   const Event last = events_.back();
   events_.pop_back();
@@ -134,8 +155,14 @@ void DartStore::undo_last_event() {
     saw_.pop_back();
     return;
   }
+  if (last.what == What::taken_out) {
+    taken_out_.erase({static_cast<std::uint32_t>(last.dimension), last.a});
+    return;
+  }
   const Made& map = maps_.back();
   if (!map.has_levels()) {
+    const auto dimension = static_cast<std::uint32_t>(map.dimension);
+    taken_out_.erase(taken_out_.lower_bound({dimension, map.first}), taken_out_.lower_bound({dimension + 1, 0}));
     Dimension& of = by_dimension_[static_cast<std::size_t>(map.dimension)];
     for (auto& alpha : of.alpha) {
       alpha.truncate(map.first);
@@ -200,6 +227,7 @@ void DartStore::save(sparse::ArchiveWriter& to) const {
     }
   }
   to.put_map(sees_);
+  to.put_map(taken_out_);
 }
 
 /// Cells as they should be for the darts that there are.
@@ -274,6 +302,17 @@ void DartStore::load(sparse::ArchiveReader& from, const CellStore& nodes, const 
         (is_cone(nodes.type(CellId{seen.offset}).type) || seen.dart < types.darts(nodes.type_id(CellId{seen.offset})));
     if (from.check(is_sound, "a dart sees a cell")) {
       sees_.emplace(place, seen);
+    }
+  });
+  from.get_map<DartPlace, std::uint32_t>([&](const DartPlace& place, std::uint32_t with) {
+    const auto& [dimension, dart] = place;
+    bool is_sound =
+        dimension <= largest_map_dimension && with <= dimension && dart < darts(static_cast<int>(dimension));
+    for (int i = 0; is_sound && i <= static_cast<int>(dimension); ++i) {
+      is_sound = alpha(static_cast<int>(dimension), i, dart) == dart;
+    }
+    if (from.check(is_sound, "a dart that is taken out of its map is free")) {
+      taken_out_.emplace(place, with);
     }
   });
 }

@@ -27,7 +27,8 @@ namespace sesame::ops {
 
 /// Darts are numbered through all maps of a dimension n, in the order in which they were made. Sewing and what undoes
 /// it change their involutions; cells are those that were made with them, whatever has become of these since. The darts
-/// of a chain of maps are numbered for each level of it alone, and only name cells.
+/// of a chain of maps are numbered for each level of it alone, and only name cells. A dart
+/// that was taken out of its map keeps its number.
 ///
 /// Everything that happens is an event, and events are undone in reverse order. Cost: O(1), or as said.
 class DartStore {
@@ -62,6 +63,8 @@ class DartStore {
   /// The node of the i-cell of a dart, as it was made or as `see` said last, and which dart of it that is; the node is
   /// UINT32_MAX when it is gone for good.
   [[nodiscard]] DartCells::Seen seen(const Made& map, int i, Dart dart) const;
+  /// The dimension of the cell that a dart was taken out of its map with, or nothing: it is there.
+  [[nodiscard]] std::optional<int> taken_out_with(int dimension, Dart dart) const;
   /// Whether `see` has said something.
   [[nodiscard]] bool has_seen_others() const { return !sees_.empty(); }
 
@@ -84,6 +87,9 @@ class DartStore {
   void unsew(int dimension, int i, Dart a, Dart b);
   /// The i-cell of a dart is, from now on, a certain node as seen from a dart of it.
   void see(int dimension, int i, Dart dart, const DartCells::Seen& node);
+  /// A dart that is free of all indices is one of the map no more, since a cell of dimension i went with it. What it
+  /// saw it goes on seeing.
+  void take_out(int dimension, int i, Dart dart);
   void undo_last_event();
   /// Forgets what happened: it can be undone no more.
   void forget_events() {
@@ -105,13 +111,14 @@ class DartStore {
     std::vector<sparse::GrowingArray<Dart>> alpha;
     std::vector<std::uint32_t> maps;  ///< numbers
   };
-  enum class What : std::uint8_t { made, sewn, unsewn, seen };
+  enum class What : std::uint8_t { made, sewn, unsewn, seen, taken_out };
   struct Event {
     What what;
     std::int8_t dimension, index;
     Dart a, b;  ///< darts; of what a dart sees, the dart and the number of what it saw
   };
-  using Place = std::array<std::uint32_t, 3>;  ///< dimension, dimension of the cell, dart
+  using Place = std::array<std::uint32_t, 3>;      ///< dimension, dimension of the cell, dart
+  using DartPlace = std::array<std::uint32_t, 2>;  ///< dimension, dart
   void join(const Event& event, bool are_sewn);
   void note_map(Made map);
   void list_map(std::uint32_t number);
@@ -123,6 +130,7 @@ class DartStore {
   sparse::GrowingArray<Event> events_;
   std::map<Place, DartCells::Seen> sees_;            ///< nodes, where they are not those that were made with the map
   std::vector<std::optional<DartCells::Seen>> saw_;  ///< before, per event of that kind
+  std::map<DartPlace, std::uint32_t> taken_out_;     ///< the dimension of the cell
 };
 
 template <class Name, class Seen>
@@ -140,6 +148,7 @@ void DartStore::begin_with(const DartStore& other, Name&& name, Seen&& seen) {
                      old.is_by_simplices, old.halves});
     list_map(maps() - 1);
   }
+  taken_out_ = other.taken_out_;
   std::ranges::sort(by_name_);
   for (std::size_t n = 0; n < by_dimension_.size(); ++n) {
     for (const auto& images : other.by_dimension_[n].alpha) {

@@ -28,7 +28,7 @@ enum class EventKind : std::uint8_t {
   union_of_bodies,
   body_kind,   ///< a body became less of an abstract complex than it was
   simplicial,  ///< a change in the abstract simplicial complexes
-  darts,       ///< a map was made, or darts of maps were sewn or unsewn
+  darts,       ///< something happened to darts of maps: see DartStore
 };
 inline constexpr std::size_t event_kinds = 16;
 

@@ -14,11 +14,7 @@ namespace sesame::ops {
 namespace {
 
 Error no_ball(const std::string& title, const GMap& boundary) {
-  const DartSigns signs = dart_signs(boundary);
-  const char* why = signs.fault == DartSigns::Fault::fold        ? "is open or folded"
-                    : signs.fault == DartSigns::Fault::one_sided ? "is not orientable"
-                                                                 : "has not the homology of a sphere";
-  return {Errc::refused, fmt::format("{} is no ball: its canonical boundary {}", title, why)};
+  return {Errc::refused, fmt::format("{} is no ball: its canonical boundary {}", title, why_no_sphere(boundary))};
 }
 
 /// Adds the cells of one dimension, one after the other.
@@ -138,6 +134,13 @@ void add_faces(const CellsOfMap& below, TypeTable& types, CellsOfMap& cells, Low
 }
 
 }  // namespace
+
+const char* why_no_sphere(const GMap& boundary) {
+  const DartSigns signs = dart_signs(boundary);
+  return signs.fault == DartSigns::Fault::fold        ? "is open or folded"
+         : signs.fault == DartSigns::Fault::one_sided ? "is not orientable"
+                                                      : "has not the homology of a sphere";
+}
 
 Result<std::vector<CellsOfMap>> cells_of_map(const GMap& map, TypeTable& types, bool any_on_top) {
   std::vector<CellsOfMap> all;

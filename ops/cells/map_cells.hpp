@@ -65,6 +65,9 @@ struct CellsSeen {
 [[nodiscard]] Result<std::vector<CellsOfMap>> cells_of_chain(const ChainOfMaps& chain, const CellsSeen& seen,
                                                              TypeTable& types);
 
+/// Of a canonical boundary over which there is no ball, as the rest of a sentence: "is not orientable".
+[[nodiscard]] const char* why_no_sphere(const GMap& boundary);
+
 /// Which cells the darts belong to when the cells are put one after the other, by dimension.
 [[nodiscard]] DartCells dart_cells(const std::vector<CellsOfMap>& cells);
 

@@ -26,6 +26,7 @@ void Plan::clear() {
   extended.clear();
   sewings.clear();
   newly_seen.clear();
+  darts_taken_out.clear();
   already = 0;
 }
 

@@ -76,12 +76,17 @@ struct Sewing {
   bool is_unsewn = false;
 };
 
-/// The i-cell of a dart is from now on a copy that the step makes, by its position among the new cells, as seen from a
-/// dart of it.
+/// The i-cell of a dart is from now on another one, as seen from a dart of it: a node, of a new cell its id.
 struct NewlySeen {
   int dimension, of;
   Dart dart;
-  DartCells::Seen copy;
+  DartCells::Seen node;
+};
+
+/// A dart that is taken out of its map with a cell of some dimension. Requires: by then it is free of all indices.
+struct DartTakenOut {
+  int dimension, with;
+  Dart dart;
 };
 
 /// What a step is to the object.
@@ -138,6 +143,7 @@ struct Plan {
   std::vector<ExtendedMap> extended;
   std::vector<Sewing> sewings;
   std::vector<NewlySeen> newly_seen;
+  std::vector<DartTakenOut> darts_taken_out;  ///< after the sewings
   std::uint64_t already = 0;  ///< simplices of an insertion that are there, or stand in its list more than once
 
   void clear();

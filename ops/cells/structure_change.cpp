@@ -96,9 +96,13 @@ void Structure::change_darts(const Plan& plan, CellId first, BodyId body) {
       darts_.sew(dimension, index, a, b);
     }
   }
-  for (const auto& [dimension, of, dart, copy] : plan.newly_seen) {
+  for (const auto& [dimension, of, dart, node] : plan.newly_seen) {
     note(EventKind::darts, darts_.events());
-    darts_.see(dimension, of, dart, {first + copy.offset, copy.dart});
+    darts_.see(dimension, of, dart, node);
+  }
+  for (const auto& [dimension, with, dart] : plan.darts_taken_out) {
+    note(EventKind::darts, darts_.events());
+    darts_.take_out(dimension, with, dart);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ops/cells/cell_order.hpp"
+#include "ops/cells/cone_parts.hpp"
 #include "ops/cells/structure.hpp"
 #include "sparse/archive_memory.hpp"
 #include "sparse/contract.hpp"
@@ -23,7 +24,7 @@ std::vector<CellId> cells_of_object(const Structure& structure) {
     }
   });
   sort_by_dimension_and_age(structure, cells);
-  return cells;
+  return with_parts(structure, cells);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "ops/cells/cell_order.hpp"
+#include "ops/cells/cone_parts.hpp"
 #include "ops/cells/name_text.hpp"
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
@@ -73,6 +74,9 @@ Result<std::vector<CellId>> closure(const std::vector<std::string>& names, const
     pending.pop_back();
     if (seen.insert(c).second) {
       cells.push_back(c);
+      if (is_cone_part(structure.cells().type(c).type)) {
+        pending.push_back(whole_of_part(structure, c));
+      }
       for (const CellId face : structure.faces().of(c)) {
         pending.push_back(structure.values().of(face).cell);
       }
@@ -98,7 +102,7 @@ Result<std::vector<CellId>> coned_cells(const std::optional<std::vector<BodyId>>
     coned = std::move(*listed);
   }
   sort_by_dimension_and_age(structure, coned);
-  return coned;
+  return with_parts(structure, coned);
 }
 
 // --------------------------------------------------------------------------------------------- cones that are written

@@ -2,19 +2,42 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "ops/cells/cofaces.hpp"
+#include "ops/plan/double_boundary.hpp"
 
 namespace sesame::ops {
+namespace {
 
-Status check_part_names(const ConeShape& shape, const std::string& name, const Structure& structure) {
-  for (std::size_t k = 1; k < shape.generators.size(); ++k) {
-    if (const std::string part = fmt::format("{}~{}", name, k); structure.is_name_taken(part)) {
-      return Error{
-          Errc::bad_input,
-          fmt::format("the name \"{}\" is in use, and would be one of a part of the new cell \"{}\"", part, name)};
-    }
+bool is_new(CellId cell, const Plan& plan) { return cell >= plan.first && cell < plan.first + plan.cells.size(); }
+
+Value planned_face(CellId cell, std::uint32_t k, const Structure& structure, const Plan& plan) {
+  const std::uint32_t at = plan.cells[cell - plan.first].first_face + k;
+  const auto order = std::ranges::lower_bound(plan.face_orders, std::pair{at, OrderId{}});
+  const OrderId seen_in = order != plan.face_orders.end() && order->first == at ? order->second : same_order;
+  const CellId node = plan.faces[at];
+  return is_new(node, plan) ? Value{node, plan.cells[node - plan.first].type, 0, seen_in}
+                            : structure.maps().reordered(seen_in, structure.values().of(node));
+}
+
+}  // namespace
+
+CellId left_of_new_cells(CellId first, const Structure& structure, const Plan& plan) {
+  CellId left = none;
+  for (CellId c = first; c < plan.first + plan.cells.size() && left == none; ++c) {
+    left = left_of_double_boundary(
+        c, structure.maps(),
+        [&](CellId cell) -> const TypeInfo& {
+          return is_new(cell, plan) ? structure.types().info(plan.cells[cell - plan.first].type)
+                                    : structure.cells().type(cell);
+        },
+        [&](CellId cell, std::uint32_t k) {
+          return is_new(cell, plan) ? planned_face(cell, k, structure, plan) : structure.values().face_of_cell(cell, k);
+        });
   }
-  return Done{};
+  return left;
 }
 
 Status check_cofaces(CellId cell, const std::unordered_set<CellId>& known, std::string_view what,
@@ -28,23 +51,6 @@ Status check_cofaces(CellId cell, const std::unordered_set<CellId>& known, std::
     }
   }
   return Done{};
-}
-
-std::string name_of_whole(const std::string& part) { return part.substr(0, part.rfind('~')); }
-
-std::vector<CellId> cone_parts(const Structure& structure, CellId cell) {
-  std::vector<CellId> parts;
-  if (!is_cone(structure.cells().type(cell).type)) {
-    return parts;
-  }
-  const std::string name = structure.name(cell);
-  for (std::size_t k = 1; true; ++k) {
-    const auto part = structure.directory().find(fmt::format("{}~{}", name, k));
-    if (!part || part->cell == none || !structure.is_current(structure.find(part->cell))) {
-      return parts;
-    }
-    parts.push_back(structure.find(part->cell));
-  }
 }
 
 Status check_no_cone(CellId cell, std::string_view what, const Structure& structure) {

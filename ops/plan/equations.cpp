@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "ops/plan/cone_cells.hpp"
+#include "ops/cells/cone_parts.hpp"
 #include "ops/plan/step_names.hpp"
 
 namespace sesame::ops {

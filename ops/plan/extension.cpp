@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -13,7 +13,6 @@
 #include "ops/maps/orbits.hpp"
 #include "ops/maps/rooted_map.hpp"
 #include "ops/plan/cone_cells.hpp"
-#include "ops/plan/double_boundary.hpp"
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/sewing.hpp"
@@ -38,7 +37,9 @@ class ExtensionPlanner {
       return Error{Errc::bad_input, "there is no map to extend: list one at least"};
     }
     add_what_is_sewn();
-    gather();
+    if (Status s = gather(); !s) {
+      return s;
+    }
     if (Status s = check_names(); !s) {
       return s;
     }
@@ -101,28 +102,35 @@ class ExtensionPlanner {
     }
   }
 
-  /// All of those maps as one.
-  void gather() {
-    std::map<std::uint32_t, Dart> first;
-    for (const std::uint32_t number : maps_) {
-      first.emplace(number, static_cast<Dart>(darts_.size()));
-      const DartStore::Made& map = store_.map(number);
+  [[nodiscard]] bool is_there(Dart d) const { return !store_.taken_out_with(dimension_, d); }
+
+  /// All of those maps as one, without the darts that were taken out of them.
+  Status gather() {
+    std::unordered_map<Dart, Dart> number;
+    for (const std::uint32_t of : maps_) {
+      const DartStore::Made& map = store_.map(of);
       for (Dart d = map.first; d < map.first + map.count; ++d) {
-        darts_.push_back(d);
+        if (is_there(d)) {
+          number.emplace(d, static_cast<Dart>(darts_.size()));
+          darts_.push_back(d);
+        }
       }
+    }
+    if (darts_.empty()) {
+      return Error{Errc::refused, fmt::format("no dart of \"{}\" is left: there is nothing to extend",
+                                              structure_.directory().names()[store_.map(*maps_.begin()).name].text)};
     }
     std::vector<std::vector<Dart>> alpha(static_cast<std::size_t>(dimension_) + 1);
     for (int i = 0; i <= dimension_; ++i) {
       for (const Dart d : darts_) {
-        const Dart image = store_.alpha(dimension_, i, d);
-        const std::uint32_t number = store_.number_of_map(dimension_, image);
-        alpha[static_cast<std::size_t>(i)].push_back(first.at(number) + (image - store_.map(number).first));
+        alpha[static_cast<std::size_t>(i)].push_back(number.at(store_.alpha(dimension_, i, d)));
       }
     }
     Result<GMap> map = GMap::make(std::move(alpha));
     sparse::expects(map.has_value(), "maps that are sewn are a map");
     map_ = std::move(*map);
     places_.assign(darts_.size(), 0);
+    return Done{};
   }
 
   [[nodiscard]] const DartStore::Made& made(Dart local) const { return store_.map_of(dimension_, darts_[local]); }
@@ -239,9 +247,6 @@ class ExtensionPlanner {
     }
     const ConeShape& shape = structure_.types().cone_over(restricted_to(seen, rooted, dimension_));
     const std::string name_of_cell = cell_name(dart_at[0]);
-    if (Status s = check_part_names(shape, name_of_cell, structure_); !s) {
-      return s;
-    }
     const auto face_at = [&](int q, Dart place) -> Result<SeenFace> {
       const Result<Value> value = seen_now(dimension_, q, darts_[dart_at[place]], structure_);
       if (!value) {
@@ -251,44 +256,16 @@ class ExtensionPlanner {
       return SeenFace{structure_.values().incidence_of(*value), value->type};
     };
     const auto first_new = static_cast<CellId>(plan_.first + plan_.cells.size());
-    if (Status s = add_cone_cell(shape, name_of_cell, structure_.types(), face_at, plan_); !s) {
+    if (Status s = add_cone_cell(shape, name_of_cell, structure_, face_at, plan_); !s) {
       return s;
     }
-    return check_cycles(first_new, first);
-  }
-
-  /// Cells may have been split, and then the boundaries of generators, from one of them on, do not close up.
-  Status check_cycles(CellId first_new, Dart first) const {
-    for (CellId c = first_new; c < plan_.first + plan_.cells.size(); ++c) {
-      const CellId left = left_of_double_boundary(
-          c, structure_.maps(),
-          [this](CellId cell) -> const TypeInfo& {
-            return is_new(cell) ? structure_.types().info(plan_.cells[cell - plan_.first].type)
-                                : structure_.cells().type(cell);
-          },
-          [this](CellId cell, std::uint32_t k) {
-            return is_new(cell) ? planned_face(cell, k) : structure_.values().face_of_cell(cell, k);
-          });
-      if (left != none) {
-        return Error{Errc::refused, fmt::format("what \"{}\" belongs to has been split, and not by unsewing: \"{}\" is "
-                                                "left in the boundary of the boundary of the cell over it",
-                                                name(first), structure_.name(left))};
-      }
-    }
-    return Done{};
-  }
-
-  [[nodiscard]] bool is_new(CellId cell) const {
-    return cell >= plan_.first && cell < plan_.first + plan_.cells.size();
-  }
-
-  [[nodiscard]] Value planned_face(CellId cell, std::uint32_t k) const {
-    const std::uint32_t at = plan_.cells[cell - plan_.first].first_face + k;
-    const auto order = std::ranges::lower_bound(plan_.face_orders, std::pair{at, OrderId{}});
-    const OrderId seen_in = order != plan_.face_orders.end() && order->first == at ? order->second : same_order;
-    const CellId node = plan_.faces[at];
-    return is_new(node) ? Value{node, plan_.cells[node - plan_.first].type, 0, seen_in}
-                        : structure_.maps().reordered(seen_in, structure_.values().of(node));
+    const CellId left = left_of_new_cells(first_new, structure_, plan_);  // cells may have been split
+    return left == none
+               ? Status{Done{}}
+               : Error{Errc::refused, fmt::format("what \"{}\" belongs to has been split, and not by unsewing: "
+                                                  "\"{}\" is left in the boundary of the boundary of the cell "
+                                                  "over it",
+                                                  name(first), structure_.name(left))};
   }
 
   void write_darts(const Orbits& all) {
@@ -297,11 +274,16 @@ class ExtensionPlanner {
       const DartStore::Made& map = store_.map(number);
       auto cells = std::make_shared<DartCells>();
       cells->of.resize(static_cast<std::size_t>(dimension_) + 2);
-      for (Dart d = map.first; d < map.first + map.count; ++d, ++local) {
+      for (Dart d = map.first; d < map.first + map.count; ++d) {
         for (int i = 0; i <= dimension_; ++i) {
           cells->of[static_cast<std::size_t>(i)].push_back(store_.seen(map, i, d));
         }
-        cells->of.back().push_back({plan_.first + new_cells_[all.of[local]], places_[local]});
+        if (is_there(d)) {
+          cells->of.back().push_back({plan_.first + new_cells_[all.of[local]], places_[local]});
+          ++local;
+        } else {
+          cells->of.back().push_back({UINT32_MAX, 0});
+        }
       }
       plan_.extended.push_back({number, std::move(cells)});
     }

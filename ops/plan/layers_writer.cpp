@@ -54,9 +54,6 @@ class LayersWriter {
 
   Status write_cone(std::size_t i, std::uint32_t c) {
     const ConeShape& shape = *layers_[i].cones.at(c);
-    if (Status s = check_part_names(shape, name_of(i, c), structure_); !s) {
-      return s;
-    }
     std::vector<Dart> dart_at(layers_[i].places.size(), no_dart);  // by place in the canonical boundary
     for (Dart d = 0; d < layers_[i].places.size(); ++d) {
       if (layers_[i].orbits.of[d] == c) {
@@ -71,7 +68,7 @@ class LayersWriter {
       return SeenFace{{nodes_[static_cast<std::size_t>(q)][cell], structure_.maps().order_at(type, layer.places[d])},
                       structure_.types().seen_from(type, layer.places[d])};
     };
-    return add_cone_cell(shape, name_of(i, c), structure_.types(), face_at, plan_);
+    return add_cone_cell(shape, name_of(i, c), structure_, face_at, plan_);
   }
 
   const std::string& name_;

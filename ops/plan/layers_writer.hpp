@@ -16,8 +16,7 @@ namespace sesame::ops {
 
 /// Adds cells to a plan, layer by layer, with the parts of those that are no balls, named "name.i:k" after their roots:
 /// `dart_text` says what a dart is called. Returns which of the new cells each dart belongs to.
-/// Errors    refused, when there are too many; bad_input, when the name of a part is in use. Cost: the faces, and the
-///           darts of cells that are no balls.
+/// Errors    refused, when there are too many. Cost: the faces, and the darts of cells that are no balls.
 [[nodiscard]] Result<std::shared_ptr<const DartCells>> write_layers(const std::string& name,
                                                                     const std::vector<CellsOfMap>& layers,
                                                                     const std::function<std::string(Dart)>& dart_text,

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ops/cells/cofaces.hpp"
-#include "ops/plan/cone_cells.hpp"
+#include "ops/cells/cone_parts.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/step_names.hpp"
 #include "ops/plan/taken_cells.hpp"
@@ -56,15 +56,13 @@ class RemovalPlanner {
     for (std::size_t k = 0; k < cells_.size(); ++k) {
       const CellId cell = cells_[k];
       if (is_cone_part(structure_.cells().type(cell).type)) {
-        const std::string whole = name_of_whole(structure_.name(cell));
-        const auto found = structure_.directory().find(whole);
-        const CellId of = found && found->cell != none ? structure_.find(found->cell) : CellId{none};
-        if (of != none && !are_whole_stars && !known_.contains(of)) {
+        const CellId whole = whole_of_part(structure_, cell);
+        if (!are_whole_stars && !known_.contains(whole)) {
           return Error{Errc::refused, fmt::format("\"{}\" is a part of \"{}\", which is no ball: remove that",
-                                                  structure_.name(cell), whole)};
+                                                  structure_.name(cell), structure_.name(whole))};
         }
-        if (of != none && known_.insert(of).second) {
-          cells_.push_back(of);
+        if (known_.insert(whole).second) {
+          cells_.push_back(whole);
         }
       }
       for (const CellId part : cone_parts(structure_, cell)) {

@@ -208,6 +208,10 @@ Result<NamedDart> dart_named(const std::string& name, const Structure& structure
     return wrong(fmt::format("its darts are numbered from 0 to {}{}", (map->halves != 0 ? map->halves : map->count) - 1,
                              map->halves != 0 ? ", and each k has another one, k'" : ""));
   }
+  if (const auto with = structure.darts().taken_out_with(map->dimension, map->first + dart)) {
+    return wrong(fmt::format("it went out of its map with the cell \"{}.{}:{}\"", name.substr(0, colon), *with,
+                             dart_text(*map, dart)));
+  }
   return NamedDart{map->dimension, map->first + dart};
 }
 

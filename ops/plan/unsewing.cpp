@@ -205,7 +205,7 @@ class UnsewingPlanner {
                                        name(darts[0]), i, structure_.name(whole.cell))};
   }
 
-  /// Whether a node was made for a dart that sees another one by now.
+  /// Whether a node was made for a dart that sees another one by now, or is there no more.
   [[nodiscard]] bool is_left_behind(int i, CellId node) const {
     const std::string own = structure_.directory().own_name(node);
     const auto split = split_dart(own);
@@ -216,7 +216,7 @@ class UnsewingPlanner {
       return false;
     }
     const auto sees = seen_from_dart(structure_, *map, i, map->first + dart);
-    return sees && sees->cell != node;
+    return (sees && sees->cell != node) || store_.taken_out_with(map->dimension, map->first + dart);
   }
 
   /// The dart that the cell is called by, or any of these.
@@ -253,7 +253,7 @@ class UnsewingPlanner {
       }
       const Dart place = structure_.maps().dart_of(sees->order);
       copies_of_darts_.emplace(d, position);
-      plan_.newly_seen.push_back({dimension_, i, d, {position, place}});
+      plan_.newly_seen.push_back({dimension_, i, d, {plan_.first + position, place}});
       named = place == 0 ? std::min(named, d) : named;
       if (i > 0) {
         const CellShape::Place of_face = types.place_in_face(type, place);

@@ -9,19 +9,11 @@ namespace {
 
 template <class Op>
 Op read_of_cell(Fields& in) {
-  Op op;
-  if (const Json* map = in.find("map")) {
-    op.map = in.text("map", *map);
-  }
-  op.cell = in.text("cell");
-  return op;
+  return {in.text("cell")};
 }
 
 template <class Op>
 void write_of_cell(const Op& op, JsonText& out) {
-  if (op.map) {
-    out.field("map", *op.map);
-  }
   out.field("cell", op.cell);
 }
 

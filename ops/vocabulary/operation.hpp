@@ -90,15 +90,13 @@ struct MakeChainOfMaps {
   std::vector<Point> at = {};
 };
 
-/// Takes a cell of a map out: what it lay between becomes one cell. The map, if it is named, is the one of the cell.
+/// Takes a cell of a map out: what it lay between becomes one cell.
 struct RemoveCell {
-  std::optional<std::string> map;
-  std::string cell;
+  std::string cell;  ///< as a dart of it names it
 };
 
 /// Shrinks a cell of a map, the dual of removal: its ends become one cell.
 struct ContractCell {
-  std::optional<std::string> map;
   std::string cell;
 };
 

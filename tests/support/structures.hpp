@@ -266,7 +266,7 @@ inline std::string dump(const ops::DartStore& darts, const ops::Structure& struc
         text += " " + std::to_string(darts.alpha(map.dimension, i, d)) + " ";
         text += seen ? text_of(structure, structure.values().normal_form(*seen)) : "nothing";
       }
-      text += "\n";
+      text += darts.taken_out_with(map.dimension, d) ? "taken out\n" : "\n";
     }
   }
   return text;
