@@ -128,7 +128,7 @@ void Positions::take(const ops::Operation& operation, const engine::StepReport& 
   given_.insert(given_.end(), given.begin(), given.end());
 }
 
-Result<Positions::Points> Positions::of_vertices(const ObjectCells& cells) const {
+std::pair<std::vector<std::optional<ops::Point>>, std::uint64_t> Positions::known(const ObjectCells& cells) const {
   const ops::Structure& structure = cells.structure();
   std::vector<std::optional<ops::Point>> found(cells.of(0).size());
   std::vector<bool> is_torn(found.size(), false);
@@ -140,7 +140,12 @@ Result<Positions::Points> Positions::of_vertices(const ObjectCells& cells) const
     }
   }
   place_copies(cells, found);
-  Points all;
+  return {std::move(found), static_cast<std::uint64_t>(std::count(is_torn.begin(), is_torn.end(), true))};
+}
+
+Result<Positions::Points> Positions::of_vertices(const ObjectCells& cells) const {
+  const auto [found, torn] = known(cells);
+  Points all{{}, torn};
   all.points.reserve(found.size());
   for (std::size_t k = 0; k < found.size(); ++k) {
     if (!found[k]) {
@@ -148,11 +153,10 @@ Result<Positions::Points> Positions::of_vertices(const ObjectCells& cells) const
                    fmt::format("the vertex \"{}\" has no position, and a drawing needs one of each: \"at\" of simplex, "
                                "simploid, complex, incidence, gmap, map, polygon, chain_of_maps, cone, suspend or "
                                "replace gives it; other formats, such as phat, need none",
-                               structure.name(cells.of(0)[k]))};
+                               cells.structure().name(cells.of(0)[k]))};
     }
     all.points.push_back(*found[k]);
   }
-  all.torn = static_cast<std::uint64_t>(std::count(is_torn.begin(), is_torn.end(), true));
   return all;
 }
 

@@ -2,6 +2,8 @@
 /// Where vertices are: the positions "at" that operations give to them, which the structure does not keep.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -27,7 +29,9 @@ class Positions {
     std::vector<ops::Point> points;
     std::uint64_t torn = 0;
   };
-  /// Errors, refused: a vertex has none.
+  /// The points of the vertices of an object, where they are known; and how many were given different ones.
+  [[nodiscard]] std::pair<std::vector<std::optional<ops::Point>>, std::uint64_t> known(const ObjectCells& cells) const;
+  /// The same of all. Errors, refused: a vertex has none.
   [[nodiscard]] Result<Points> of_vertices(const ObjectCells& cells) const;
 
  private:

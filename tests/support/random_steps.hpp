@@ -241,9 +241,9 @@ class DrawnSteps {
     if (one.has_levels()) {
       const int level = random_.in(0, one.dimension);
       const auto cell = [&] {
-        const auto darts = static_cast<int>(one.cells->of[static_cast<std::size_t>(level)].size());
+        const auto of_level = static_cast<int>(one.cells->of[static_cast<std::size_t>(level)].size());
         return seen_cell(structure.directory().names()[one.name].text, level,
-                         static_cast<ops::Dart>(random_.in(0, darts - 1)));
+                         static_cast<ops::Dart>(random_.in(0, of_level - 1)));
       };
       return ops::Identify{{{cell(), cell()}}};
     }
