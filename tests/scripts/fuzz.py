@@ -17,11 +17,11 @@ ROOT = Path(__file__).resolve().parents[2]
 FUZZ = ROOT / "tests" / "fuzz"
 COMPILER = "clang++-14"
 # Longest input of each target, in bytes: longer ones say nothing new, and take longer.
-LONGEST = {"scripts": 2048, "names": 512, "towers": 768, "zigzags": 768, "barcodes": 768, "meshes": 1536, "gzip": 512, "logs": 1024,
+LONGEST = {"scripts": 2048, "names": 512, "towers": 768, "zigzags": 768, "barcodes": 768, "meshes": 1536, "map_files": 1536, "gzip": 512, "logs": 1024,
            "snapshots": 4096, "engine_steps": 400}
 # Inputs that others have, too.
 FURTHER_SEEDS = {"scripts": [ROOT / "replay/examples"], "towers": [ROOT / "replay/examples"], "zigzags": [ROOT / "replay/examples"],
-                 "meshes": [ROOT / "tests/golden/meshes"]}
+                 "meshes": [ROOT / "tests/golden/meshes"], "map_files": [ROOT / "tests/golden/maps"]}
 
 
 def why_not():

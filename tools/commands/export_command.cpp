@@ -8,6 +8,7 @@
 #include "replay/export/boundary_matrices.hpp"
 #include "replay/export/drawing.hpp"
 #include "replay/export/facets.hpp"
+#include "replay/export/map_file.hpp"
 #include "replay/export/object_cells.hpp"
 #include "replay/export/plain_script.hpp"
 #include "replay/export/positions.hpp"
@@ -23,7 +24,7 @@ namespace {
 using replay::ObjectCells;
 using replay::Outcome;
 
-enum class ExportFormat { script, phat, phat_binary, matrix_market, vtk, vtu, obj, ply, facets };
+enum class ExportFormat { script, phat, phat_binary, matrix_market, vtk, vtu, obj, ply, facets, map, general_map };
 
 struct Arguments {
   std::unique_ptr<engine::Engine> engine;  ///< of the replay, once there is one: as long as the command
@@ -42,6 +43,7 @@ struct Arguments {
   [[nodiscard]] bool is_grid() const { return format == ExportFormat::vtk || format == ExportFormat::vtu; }
   [[nodiscard]] bool is_surface() const { return format == ExportFormat::obj || format == ExportFormat::ply; }
   [[nodiscard]] bool is_drawing() const { return is_grid() || is_surface(); }
+  [[nodiscard]] bool is_map() const { return format == ExportFormat::map || format == ExportFormat::general_map; }
   /// Whether there is a file for each dimension.
   [[nodiscard]] bool is_series() const { return format == ExportFormat::matrix_market && !dimension; }
 };
@@ -103,7 +105,7 @@ Outcome build(Arguments& arguments, replay::ScriptReader& script, replay::Positi
   options.engine = &arguments.engine;
   options.stop = &stop_requested();
   options.notes = arguments.quiet ? nullptr : &std::cerr;
-  if (arguments.is_drawing()) {
+  if (arguments.is_drawing() || arguments.is_map()) {
     options.observer = [&](const ops::Operation& operation, const engine::StepReport& report) {
       positions.take(operation, report, arguments.engine->structure());
     };
@@ -131,6 +133,18 @@ Result<std::vector<replay::NamedGenerator>> generators_of(Arguments& arguments, 
   return replay::named_generators(*arguments.engine, options, 3, cells_drawn, &stop_requested());
 }
 
+void say(const Arguments& arguments, replay::Remarks remarks, std::uint64_t torn) {
+  if (torn > 0) {
+    remarks.push_back(std::to_string(torn) +
+                      " vertices that were glued from several places are shown where the oldest was");
+  }
+  for (const std::string& remark : remarks) {
+    if (!arguments.quiet) {
+      std::cerr << "sesame export: " << remark << '\n';
+    }
+  }
+}
+
 Status draw(Arguments& arguments, const replay::Positions& positions, const ObjectCells& cells, std::ostream& out) {
   Result<replay::Positions::Points> points = positions.of_vertices(cells);
   if (!points) {
@@ -145,15 +159,21 @@ Status draw(Arguments& arguments, const replay::Positions& positions, const Obje
                             : arguments.format == ExportFormat::vtu ? write_vtu(drawing, out)
                             : arguments.format == ExportFormat::obj ? write_obj(drawing, out)
                                                                     : write_ply(drawing, out);
-  if (points->torn > 0) {
-    remarks.push_back(std::to_string(points->torn) +
-                      " vertices that were glued from several places are shown where the oldest was");
+  say(arguments, std::move(remarks), points->torn);
+  return Done{};
+}
+
+Status write_map(const Arguments& arguments, const replay::Positions& positions, const ObjectCells& cells,
+                 std::ostream& out) {
+  const auto [points, torn] = positions.known(cells);
+  Result<replay::Remarks> remarks = write_map_file(
+      cells, points,
+      arguments.format == ExportFormat::map ? replay::MapFileKind::combinatorial : replay::MapFileKind::generalized,
+      out);
+  if (!remarks) {
+    return remarks.error();
   }
-  for (const std::string& remark : remarks) {
-    if (!arguments.quiet) {
-      std::cerr << "sesame export: " << remark << '\n';
-    }
-  }
+  say(arguments, std::move(*remarks), torn);
   return Done{};
 }
 
@@ -172,6 +192,9 @@ Status write_object(Arguments& arguments, const replay::Positions& positions, co
       return Done{};
     case ExportFormat::facets:
       return write_facets(cells, out);
+    case ExportFormat::map:
+    case ExportFormat::general_map:
+      return write_map(arguments, positions, cells, out);
     default:
       return draw(arguments, positions, cells, out);
   }
@@ -285,8 +308,11 @@ void add_export_command(CLI::App& app, int& status) {
                             {"vtu", ExportFormat::vtu},
                             {"obj", ExportFormat::obj},
                             {"ply", ExportFormat::ply},
-                            {"facets", ExportFormat::facets}},
-                           "The steps; boundary matrices; drawings with generators; facets of a simplicial complex")
+                            {"facets", ExportFormat::facets},
+                            {"3map", ExportFormat::map},
+                            {"3map-generalized", ExportFormat::general_map}},
+                           "The steps; boundary matrices; drawings with generators; facets of a simplicial complex; "
+                           "maps for CGAL")
       ->required();
   command->add_option("-o,--output", arguments->out, "The file; default: standard output")->capture_default_str();
   command->add_option("--ring", arguments->ring,

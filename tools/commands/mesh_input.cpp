@@ -16,9 +16,11 @@ std::string name_of(const MeshInput& input) { return input.file == "-" ? "standa
 
 void add_mesh_input(CLI::App& command, MeshInput& input, bool takes_facets) {
   command
-      .add_option("MESH", input.file,
-                  std::string{"The mesh file (OFF, OBJ, PLY, STL)"} + (takes_facets ? " or list of facets" : "") +
-                      ", gzip or not; - for standard input")
+      .add_option(
+          "MESH", input.file,
+          std::string{"The mesh file (OFF, OBJ, PLY, STL)"} +
+              (takes_facets ? ", list of facets, CGAL's map file (.3map), or mesh of solids (MEDIT .mesh, VTK)" : "") +
+              ", gzip or not; - for standard input")
       ->required();
   Choices<Format> formats{{"auto", Format::automatic},
                           {"off", Format::off},
@@ -26,7 +28,8 @@ void add_mesh_input(CLI::App& command, MeshInput& input, bool takes_facets) {
                           {"ply", Format::ply},
                           {"stl", Format::stl}};
   if (takes_facets) {
-    formats.emplace_back("facets", Format::facets);
+    formats.insert(formats.end(),
+                   {{"facets", Format::facets}, {"map", Format::map}, {"medit", Format::medit}, {"vtk", Format::vtk}});
   }
   add_choice<Format>(command, "--format", input.format, formats,
                      "What the file is; default: by extension, else by content");

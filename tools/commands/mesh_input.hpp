@@ -18,7 +18,7 @@ struct MeshInput {
 /// What messages, scripts and reports call the file.
 [[nodiscard]] std::string name_of(const MeshInput& input);
 
-/// Adds MESH, --format and --weld. `takes_facets`: it may be a list of facets too.
+/// Adds MESH, --format and --weld. `takes_facets`: it may be a list of facets, a map or a mesh of solids, too.
 void add_mesh_input(CLI::App& command, MeshInput& input, bool takes_facets = false);
 
 /// Reads it. Errors: those of read_mesh; io, which is wrong usage here, for a distance that is none.

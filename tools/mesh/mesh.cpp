@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "replay/text/byte_source.hpp"
+#include "tools/mesh/map_file.hpp"
 #include "tools/mesh/readers.hpp"
 #include "tools/mesh/text.hpp"
 #include "tools/mesh/weld.hpp"
@@ -32,20 +33,6 @@ bool has_obj_vertex(std::string_view bytes) {
 
 /// No text has a byte that is zero.
 bool has_zero(std::string_view bytes) { return bytes.find('\0') != std::string_view::npos; }
-
-Format format_of_content(std::string_view bytes) {
-  if (bytes.starts_with("ply")) {
-    return Format::ply;
-  }
-  if (has_off_head(bytes)) {
-    return Format::off;
-  }
-  if (bytes.size() == binary_stl_size(bytes) ||
-      lower_case(bytes.substr(bytes.find_first_not_of(" \t\r\n"), 5)) == "solid") {
-    return Format::stl;
-  }
-  return !has_zero(bytes) && has_obj_vertex(bytes) ? Format::obj : Format::automatic;
-}
 
 Error unknown_format(std::string_view name) {
   return {Errc::bad_input,
@@ -83,6 +70,14 @@ Result<Mesh> read_as(Format format, std::string_view bytes, std::string_view nam
     case Format::facets:
       return Error{Errc::bad_input,
                    fmt::format("{}:1: a list of facets is no mesh; `sesame import` makes a script of it", name)};
+    case Format::map:
+      return Error{Errc::bad_input,
+                   fmt::format("{}:1: a map file is no mesh; `sesame import --format map` makes a script of it", name)};
+    case Format::medit:
+    case Format::vtk:
+      return Error{Errc::bad_input, fmt::format("{}:1: a mesh of solids is none of polygons; `sesame import --cells "
+                                                "--format {}` makes a script of it",
+                                                name, format == Format::vtk ? "vtk" : "medit")};
     case Format::automatic:
       break;
   }
@@ -127,7 +122,38 @@ Format format_of_extension(std::string_view name) {
   if (extension == "stl") {
     return Format::stl;
   }
-  return Format::automatic;
+  if (extension == "mesh") {
+    return Format::medit;
+  }
+  if (extension == "vtk") {
+    return Format::vtk;
+  }
+  return map_dimension_of_extension(name) ? Format::map : Format::automatic;
+}
+
+Format format_of_content(std::string_view bytes) {
+  if (bytes.starts_with("ply")) {
+    return Format::ply;
+  }
+  if (has_off_head(bytes)) {
+    return Format::off;
+  }
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if (bytes.size() == binary_stl_size(bytes) || lower_case(bytes.substr(std::min(first, bytes.size()), 5)) == "solid") {
+    return Format::stl;
+  }
+  if (bytes.starts_with("# vtk DataFile")) {
+    return Format::vtk;
+  }
+  if (bytes.starts_with("<?xml") || bytes.starts_with("<data>")) {
+    return Format::map;
+  }
+  LineReader lines{bytes, {}};
+  std::string_view line = lines.next_with_words() ? lines.line() : std::string_view{};
+  if (next_word(line) == "MeshVersionFormatted") {
+    return Format::medit;
+  }
+  return !has_zero(bytes) && has_obj_vertex(bytes) ? Format::obj : Format::automatic;
 }
 
 Result<Mesh> parse_mesh(std::string_view bytes, std::string_view name, const ReadOptions& options) {

@@ -58,11 +58,14 @@ struct Mesh {
   std::vector<std::string> remarks;  ///< what was left out, welded, or changed on the way; one sentence each
 };
 
-/// A list of facets is no mesh, and is refused; `import` reads it otherwise.
-enum class Format { automatic, off, obj, ply, stl, facets };
+/// Lists of facets, CGAL's maps and, in MEDIT and VTK, solids are no meshes here, and are refused; `import` reads them
+/// otherwise.
+enum class Format { automatic, off, obj, ply, stl, facets, map, medit, vtk };
 
 /// By its extension, that of `mesh.off` and of `mesh.off.gz`; automatic when that tells nothing.
 [[nodiscard]] Format format_of_extension(std::string_view name);
+/// By what it begins with; automatic when that tells nothing.
+[[nodiscard]] Format format_of_content(std::string_view bytes);
 
 struct ReadOptions {
   Format format = Format::automatic;  ///< automatic: by the extension, else by the content

@@ -63,6 +63,14 @@ std::string_view WordReader::next() {
 
 std::string_view WordReader::next_in_line() { return next_word(rest_); }
 
+void WordReader::skip_lines_to_blank() {
+  rest_ = {};
+  for (std::string_view rest = "x"; !rest.empty() && lines_.next();) {
+    rest = lines_.line();
+    rest = next_word(rest);
+  }
+}
+
 std::size_t WordReader::remaining() const {
   const auto text = lines_.text();
   if (!rest_.empty()) {

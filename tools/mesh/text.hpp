@@ -53,6 +53,8 @@ class WordReader {
   std::string_view next_in_line();
   /// Skips what is left of the present line.
   void skip_line() { rest_ = {}; }
+  /// Skips that and all lines up to one without words.
+  void skip_lines_to_blank();
 
   /// How many bytes of the text are left.
   [[nodiscard]] std::size_t remaining() const;
