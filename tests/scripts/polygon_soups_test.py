@@ -4,7 +4,7 @@
     polygon_soups_test.py SESAME [--random COUNT] [--seed N]
 
 A soup has a cell for every point, for every pair of points next to each other on a polygon, and a 2-cell for every
-polygon, whose boundary is the sum of its sides in order. Groups over Z and Z/2 are computed here from that, by Smith
+polygon, whose boundary is the sum of its sides in order. Groups over Z, Z/2 and Z/3 are computed here from that, by Smith
 forms, and so are the counts of faces left out, of boundary and non-manifold edges, and whether the soup is orientable.
 `sesame mesh --json` and what `sesame replay` says of every form that `sesame import` makes have to agree.
 
@@ -22,7 +22,7 @@ import tempfile
 sys.dont_write_bytecode = True
 import oracle
 
-RINGS = {"Z": 0, "Z/2": 2}
+RINGS = {"Z": 0, "Z/2": 2, "Z/3": 3}
 FORMS = [[], ["--polygons", "cone"], ["--assemble"], ["--assemble", "--polygons", "cone", "--order", "file"]]
 
 
@@ -85,9 +85,10 @@ def rotations(word):
 class Complex:
     def __init__(self, points, words):
         self.faces, self.lines = [], set()
+        self.face_of_file = {}  # of those that stay
         self.counts = {"faces_in_file": len(words), "degenerate_faces": 0, "duplicate_faces": 0, "segments": 0}
         seen = set()
-        for word in words:
+        for number, word in enumerate(words):
             walk = without_stops(word)
             if len(word) == 2 and len(walk) == 2:
                 self.counts["segments"] += 1
@@ -98,6 +99,7 @@ class Complex:
                 self.counts["duplicate_faces"] += 1
             else:
                 seen.update(rotations(walk))
+                self.face_of_file[number] = len(self.faces)
                 self.faces.append(walk)
         self.uses = {}  # edge: [(face, +1 up or -1 down)]
         for f, walk in enumerate(self.faces):
@@ -179,6 +181,23 @@ def check_groups(answer, expected, what):
         raise Difference(f"{what}: Betti numbers and torsion are {found}, the chain complex has {expected}")
 
 
+def check_cells(answer, soup, prime, what):
+    """With --cells: the counts of the chain complex, and surfaces whose polygons are cycles in it."""
+    cells = trimmed([len(soup.points), len(soup.edges), len(soup.faces)])
+    if answer["cells"] != cells:
+        raise Difference(f"{what}: {answer['cells']} cells, the chain complex has {cells}")
+    _, of_faces = soup.boundaries()
+    for generator in answer["generators"]:
+        if generator["dim"] != 2:
+            continue
+        total = {}
+        for face, times in generator["faces"]:
+            for edge, sign in of_faces[soup.face_of_file[face]].items():
+                total[edge] = total.get(edge, 0) + int(times) * sign
+        if not generator["faces"] or any(n % prime if prime else n for n in total.values()):
+            raise Difference(f"{what}: the faces {generator['faces']} are no cycle")
+
+
 def check_soup(sesame, points, words, folder):
     soup = Complex(points, words)
     file, script = folder / "soup.off", folder / "soup.jsonl"
@@ -189,6 +208,9 @@ def check_soup(sesame, points, words, folder):
         done = run(sesame, "mesh", "--json", "--ring", ring, file)
         answer = json.loads(done.stdout)
         check_groups(answer, expected[ring], f"mesh over {ring}")
+        of_cells = json.loads(run(sesame, "mesh", "--json", "--cells", "--ring", ring, file).stdout)
+        check_groups(of_cells, expected[ring], f"mesh --cells over {ring}")
+        check_cells(of_cells, soup, RINGS[ring], f"mesh --cells over {ring}")
         for key, value in soup.report().items():
             if answer["validity"][key] != value:
                 raise Difference(f"mesh says {key} {answer['validity'][key]}, the soup has {value}")

@@ -31,6 +31,7 @@ struct Arguments {
   std::string ring = "Z";
   std::optional<std::size_t> generators_limit;
   bool json = false;
+  bool cells = false;
 };
 
 int fail(const std::string& what, Outcome outcome) {
@@ -95,7 +96,7 @@ int run_mesh(Arguments& arguments) {
     return refuse(mesh.error());
   }
   const std::string name = name_of(arguments.mesh);
-  auto found = mesh_homology(*mesh, {name, *ring, arguments.generators_limit != std::size_t{0}});
+  auto found = mesh_homology(*mesh, {name, *ring, arguments.generators_limit != std::size_t{0}, arguments.cells});
   if (!found) {
     return refuse(found.error());
   }
@@ -112,7 +113,8 @@ int run_mesh(Arguments& arguments) {
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   const auto write = arguments.json ? write_json : write_text;
-  write(std::cout, *found, {name, arguments.generators_limit, arguments.shorter_than, left_out, took.count()});
+  write(std::cout, *found,
+        {name, arguments.generators_limit, arguments.shorter_than, left_out, took.count(), arguments.cells});
   return 0;
 }
 
@@ -124,6 +126,9 @@ void add_mesh_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<Arguments>();
   add_mesh_input(*command, arguments->mesh);
   command->add_flag("--json", arguments->json, "One JSON object on standard output");
+  command->add_flag(
+      "--cells", arguments->cells,
+      "Count and list cells as the file has them, polygons, and not the triangles that they are cut into");
   command->add_option("--ring", arguments->ring, "Compute over Z, Q or Z/p")->capture_default_str();
   command
       ->add_option("--generators-limit", arguments->generators_limit,

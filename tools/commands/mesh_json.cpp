@@ -113,6 +113,21 @@ Json edges_of(const MeshGenerator& generator) {
   return edges;
 }
 
+/// Vertices, edges and polygons, as far as there are any: of the engine, whose cells are the triangles, or of the file.
+Json cells_of(const MeshHomology& found, bool of_file) {
+  if (!of_file) {
+    return found.engine->cells();
+  }
+  Json cells = Json::array();
+  for (const std::size_t count : {found.validity.vertices, found.validity.edges, found.validity.faces}) {
+    cells.push_back(count);
+  }
+  while (!cells.empty() && cells.back() == 0) {
+    cells.erase(cells.size() - 1);
+  }
+  return cells;
+}
+
 Json generator_object(const MeshGenerator& generator, const ops::Structure& structure) {
   Json out{{"dim", generator.degree}, {"order", number(generator.order)}};
   if (generator.degree < 2) {
@@ -129,6 +144,9 @@ Json generator_object(const MeshGenerator& generator, const ops::Structure& stru
   }
   if (generator.degree == 2) {
     out["triangles"] = generator.triangles;
+    for (const auto& [face, times] : generator.faces) {
+      out["faces"].push_back(Json::array({face, number(times)}));
+    }
     out["area"] = number(generator.area);
     out["volume"] = generator.volume ? number(*generator.volume) : Json(nullptr);
   }
@@ -163,7 +181,7 @@ void write_json(std::ostream& out, const MeshHomology& found, const MeshReportOp
                     {"ring", sparse::ring_name(found.ring)},
                     {"version", SESAME_VERSION},
                     {"validity", validity_object(found)},
-                    {"cells", engine.cells()},
+                    {"cells", cells_of(found, options.cells)},
                     {"euler", engine.euler_characteristic()},
                     {"betti", found.homology.betti},
                     {"torsion", std::move(torsion)},

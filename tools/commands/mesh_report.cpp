@@ -118,14 +118,16 @@ void print_groups(std::ostream& out, const MeshHomology& found) {
 }
 
 void print_generator(std::ostream& out, const MeshGenerator& generator, std::size_t number,
-                     const ops::Structure& structure) {
+                     const ops::Structure& structure, bool cells) {
   constexpr std::size_t most_terms = 12;
   if (generator.degree == 0) {
     out << fmt::format("  {:>4}  vertex {}; {}\n", number, generator.vertices.front(), place_text(generator));
     return;
   }
   if (generator.degree == 2) {
-    out << fmt::format("  {:>4}  {}, area {}", number, counted(generator.triangles, "triangle", "triangles"),
+    out << fmt::format("  {:>4}  {}, area {}", number,
+                       cells ? counted(generator.faces.size(), "face", "faces")
+                             : counted(generator.triangles, "triangle", "triangles"),
                        to_text(generator.area));
     if (generator.volume) {
       out << fmt::format(", volume {}{}", to_text(*generator.volume),
@@ -228,7 +230,7 @@ void write_text(std::ostream& out, const MeshHomology& found, const MeshReportOp
         out << fmt::format("\ngenerators of H{}: {}\n", degree, titles[static_cast<std::size_t>(degree)]);
       }
       if (number++ < limit) {
-        print_generator(out, generator, number, found.engine->structure());
+        print_generator(out, generator, number, found.engine->structure(), options.cells);
       }
     }
     if (limit > 0 && number > limit) {

@@ -17,6 +17,7 @@ struct MeshReportOptions {
   std::optional<double> shorter_than;  ///< loops that are not were left out
   std::size_t loops_left_out = 0;
   double seconds = 0;
+  bool cells = false;  ///< of polygons, as the file has them, instead of the triangles that they are cut into
 };
 
 void write_text(std::ostream& out, const MeshHomology& found, const MeshReportOptions& options);

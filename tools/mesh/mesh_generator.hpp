@@ -29,6 +29,13 @@ struct CycleEdge {
   sparse::Integer times;  ///< how often; over Z/p, in [0, p)
 };
 
+/// A polygon of a surface, as the file counts it from 0, and how often: positive as the file turns it; over Z/p, in
+/// [0, p).
+struct SurfaceFace {
+  std::uint32_t face;
+  sparse::Integer times;
+};
+
 /// A generator of a homology group of a mesh, and where it is.
 struct MeshGenerator {
   int degree = 0;
@@ -44,13 +51,14 @@ struct MeshGenerator {
   std::optional<LoopSide> side;  ///< degree 1: none where there is no inside, or the loop does not bound on one side
   /// Degree 1: along the loop; where it is not one closed walk, in the order of the chain.
   std::vector<CycleEdge> edges;
-  Measure length;                 ///< degree 1: of its edges, with their coefficients
-  bool is_short = false;          ///< degree 1: found by `short_loops`, not the engine's own
-  std::size_t triangles = 0;      ///< degree 2
-  Measure area;                   ///< degree 2: of its polygons, each as if it were flat
-  std::optional<Measure> volume;  ///< degree 2, over Z and Q: enclosed; negative when its faces point inwards
-  std::array<Point, 2> box{};     ///< lowest and highest coordinates (degree 0: of the component)
-  Point centre{};                 ///< degree 0: of the box; 1: mean along the edges; 2: mean over the area
+  Measure length;                  ///< degree 1: of its edges, with their coefficients
+  bool is_short = false;           ///< degree 1: found by `short_loops`, not the engine's own
+  std::size_t triangles = 0;       ///< degree 2
+  std::vector<SurfaceFace> faces;  ///< degree 2: what these are parts of, if that was asked for
+  Measure area;                    ///< degree 2: of its polygons, each as if it were flat
+  std::optional<Measure> volume;   ///< degree 2, over Z and Q: enclosed; negative when its faces point inwards
+  std::array<Point, 2> box{};      ///< lowest and highest coordinates (degree 0: of the component)
+  Point centre{};                  ///< degree 0: of the box; 1: mean along the edges; 2: mean over the area
 };
 
 }  // namespace sesame::tools

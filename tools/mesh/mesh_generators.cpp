@@ -1,5 +1,6 @@
 #include "tools/mesh/mesh_generators.hpp"
 
+#include <map>
 #include <numeric>
 
 #include "tools/mesh/chain_measures.hpp"
@@ -12,6 +13,29 @@ namespace {
 
 using engine::CellChain;
 using sparse::Integer;
+
+/// Whether a triangle's corners in increasing order run around as the file has them.
+bool is_even(const MeshCells& cells, std::uint32_t triangle) {
+  const auto face = cells.mesh().triangles.faces[triangle];
+  return (face[0] < face[1]) == ((face[1] < face[2]) == (face[0] < face[2]));
+}
+
+/// The polygons of a cycle. Between two triangles of one lies an edge that is on no other, so all have one coefficient.
+std::vector<SurfaceFace> faces_of(const MeshCells& cells, const CellChain& chain, const sparse::AnyRing& ring) {
+  std::map<std::uint32_t, Integer> times;
+  for (const auto& [coefficient, cell] : chain.terms) {
+    const std::uint32_t triangle = cells.triangle(cell);
+    const Integer along = coefficient.numerator();
+    const Integer against = has_signs(ring) ? -along : minus_one(ring) + Integer{1} - along;
+    times.emplace(cells.mesh().face_in_file[cells.mesh().face_of_triangle[triangle]],
+                  is_even(cells, triangle) ? along : against);
+  }
+  std::vector<SurfaceFace> faces;
+  for (const auto& [face, count] : times) {
+    faces.push_back({face, count});
+  }
+  return faces;
+}
 
 /// 1 when the chain runs through its lowest triangle as the file does, else -1; 1 over Z/p.
 Integer orientation(const MeshCells& cells, const CellChain& chain, const sparse::AnyRing& ring) {
@@ -27,9 +51,7 @@ Integer orientation(const MeshCells& cells, const CellChain& chain, const sparse
       triangle = t;
     }
   }
-  const auto face = cells.mesh().triangles.faces[triangle];
-  const bool is_even = (face[0] < face[1]) == ((face[1] < face[2]) == (face[0] < face[2]));
-  return is_even == (lowest->coefficient.sign() > 0) ? 1 : -1;
+  return is_even(cells, triangle) == (lowest->coefficient.sign() > 0) ? 1 : -1;
 }
 
 }  // namespace
@@ -56,7 +78,8 @@ FoundGenerators components_of(const MeshCells& cells) {
   return found;
 }
 
-FoundGenerators surfaces_of(const MeshCells& cells, engine::Engine& engine, const sparse::AnyRing& ring) {
+FoundGenerators surfaces_of(const MeshCells& cells, engine::Engine& engine, const sparse::AnyRing& ring,
+                            bool with_faces) {
   const ChainMeasures measures(cells, ring);
   FoundGenerators found;
   for (const engine::Generator& generator : engine.generators(2)) {
@@ -71,6 +94,9 @@ FoundGenerators surfaces_of(const MeshCells& cells, engine::Engine& engine, cons
       }
     }
     measures.measure_surface(surface);
+    if (with_faces) {
+      surface.faces = faces_of(cells, surface.chain, ring);
+    }
     found.generators.push_back(std::move(surface));
   }
   return found;

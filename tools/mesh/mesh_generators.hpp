@@ -30,7 +30,9 @@ struct FoundGenerators {
 /// first_homology for all parts when there are some that have no inside.
 [[nodiscard]] FoundGenerators loops_of(const MeshCells& cells, engine::Engine& engine, const sparse::AnyRing& ring,
                                        const KnownOfMesh& known);
-/// H_2: the engine's cycles, oriented as the file orients the first of their triangles. Cost: their triangles.
-[[nodiscard]] FoundGenerators surfaces_of(const MeshCells& cells, engine::Engine& engine, const sparse::AnyRing& ring);
+/// H_2: the engine's cycles, oriented as the file orients the first of their triangles. `with_faces`: with the polygons
+/// that these are parts of. Cost: their triangles.
+[[nodiscard]] FoundGenerators surfaces_of(const MeshCells& cells, engine::Engine& engine, const sparse::AnyRing& ring,
+                                          bool with_faces);
 
 }  // namespace sesame::tools

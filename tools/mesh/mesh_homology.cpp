@@ -58,7 +58,7 @@ Result<MeshHomology> mesh_homology(const Mesh& mesh, const MeshHomologyOptions& 
     result.sorting = std::move(loops.sorting);
     std::move(loops.remarks.begin(), loops.remarks.end(), std::back_inserter(result.remarks));
     add(std::move(loops), result);
-    add(surfaces_of(cells, *result.engine, options.ring), result);
+    add(surfaces_of(cells, *result.engine, options.ring, options.faces), result);
   }
   for (FaceMeeting& meeting : meetings.meetings) {
     for (std::uint32_t& face : meeting.faces) {

@@ -19,6 +19,7 @@ struct MeshHomologyOptions {
   std::string source;  ///< the mesh file; its stem names the complex, as in scripts
   sparse::AnyRing ring = sparse::Integers{};
   bool generators = true;
+  bool faces = false;  ///< of surfaces: list the polygons, too
 };
 
 struct MeshHomology {
