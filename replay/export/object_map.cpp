@@ -58,8 +58,8 @@ class MapFinder {
   Status find_darts() {
     for (std::uint32_t number = 0; number < store_.maps(); ++number) {
       const DartStore::Made& map = store_.map(number);
-      if (store_.named(map.name) != &map) {
-        continue;  // it was extended
+      if (store_.named(map.name) != &map || map.has_levels()) {
+        continue;  // it was extended, or is a chain of maps
       }
       bool has_darts = false;
       for (Dart d = map.first; d < map.first + map.count; ++d) {
@@ -84,6 +84,9 @@ class MapFinder {
 
   /// Whether nothing of what a dart was made for is there.
   [[nodiscard]] bool is_gone(const DartStore::Made& map, Dart d) const {
+    if (store_.taken_out_with(map.dimension, d)) {
+      return true;
+    }
     if (map.is_by_simplices) {
       return !simplex(map, (ops::IndexSet{1} << (map.dimension + 1)) - 1, d).has_value();
     }
@@ -153,7 +156,8 @@ class MapFinder {
     if (value->is_degenerate()) {
       return no_map(fmt::format("the {}-cell of \"{}\" was squashed", i, name(d)));
     }
-    if (i > 0 && !(structure_.values().face(*value, 0) == below[d])) {
+    const bool is_cone = ops::is_cone(structure_.cells().type(value->cell).type);
+    if (i > 0 && !is_cone && !(structure_.values().face(*value, 0) == below[d])) {
       return no_map(
           fmt::format("\"{}\" has not the face that \"{}\" sees: it was split", structure_.name(value->cell), name(d)));
     }
@@ -228,7 +232,7 @@ class MapFinder {
   Status check_all_are_met() const {
     for (std::size_t dimension = 0; dimension < cells_.dimensions(); ++dimension) {
       for (const CellId cell : cells_.of(dimension)) {
-        if (!met_.contains(cell)) {
+        if (!met_.contains(cell) && !ops::is_cone_part(structure_.cells().type(cell).type)) {
           return no_map(fmt::format("\"{}\" is none of the cells of its maps", structure_.name(cell)));
         }
       }
