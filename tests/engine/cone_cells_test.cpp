@@ -1,4 +1,5 @@
 // Cells of maps that are no balls: a generator for each of a small model of what they are cones over.
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -156,5 +157,59 @@ TEST_CASE("cones and suspensions over cells of maps are known by their boundarie
   carry_out(engine, R"({"op":"remove","cells":["w*m.3:0"]})");
   CHECK(parts_of(engine) == std::vector<std::uint64_t>{0, 0, 2});
   CHECK(live_groups(engine) == std::vector<AbelianGroup>{{2, {}}, {0, {}}, {2, {2}}});
+  CHECK(engine.first_defect().value_or("") == "");
+}
+
+TEST_CASE("maps of two and three dimensions, changed by local operations at random, are what their darts are") {
+  const auto seed = GENERATE(range(0U, 16U));
+  const std::string ring = GENERATE("Z", "Z/2");
+  CAPTURE(seed, ring);
+  Random random(seed);
+  PlainMaps flat(ring_named(ring), 2);
+  for (int k = 0; k < 3; ++k) {
+    flat.make("p" + std::to_string(k), ops::polygon(static_cast<ops::Dart>(random.in(2, 5))));
+  }
+  flat.make("s", map_of_faces(prism_faces(3)));
+  sew_and_unsew(flat, random, 60, true);
+  PlainMaps solid(ring_named(ring), 3);
+  const std::vector<GMap> kinds = cones();
+  for (int k = 0; k < 2; ++k) {
+    solid.make("c" + std::to_string(k),
+               kinds[static_cast<std::size_t>(random.in(0, static_cast<int>(kinds.size()) - 1))]);
+    solid.make("d" + std::to_string(k), solid_of(random.one_in(2) ? cube_faces() : tetrahedron_faces()));
+  }
+  sew_and_unsew(solid, random, 60, true);
+}
+
+TEST_CASE("what is left of cubes around a hole is one cell that is no ball") {
+  Engine engine(ring_named("Z"));  // four cubes in a ring, sewn to each other and then made one
+  for (int k = 0; k < 4; ++k) {
+    carry_out(engine, make_map("c" + std::to_string(k), solid_of(cube_faces())));
+  }
+  const Polygons faces = cube_faces();
+  const auto facing = [&](std::size_t one, std::size_t other) {  // two sides of a cube without a common vertex
+    return std::none_of(faces[one].begin(), faces[one].end(), [&](const auto v) {
+      return std::find(faces[other].begin(), faces[other].end(), v) != faces[other].end();
+    });
+  };
+  std::size_t opposite = 1;
+  while (!facing(0, opposite)) {
+    ++opposite;
+  }
+  for (int k = 0; k < 4; ++k) {
+    const std::string one = "c" + std::to_string(k);
+    const std::string next = "c" + std::to_string((k + 1) % 4);
+    carry_out(engine, sew_darts(3, dart_name(one, 0), dart_name(next, static_cast<ops::Dart>(8 * opposite))));
+  }
+  CHECK(engine.homology().betti == std::vector<std::int64_t>{1, 1, 0, 0});
+  for (int k = 0; k < 3; ++k) {
+    carry_out(engine, ops::RemoveCell{{}, "c" + std::to_string(k) + ".2:0"});
+    CHECK(engine.homology().betti == std::vector<std::int64_t>{1, 1, 0, 0});
+    CHECK(engine.first_defect().value_or("") == "");
+  }
+  CHECK(cells_of(engine).back() == 1);
+  carry_out(engine, R"({"op":"remove_cell","cell":"c3.2:0"})");  // which it has on both sides: the cone over a torus
+  CHECK(parts_of(engine) == std::vector<std::uint64_t>{0, 0, 2});
+  CHECK(engine.homology().betti == std::vector<std::int64_t>{1, 0, 0, 0});
   CHECK(engine.first_defect().value_or("") == "");
 }

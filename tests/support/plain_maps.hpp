@@ -2,12 +2,14 @@
 /// Maps as lists of involutions, beside an engine that has them by their cells.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "ops/maps/cell_surgery.hpp"
 #include "ops/maps/orbits.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/groups.hpp"
@@ -58,6 +60,38 @@ class PlainMaps {
     }
     return true;
   }
+  /// A random local operation. Whether something has happened.
+  bool operate(Random& random) {
+    const auto any = [&] { return static_cast<Dart>(random.in(0, static_cast<int>(names_.size()) - 1)); };
+    const GMap map = *GMap::make(alpha_);
+    const Dart d = any();
+    const int i = random.in(0, n_);
+    const int kind = random.in(1, 6);
+    if (kind <= 4) {
+      const std::string cell = cell_of(i, d);
+      const auto report =
+          kind <= 3 ? engine_.apply(ops::RemoveCell{{}, cell}) : engine_.apply(ops::ContractCell{{}, cell});
+      const auto surgery =
+          kind <= 3 ? ops::removal_of_cell(ops::view_of(map), i, d) : ops::contraction_of_cell(ops::view_of(map), i, d);
+      return take(report.has_value(), surgery, map, "");
+    }
+    const std::string name = "n" + std::to_string(++inserted_);
+    const int of = random.in(0, 1);
+    std::vector<Dart> darts{d};
+    if (of == 1 && random.one_in(2)) {
+      darts.push_back(any());
+    }
+    std::vector<std::string> texts;
+    for (const Dart dart : darts) {
+      texts.push_back(names_[dart]);
+    }
+    if (kind == 5) {
+      const auto report = engine_.apply(ops::InsertCell{name, of, texts, {}});
+      return take(report.has_value(), ops::insertion_of_cell(ops::view_of(map), of, darts), map, name);
+    }
+    const auto report = engine_.apply(ops::SplitCell{name, n_ - of, texts, {}});
+    return take(report.has_value(), ops::splitting_of_cell(ops::view_of(map), n_ - of, darts), map, name);
+  }
   void check() {
     const GMap map = *GMap::make(alpha_);
     for (int i = 0; i <= n_; ++i) {
@@ -71,8 +105,7 @@ class PlainMaps {
       const ops::Orbits orbits = ops::cells(map, i);
       std::map<ops::CellId, std::uint32_t> orbit_of;
       for (Dart d = 0; d < map.size(); ++d) {
-        std::string name = names_[d];
-        name.replace(name.find(':'), 1, "." + std::to_string(i) + ":");
+        const std::string name = cell_of(i, d);
         const ops::CellId cell = engine_.structure().find(engine_.structure().lookup(name).value());
         REQUIRE(orbit_of.emplace(cell, orbits.of[d]).first->second == orbits.of[d]);
       }
@@ -84,6 +117,31 @@ class PlainMaps {
   }
 
  private:
+  [[nodiscard]] std::string cell_of(int i, Dart d) const {
+    std::string name = names_[d];
+    return name.replace(name.find(':'), 1, "." + std::to_string(i) + ":");
+  }
+
+  /// What an operation that the engine has carried out, or not, does to the plain maps.
+  bool take(bool is_done, const Result<ops::CellSurgery>& surgery, const GMap& map, const std::string& name) {
+    if (!is_done) {
+      return false;  // a cell would be no ball, say
+    }
+    REQUIRE(surgery.has_value());
+    alpha_ = ops::after_surgery(map, *surgery).involutions();
+    std::vector<std::string> names;
+    for (Dart d = 0; d < map.size(); ++d) {
+      if (std::find(surgery->gone.begin(), surgery->gone.end(), d) == surgery->gone.end()) {
+        names.push_back(names_[d]);
+      }
+    }
+    for (Dart d = 0; d < surgery->made; ++d) {
+      names.push_back(dart_name(name, d));
+    }
+    names_ = std::move(names);
+    return true;
+  }
+
   std::vector<Dart>& top() { return alpha_.back(); }
   /// What is sewn with two darts.
   std::vector<std::pair<Dart, Dart>> pairs(Dart a, Dart b) {
@@ -105,12 +163,14 @@ class PlainMaps {
   int n_;
   std::vector<std::vector<Dart>> alpha_;
   std::vector<std::string> names_;
+  int inserted_ = 0;
 };
 
-inline void sew_and_unsew(PlainMaps& maps, Random& random, int tries) {
+/// Also, if asked for, with local operations.
+inline void sew_and_unsew(PlainMaps& maps, Random& random, int tries, bool operates = false) {
   int since_undo = 0;
   for (int k = 0; k < tries; ++k) {
-    if (maps.step(random)) {
+    if (operates && random.one_in(2) ? maps.operate(random) : maps.step(random)) {
       ++since_undo;
       maps.check();
     }
