@@ -1,15 +1,28 @@
 // The text form of the local operations on cells of maps.
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "ops/vocabulary/field_values.hpp"
 #include "ops/vocabulary/operation_form.hpp"
+#include "sparse/quoted.hpp"
 
 namespace sesame::ops {
 namespace {
 
+/// The map may be named, too; the name of the cell says which it is.
 template <class Op>
 Op read_of_cell(Fields& in) {
-  return {in.text("cell")};
+  Op op{in.text("cell")};
+  if (const Json* map = in.find("map")) {
+    const std::string name = in.text("map", *map);
+    if (op.cell != name && !op.cell.starts_with(name + '.')) {
+      throw Wrong{fmt::format("field \"map\" is {}, but the cell {} is one of another map: leave it out",
+                              sparse::quoted(name), sparse::quoted(op.cell))};
+    }
+  }
+  return op;
 }
 
 template <class Op>

@@ -203,7 +203,7 @@ TEST_CASE("what is left of cubes around a hole is one cell that is no ball") {
   }
   CHECK(engine.homology().betti == std::vector<std::int64_t>{1, 1, 0, 0});
   for (int k = 0; k < 3; ++k) {
-    carry_out(engine, ops::RemoveCell{{}, "c" + std::to_string(k) + ".2:0"});
+    carry_out(engine, ops::RemoveCell{"c" + std::to_string(k) + ".2:0"});
     CHECK(engine.homology().betti == std::vector<std::int64_t>{1, 1, 0, 0});
     CHECK(engine.first_defect().value_or("") == "");
   }

@@ -69,8 +69,7 @@ class PlainMaps {
     const int kind = random.in(1, 6);
     if (kind <= 4) {
       const std::string cell = cell_of(i, d);
-      const auto report =
-          kind <= 3 ? engine_.apply(ops::RemoveCell{{}, cell}) : engine_.apply(ops::ContractCell{{}, cell});
+      const auto report = kind <= 3 ? engine_.apply(ops::RemoveCell{cell}) : engine_.apply(ops::ContractCell{cell});
       const auto surgery =
           kind <= 3 ? ops::removal_of_cell(ops::view_of(map), i, d) : ops::contraction_of_cell(ops::view_of(map), i, d);
       return take(report.has_value(), surgery, map, "");
