@@ -22,7 +22,6 @@ void Plan::clear() {
   into_body.reset();
   joined_bodies.clear();
   map.reset();
-  chain.reset();
   extended.clear();
   sewings.clear();
   newly_seen.clear();

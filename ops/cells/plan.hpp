@@ -57,7 +57,7 @@ struct AbstractChange {
 
 /// A map that the new cells are made for. See DartStore.
 struct NewMap {
-  GMap map;
+  GMap map;  ///< without darts: a chain of maps, whose darts of each level see cells
   std::shared_ptr<const DartCells> cells;
   bool is_by_simplices = false;
   Dart halves = 0;  ///< as in DartStore
@@ -139,7 +139,6 @@ struct Plan {
   std::optional<BodyId> into_body;         ///< the new cells join this body
   std::vector<BodyId> joined_bodies;       ///< become one with `into_body` (the older name stays)
   std::optional<NewMap> map;               ///< that the new body is
-  std::shared_ptr<const DartCells> chain;  ///< the new body is a chain of maps, whose darts see these cells
   std::vector<ExtendedMap> extended;
   std::vector<Sewing> sewings;
   std::vector<NewlySeen> newly_seen;

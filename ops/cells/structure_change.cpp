@@ -16,11 +16,10 @@ void Structure::apply(const Plan& plan) {
   BodyId new_body = none;
   if (plan.new_body || plan.family) {
     note(EventKind::body, bodies_.size());
-    const bool has_others = plan.chain != nullptr ||
-                            (plan.map ? !plan.map->is_by_simplices
-                                      : std::ranges::any_of(plan.cells, [this](const auto& c) {
-                                          return !is_simploid(types().info(c.type).type);
-                                        }));
+    const bool has_others =
+        plan.map ? !plan.map->is_by_simplices : std::ranges::any_of(plan.cells, [this](const auto& c) {
+          return !is_simploid(types().info(c.type).type);
+        });
     new_body = bodies_.add({plan.abstract.has_value(), true, has_others});
   }
   const Instant made = instant_of(forest_.links(), lazy_.families());
@@ -60,7 +59,7 @@ void Structure::apply(const Plan& plan) {
   } else if (!abstract_.empty()) {
     leave_abstract(plan);
   }
-  if (plan.map || plan.chain != nullptr || !plan.sewings.empty() || !plan.extended.empty()) {
+  if (plan.map || !plan.sewings.empty() || !plan.extended.empty()) {
     change_darts(plan, first, new_body);
   }
   if (maps().has_orders()) {
@@ -72,11 +71,12 @@ void Structure::apply(const Plan& plan) {
 void Structure::change_darts(const Plan& plan, CellId first, BodyId body) {
   if (plan.map) {
     note(EventKind::darts, darts_.events());
-    darts_.add(bodies_.name(body), plan.map->map, first, plan.map->cells, plan.map->is_by_simplices, plan.map->halves);
-  }
-  if (plan.chain != nullptr) {
-    note(EventKind::darts, darts_.events());
-    darts_.add_chain(bodies_.name(body), first, plan.chain);
+    if (plan.map->map.size() == 0) {
+      darts_.add_chain(bodies_.name(body), first, plan.map->cells);
+    } else {
+      darts_.add(bodies_.name(body), plan.map->map, first, plan.map->cells, plan.map->is_by_simplices,
+                 plan.map->halves);
+    }
   }
   if (!plan.extended.empty()) {
     std::vector<DartStore::Extension> extensions;

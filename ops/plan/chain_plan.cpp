@@ -95,7 +95,7 @@ Status plan_by_cells(const MakeChainOfMaps& operation, const ChainOfMaps& chain,
   if (!cells) {
     return cells.error();
   }
-  plan.chain = std::move(*cells);
+  plan.map = {{}, std::move(*cells)};
   return Done{};
 }
 

@@ -165,7 +165,7 @@ class CellsWriter {
     std::string full = operation_.name + ".";
     const std::size_t base = full.size();
     const bool are_free = is_free_beginning(full, structure_, operation_.cells.size());
-    const DartStore::Made darts{0, order_.dimension(), 0, 0, 0, plan_.chain, false};
+    const DartStore::Made darts{0, order_.dimension(), 0, 0, 0, plan_.map->cells, false};
     for (std::size_t k = 0; k < operation_.cells.size(); ++k) {
       const std::string_view id = operation_.cells.id(k);
       const std::string as_part = fmt::format("m.{}", id);
@@ -230,7 +230,7 @@ class CellsWriter {
         cells->of.back().push_back({places_[cell(i, d)], layers_[static_cast<std::size_t>(i)].places[d]});
       }
     }
-    plan_.chain = std::move(cells);
+    plan_.map = {{}, std::move(cells)};
   }
 
   const MakeIncidence& operation_;
