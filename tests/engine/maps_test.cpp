@@ -1,16 +1,13 @@
 // Maps by their cells: one generator for each, live, against their simplicial analogues and Smith forms.
 #include <algorithm>
-#include <map>
-#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "ops/maps/orbits.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/groups.hpp"
 #include "tests/support/plain_maps.hpp"
 #include "tests/support/random_steps.hpp"
+#include "tests/support/sewn_maps.hpp"
 #include "tests/support/solids.hpp"
 
 using namespace sesame;
@@ -34,66 +31,6 @@ std::string refusal(Engine& engine, const ops::Operation& op) {
 }
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-/// Makes maps and sews random free darts of their largest dimension, in one engine by cells and in one by simplices.
-class Sewn {
- public:
-  Sewn(const AnyRing& ring, int dimension) : by_cells_{ring}, by_simplices_{ring}, dimension_{dimension} {}
-
-  Engine& by_cells() { return by_cells_; }
-  void make(const std::string& name, const GMap& map) {
-    carry_out(by_cells_, make_map(name, map));
-    carry_out(by_simplices_, make_map(name, map, true));
-    for (Dart d = 0; d < map.size(); ++d) {
-      darts_.push_back(dart_name(name, d));
-    }
-  }
-  /// Whether two random darts could be sewn: they were free, alike, and of different cells.
-  bool sew_at_random(Random& random) {
-    const auto any = [&] {
-      return darts_[static_cast<std::size_t>(random.in(0, static_cast<int>(darts_.size()) - 1))];
-    };
-    const ops::Sew op = sew_darts(dimension_, any(), any());
-    const auto cells = by_cells_.apply(op);
-    if (!cells) {
-      if (!has(cells.error().what, "fold")) {
-        CHECK_FALSE(by_simplices_.apply(op).has_value());
-      }
-      return false;
-    }
-    carry_out(by_simplices_, op);
-    return true;
-  }
-  void undo() {
-    carry_out(by_cells_, ops::Undo{1});
-    carry_out(by_simplices_, ops::Undo{1});
-  }
-  void check() {
-    REQUIRE(live_groups(by_cells_) == live_groups(by_simplices_));
-    REQUIRE(by_cells_.euler_characteristic() == by_simplices_.euler_characteristic());
-    REQUIRE(by_cells_.first_defect().value_or("") == "");
-  }
-
- private:
-  Engine by_cells_, by_simplices_;
-  int dimension_;
-  std::vector<std::string> darts_;
-};
-
-void sew_at_random(Sewn& sewn, Random& random, int tries) {
-  int done = 0;
-  for (int k = 0; k < tries; ++k) {
-    if (done > 0 && random.one_in(12)) {
-      sewn.undo();
-      --done;
-    } else if (sewn.sew_at_random(random)) {
-      ++done;
-    } else {
-      continue;
-    }
-    sewn.check();
-  }
-}
 
 }  // namespace
 
