@@ -76,7 +76,7 @@ TEST_CASE("modulo 2 closed manifolds have as many classes of each dimension as o
   const int dimension = GENERATE(2, 3);
   Random random(static_cast<unsigned>(dimension));
   int manifolds = 0, others = 0, lopsided = 0;
-  for (int trial = 0; trial < 60; ++trial) {
+  for (int trial = 0; trial < 120; ++trial) {
     const GMap map = random_closed_map(random, dimension);
     const auto betti = betti_modulo_2(map);
     if (is_closed_manifold(map)) {
