@@ -341,8 +341,9 @@ std::vector<Operation> random_operations(unsigned seed, int count, Limits limits
 
 TEST_CASE("a random stream of everything has every operation in it", "[ops][stream]") {
   std::map<std::string, int> seen;
-  for (unsigned seed = 0; seed < 40; ++seed) {
-    for (const Operation& op : random_operations(seed, 40, lazy_cones, everything(30))) {
+  for (unsigned seed = 0; seed < 80; ++seed) {
+    const StreamShape shape = seed < 40 ? everything(30) : everything_and_maps(30);
+    for (const Operation& op : random_operations(seed, 40, lazy_cones, shape)) {
       ++seen[std::string{keyword(op)}];
       if (const auto* product = std::get_if<MakeProduct>(&op)) {
         ++seen[product->simplicial ? "triangulated" : "of simploids"];
@@ -357,8 +358,9 @@ TEST_CASE("a random stream of everything has every operation in it", "[ops][stre
     }
   }
   for (const std::string what :
-       {"simplex", "simploid", "complex", "cone", "suspend", "product", "identify", "degenerate", "deidentify",
-        "triangulated", "of simploids", "square", "of two", "several", "single", "over 0", "over 1", "over 2"}) {
+       {"simplex",    "simploid", "complex", "cone",   "suspend", "product",      "identify",     "degenerate",
+        "deidentify", "gmap",     "polygon", "sew",    "unsew",   "triangulated", "of simploids", "square",
+        "of two",     "several",  "single",  "over 0", "over 1",  "over 2"}) {
     CAPTURE(what);
     CHECK(seen[what] >= 3);
   }
@@ -368,7 +370,7 @@ TEST_CASE("undo of any steps of all kinds restores everything, one by one and ma
   const unsigned seed = GENERATE(range(0U, 30U));
   CAPTURE(seed);
   Workshop shop(seed % 2 == 0 ? lazy_cones : Limits{});
-  RandomSteps steps(seed, everything(seed % 3 == 0 ? 50 : 25));
+  RandomSteps steps(seed, everything_and_maps(seed % 3 == 0 ? 50 : 25));
   std::vector<StructureMark> marks;
   std::vector<std::string> dumps;
   for (int k = 0; k < 40; ++k) {
@@ -406,7 +408,7 @@ TEST_CASE("lazy cells that were asked for make no difference, and undo takes the
   CAPTURE(seed);
   // One structure is asked about much, the other never: they are compared at the end, and at moments of the past to
   // which both are taken back.
-  const std::vector<Operation> operations = random_operations(seed, 25, lazy_cones, everything(30));
+  const std::vector<Operation> operations = random_operations(seed, 25, lazy_cones, everything_and_maps(30));
   Workshop asked(lazy_cones);
   Workshop quiet(lazy_cones);
   std::vector<StructureMark> asked_marks;
@@ -443,7 +445,7 @@ TEST_CASE("a body knows how many of its cells are no simplices", "[ops][stream]"
   const unsigned seed = GENERATE(range(0U, 16U));
   CAPTURE(seed);
   Workshop shop(seed % 2 == 0 ? lazy_cones : Limits{});
-  RandomSteps steps(seed, everything(30));
+  RandomSteps steps(seed, everything_and_maps(30));
   for (int k = 0; k < 30; ++k) {
     REQUIRE(shop.apply(steps.next(shop.structure())));
     const Structure& s = shop.structure();
@@ -463,7 +465,7 @@ TEST_CASE("a body knows how many of its cells are no simplices", "[ops][stream]"
 TEST_CASE("undone and done again, steps of all kinds give the same object", "[ops][stream]") {
   const unsigned seed = GENERATE(range(100U, 110U));
   CAPTURE(seed);
-  const std::vector<Operation> operations = random_operations(seed, 25, lazy_cones, everything(30));
+  const std::vector<Operation> operations = random_operations(seed, 25, lazy_cones, everything_and_maps(30));
   Workshop shop(lazy_cones);
   const StructureMark start = mark_of(shop.structure());
   std::vector<std::string> dumps;
@@ -483,7 +485,7 @@ TEST_CASE("the cofaces of a cell are the cells that have it as a face, or someth
   const unsigned seed = GENERATE(range(0U, 30U));
   CAPTURE(seed);
   Workshop shop(seed % 2 == 0 ? lazy_cones : Limits{});
-  RandomSteps steps(seed, everything(seed % 3 == 0 ? 40 : 25));
+  RandomSteps steps(seed, everything_and_maps(seed % 3 == 0 ? 40 : 25));
   std::vector<StructureMark> marks;
   for (int k = 0; k < 40; ++k) {
     marks.push_back(mark_of(shop.structure()));
@@ -498,7 +500,7 @@ TEST_CASE("cofaces are those of the definition whenever they are asked for, thro
   const unsigned seed = GENERATE(range(0U, 60U));
   CAPTURE(seed);
   Workshop shop(seed % 2 == 0 ? lazy_cones : Limits{});
-  RandomSteps steps(seed, everything(seed % 3 == 0 ? 40 : 20));
+  RandomSteps steps(seed, everything_and_maps(seed % 3 == 0 ? 40 : 20));
   Random random(seed + 1);
   std::vector<StructureMark> marks;
   int asked = 0;
@@ -586,7 +588,7 @@ TEST_CASE("what cells, and which faces, there were can be said of every past mom
   const unsigned seed = GENERATE(range(0U, 16U));
   CAPTURE(seed);
   Workshop shop(seed % 2 == 0 ? lazy_cones : Limits{});
-  RandomSteps steps(seed, everything(30));
+  RandomSteps steps(seed, everything_and_maps(30));
   struct Past {
     Moment moment;
     std::map<std::string, std::vector<CellId>> cells;  // by label: the cells that the faces were

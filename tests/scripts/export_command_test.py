@@ -47,7 +47,7 @@ def trimmed(numbers):
 
 
 def random_scripts():
-    for operations in ("basic", "all", "tear", "nest", "abstract"):
+    for operations in ("basic", "all", "tear", "nest", "abstract", "maps"):
         for seed in range(1, 9 if IS_HEAVY else 2):
             yield f"{operations} {seed}", random_script.write_script(seed, 25, operations=operations)
 
