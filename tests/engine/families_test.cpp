@@ -23,7 +23,7 @@ namespace {
 
 /// Applies steps that must be legal, and lets a left side follow.
 template <sparse::Ring R>
-void carry_out(Workshop& shop, LeftSide<R>& side, const std::vector<ops::Operation>& steps) {
+void take_steps(Workshop& shop, LeftSide<R>& side, const std::vector<ops::Operation>& steps) {
   for (const ops::Operation& step : steps) {
     REQUIRE(shop.apply(step));
     side.follow();
@@ -36,12 +36,12 @@ class ProductOf {
  public:
   ProductOf(R ring, const Body& a, const Body& b, bool is_simplicial)
       : side_{std::make_unique<LeftSide<R>>(ring, engine::Window{shop_.structure()})} {
-    carry_out(shop_, *side_, a.steps);
-    carry_out(shop_, *side_, b.steps);
+    take_steps(shop_, *side_, a.steps);
+    take_steps(shop_, *side_, b.steps);
     left_ = symbols_of(a.name);
     right_ = symbols_of(b.name);
     const PairTable pairs(left_, right_, side_->big().size(), [&](Symbol x) { return side_->rewriter().degree(x); });
-    carry_out(shop_, *side_, {product("P", a.name, b.name, is_simplicial)});
+    take_steps(shop_, *side_, {product("P", a.name, b.name, is_simplicial)});
     if (is_simplicial) {
       maps_ = std::make_unique<engine::SimplicialProductMaps<R>>(ring, shop_.structure(), ops::FamilyId{}, pairs,
                                                                  side_->frozen());
@@ -277,8 +277,8 @@ TEST_CASE("the maps of a cone contract it to its apex", "[engine][left]") {
   const sparse::Integers z;
   Workshop shop(limits(true));
   LeftSide<sparse::Integers> side(z, engine::Window{shop.structure()});
-  carry_out(shop, side, plane_of_triangles("B").steps);
-  carry_out(shop, side, {cone_over_body("v", "B")});
+  take_steps(shop, side, plane_of_triangles("B").steps);
+  take_steps(shop, side, {cone_over_body("v", "B")});
   const ops::Structure& structure = shop.structure();
   REQUIRE(structure.lazy().families() == 1);
   const engine::ConeMaps<sparse::Integers> maps(z, structure, 0, side.maps());
@@ -310,8 +310,8 @@ TEST_CASE("a lazy cone has the cells and boundaries of the cone written out, and
   LeftSide<sparse::Integers> side(z, engine::Window{lazy.structure()});
   LeftSide<sparse::Integers> side_of_written(z, engine::Window{written.structure()});
   for (const ops::Operation& step : {moore_body("B", 3).steps[0], cone_over_body("v", "B")}) {
-    carry_out(lazy, side, {step});
-    carry_out(written, side_of_written, {step});
+    take_steps(lazy, side, {step});
+    take_steps(written, side_of_written, {step});
   }
   REQUIRE(lazy.structure().lazy().families() == 1);
   REQUIRE(written.structure().lazy().families() == 0);
@@ -342,9 +342,9 @@ TEST_CASE("what de-identifications give lazy cells is taken back by undo, and th
   const bool is_simplicial = GENERATE(false, true);
   Workshop shop;
   LeftSide<sparse::Integers> side(sparse::Integers{}, engine::Window{shop.structure()});
-  carry_out(shop, side, circle("A").steps);
-  carry_out(shop, side, circle("B").steps);
-  carry_out(shop, side, {product("P", "A", "B", is_simplicial)});
+  take_steps(shop, side, circle("A").steps);
+  take_steps(shop, side, circle("B").steps);
+  take_steps(shop, side, {product("P", "A", "B", is_simplicial)});
   const std::string before = dump(side);
   const auto structure_before = mark_of(shop.structure());
   const auto mark = side.mark();
@@ -353,7 +353,7 @@ TEST_CASE("what de-identifications give lazy cells is taken back by undo, and th
   for (int step = 0; step < 60; ++step) {
     const ops::Operation op = steps.next(shop.structure());
     if (std::holds_alternative<ops::Deidentify>(op)) {
-      carry_out(shop, side, {op});
+      take_steps(shop, side, {op});
       REQUIRE(broken_left_law(side) == "");
       ++split;
     }
