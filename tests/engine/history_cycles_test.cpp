@@ -337,7 +337,7 @@ TEST_CASE("an engine without a log has no cycles of bars, and there are none ove
   engine::HistoryOptions options;
   options.wants = [](int) { return true; };
   Engine engine(ring_named("Z/2"), {}, {}, {UINT64_MAX, false});
-  build(engine, {R"({"op":"simplex","name":"t","dim":2})"});
+  carry_out(engine, R"({"op":"simplex","name":"t","dim":2})");
   REQUIRE(engine.barcode());
   CHECK(engine.barcode(options).error().what == "there are no cycles of bars: the steps are not kept");
   Engine integral(ring_named("Z"));

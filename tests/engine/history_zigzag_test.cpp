@@ -82,6 +82,7 @@ TEST_CASE("what has no barcode says why, and at which step", "[engine][zigzag]")
   REQUIRE(!barcode);
   CHECK(barcode.error().what == "there is no barcode: step 4 is a product, which consumes the bodies before it");
   Engine integral(ring_named("Z"));
-  build(integral, {R"({"op":"simplex","name":"e","dim":1})", R"({"op":"remove","cells":["e"]})"});
+  build(integral,
+        std::vector<std::string>{R"({"op":"simplex","name":"e","dim":1})", R"({"op":"remove","cells":["e"]})"});
   CHECK(integral.barcode().error().what == "barcodes need a field: compute over Q or Z/p, such as Z/2, instead of Z");
 }
