@@ -28,7 +28,7 @@ class PlainMaps {
 
   Engine& engine() { return engine_; }
   void make(const std::string& name, const GMap& map) {
-    carry_out(engine_, make_map(name, map));
+    (void)apply(make_map(name, map)).value();
     const auto first = static_cast<Dart>(names_.size());
     for (std::size_t i = 0; i < alpha_.size(); ++i) {
       for (const Dart image : map.involutions()[i]) {
@@ -44,14 +44,14 @@ class PlainMaps {
     const auto any = [&] { return static_cast<Dart>(random.in(0, static_cast<int>(names_.size()) - 1)); };
     const Dart a = any(), b = any();
     if (top()[a] != a && random.one_in(2)) {
-      carry_out(engine_, ops::Unsew{n_, {names_[a]}});
+      (void)apply(ops::Unsew{n_, {names_[a]}}).value();
       for (const auto& [x, y] : pairs(a, top()[a])) {
         top()[x] = x;
         top()[y] = y;
       }
       return true;
     }
-    if (!engine_.apply(sew_darts(n_, names_[a], names_[b]))) {
+    if (!apply(sew_darts(n_, names_[a], names_[b]))) {
       return false;
     }
     for (const auto& [x, y] : pairs(a, b)) {
@@ -69,7 +69,8 @@ class PlainMaps {
     const int kind = random.in(1, 6);
     if (kind <= 4) {
       const std::string cell = cell_of(i, d);
-      const auto report = kind <= 3 ? engine_.apply(ops::RemoveCell{cell}) : engine_.apply(ops::ContractCell{cell});
+      const ops::Operation op = kind <= 3 ? ops::Operation{ops::RemoveCell{cell}} : ops::ContractCell{cell};
+      const auto report = apply(op);
       const auto surgery =
           kind <= 3 ? ops::removal_of_cell(ops::view_of(map), i, d) : ops::contraction_of_cell(ops::view_of(map), i, d);
       return take(report.has_value(), surgery, map, "");
@@ -85,13 +86,14 @@ class PlainMaps {
       texts.push_back(names_[dart]);
     }
     if (kind == 5) {
-      const auto report = engine_.apply(ops::InsertCell{name, of, texts, {}});
+      const auto report = apply(ops::InsertCell{name, of, texts, {}});
       return take(report.has_value(), ops::insertion_of_cell(ops::view_of(map), of, darts), map, name);
     }
-    const auto report = engine_.apply(ops::SplitCell{name, n_ - of, texts, {}});
+    const auto report = apply(ops::SplitCell{name, n_ - of, texts, {}});
     return take(report.has_value(), ops::splitting_of_cell(ops::view_of(map), n_ - of, darts), map, name);
   }
   void check() {
+    CAPTURE(done_);
     const GMap map = *GMap::make(alpha_);
     for (int i = 0; i <= n_; ++i) {
       REQUIRE(engine_.cells()[static_cast<std::size_t>(i)] == ops::cells(map, i).count());
@@ -119,6 +121,14 @@ class PlainMaps {
   [[nodiscard]] std::string cell_of(int i, Dart d) const {
     std::string name = names_[d];
     return name.replace(name.find(':'), 1, "." + std::to_string(i) + ":");
+  }
+
+  Result<engine::StepReport> apply(const ops::Operation& op) {
+    auto report = engine_.apply(op);
+    if (report) {
+      done_ += ops::to_text(op) + "\n";
+    }
+    return report;
   }
 
   /// What an operation that the engine has carried out, or not, does to the plain maps.
@@ -162,6 +172,7 @@ class PlainMaps {
   int n_;
   std::vector<std::vector<Dart>> alpha_;
   std::vector<std::string> names_;
+  std::string done_;  // all steps, as a script
   int inserted_ = 0;
 };
 
