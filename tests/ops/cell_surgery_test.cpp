@@ -151,6 +151,7 @@ class PlainDarts {
     std::string name = names_[d];
     return name.replace(name.find(':'), 1, "." + std::to_string(i) + ":");
   }
+  using Lists = std::vector<std::vector<Dart>>;
   void append(const Lists& alpha, const std::string& name) {
     const auto first = static_cast<Dart>(names_.size());
     for (std::size_t i = 0; i < alpha_.size(); ++i) {
@@ -162,7 +163,6 @@ class PlainDarts {
       names_.push_back(dart_name(name, d));
     }
   }
-  using Lists = std::vector<std::vector<Dart>>;
 
   std::string change(const ops::Operation& op, const Result<ops::CellSurgery>& surgery, const std::string& name) {
     const std::string why = step(object_, op);
