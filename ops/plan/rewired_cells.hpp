@@ -19,6 +19,8 @@ namespace sesame::ops {
 /// canonical boundary and the same faces, though some of them may be others: then these see it from now on. Where a
 /// cell falls apart one part keeps it, that with the dart that it is called by; where several come together one of them
 /// stays, that of most darts. All others are replaced, and with them what has them as faces.
+///
+/// Threads: one at a time, for queries too.
 class RewiredCells {
  public:
   /// `name(i, dart)`: that of a new cell after a dart.
@@ -28,8 +30,8 @@ class RewiredCells {
 
   /// New cells, what darts see newly, and deletions, into the plan.
   /// Errors    refused, naming a dart: a new cell is no ball, and should be one; cells have been split, or glued to
-  /// others, and not by
-  ///           sewing. Cost: the darts of the cells that are looked at, times the dimension, and what new types cost.
+  ///           others, and not by sewing.
+  /// Cost      The darts of the cells that are looked at, times the dimension, and what new types cost.
   Status run();
 
  private:
