@@ -108,6 +108,10 @@ std::vector<std::pair<ops::CellId, ops::Point>> given_positions(const ops::Opera
     add_apexes(*suspension, structure, given);
   } else if (const auto* cone = std::get_if<ops::MakeCone>(&operation); cone != nullptr && cone->at) {
     given.emplace_back(first, *cone->at);
+  } else if (const auto* inserted = std::get_if<ops::InsertCell>(&operation); inserted != nullptr && inserted->at) {
+    given.emplace_back(first, *inserted->at);  // the new vertex comes first
+  } else if (const auto* split = std::get_if<ops::SplitCell>(&operation); split != nullptr && split->at) {
+    given.emplace_back(first, *split->at);
   } else if (const auto* replace = std::get_if<ops::Replace>(&operation)) {
     if (const auto at = position_of_new(*replace); at && report.after.created > first) {
       given.emplace_back(first, *at);
