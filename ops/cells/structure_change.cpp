@@ -71,11 +71,11 @@ void Structure::apply(const Plan& plan) {
 void Structure::change_darts(const Plan& plan, CellId first, BodyId body) {
   if (plan.map) {
     note(EventKind::darts, darts_.events());
+    const std::uint32_t name = directory_.names().number_of(plan.new_body.value());  // that of the body may be older
     if (plan.map->map.size() == 0) {
-      darts_.add_chain(bodies_.name(body), first, plan.map->cells);
+      darts_.add_chain(name, first, plan.map->cells);
     } else {
-      darts_.add(bodies_.name(body), plan.map->map, first, plan.map->cells, plan.map->is_by_simplices,
-                 plan.map->halves);
+      darts_.add(name, plan.map->map, first, plan.map->cells, plan.map->is_by_simplices, plan.map->halves);
     }
   }
   if (!plan.extended.empty()) {
