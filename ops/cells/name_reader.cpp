@@ -43,7 +43,7 @@ std::optional<Value> NameReader::read(Part part) {
 }
 
 std::optional<Value> NameReader::read_once(Part part) {
-  if (structure_.darts().has_seen_others()) {  // which other names may have stood for
+  if (structure_.darts().maps() > 0) {  // whose darts may see other cells than those that were called after them
     if (auto cell = read_seen(part)) {
       return cell;
     }
