@@ -184,7 +184,7 @@ TEST_CASE("every law holds after every step of streams with removals", "[engine]
   const unsigned seed = GENERATE(range(0U, 20U));
   CAPTURE(ring, policy.least_splits, policy.cells_begun_at_once, seed);
   Engine engine(ring_named(ring), {}, policy);
-  StreamShape shape = everything(30);
+  StreamShape shape = everything_and_maps(30);
   shape.products = shape.pyramids = seed % 2 == 0;
   RandomSteps random(seed, shape);
   for (int k = 0; k < 40; ++k) {
@@ -352,7 +352,7 @@ TEST_CASE("groups with torsion are those of a Smith form, step by step, where ce
   const unsigned seed = GENERATE(range(0U, 50U));
   CAPTURE(seed);
   Engine engine(ring_named("Z"), {}, seed % 3 == 0 ? RebasePolicy{} : RebasePolicy::never());
-  RandomSteps steps(seed, everything(70));
+  RandomSteps steps(seed, everything_and_maps(70));
   Random& random = steps.random();
   int names = 0;
   for (int k = 0; k < 60; ++k) {
@@ -381,7 +381,7 @@ TEST_CASE("every law holds where rules are brought up to date late: removals, re
   const unsigned seed = GENERATE(range(0U, 30U));
   CAPTURE(ring, seed);
   Engine engine(ring_named(ring), {}, RebasePolicy::never());
-  StreamShape shape = everything(40);
+  StreamShape shape = everything_and_maps(40);
   shape.products = shape.pyramids = seed % 2 == 0;
   shape.splits = seed % 3 == 0;
   RandomSteps random(seed, shape);
