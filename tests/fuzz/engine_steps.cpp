@@ -42,6 +42,9 @@ std::optional<ops::Operation> twist(const ops::Structure& structure, ByteDraws& 
   const auto any = [&] { return cells[static_cast<std::size_t>(draws.in(0, static_cast<int>(cells.size()) - 1))]; };
   const ops::CellId a = any(), b = any();
   ops::Identify::Map map;
+  if (ops::is_of_map(structure.cells().type(a).type)) {  // which has no vertices in order
+    return std::nullopt;
+  }
   for (const int dimension : structure.cells().type(a).type) {
     std::vector<int> vertices;
     for (int v = 0; v <= dimension; ++v) {
@@ -113,7 +116,7 @@ class Session {
   explicit Session(ByteDraws draws)
       : draws_{draws},
         engine_{sparse::parse_ring(rings[draws_.in(0, 3)]).value(), small_limits, policy(draws_), {}, few_cells},
-        steps_{draws, everything(static_cast<std::size_t>(draws_.in(8, 40)))} {}
+        steps_{draws, everything_and_maps(static_cast<std::size_t>(draws_.in(8, 40)))} {}
 
   void run() {
     for (int k = 0; k < most_steps && !draws_.is_done(); ++k) {

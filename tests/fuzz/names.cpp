@@ -65,6 +65,15 @@ std::optional<ops::Operation> step_of(const std::string& line) {
       return ops::Collapse{first, second};
     case '/':
       return ops::Deidentify{{{first, second, {}}}};
+    case '5':
+    case '6':
+      return ops::MakePolygon{first, 1 + static_cast<int>(second.size() % 6), line[0] == '6'};
+    case '+':
+      return ops::Sew{2, {{first, second}}};
+    case '-':
+      return ops::Unsew{2, {first}};
+    case '^':
+      return ops::Extend{words};
     default:
       return std::nullopt;
   }
@@ -140,7 +149,8 @@ class Session {
       demand(denoted.has_value(), "what is looked up is denoted");
       said_[name] = canonical_of(*value);
     }
-    if (name.size() <= longest_plain && !structure().maps().has_orders()) {
+    // Names of cells of maps go with their darts, of which the plain rules know nothing.
+    if (name.size() <= longest_plain && !structure().maps().has_orders() && structure().darts().maps() == 0) {
       const auto plain = PlainReader(structure()).read(name);
       if (plain && (!value || structure().values().of(plain->cell) != structure().values().of(value->cell))) {
         demand(!value && is_given_up(name), "a name denotes what the plain rules say: " + name);

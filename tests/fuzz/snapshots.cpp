@@ -60,7 +60,7 @@ std::size_t size_of_header(const ObjectTerms& terms) {
 /// An object of a few steps that bytes say.
 std::unique_ptr<LiveObject> made(const ObjectTerms& terms, ByteDraws draws) {
   std::unique_ptr<LiveObject> object = new_object(terms);
-  DrawnSteps<ByteDraws> steps(draws, everything(20));
+  DrawnSteps<ByteDraws> steps(draws, everything_and_maps(20));
   for (int k = draws.in(1, 12); k > 0; --k) {
     if (draws.one_in(4)) {
       const auto label = [&] { return std::to_string(draws.in(0, 5)); };
@@ -109,7 +109,7 @@ void look_everywhere(LiveObject& object, const ObjectTerms& terms) {
       (void)object.structure().denoted(name);
       (void)object.plan(ops::Identify{{{name, "nobody"}}, {}});
     }
-    RandomSteps steps(1, everything(40));
+    RandomSteps steps(1, everything_and_maps(40));
     for (int k = 0; k < 4; ++k) {
       (void)object.apply(steps.next(object.structure()), is_written);
     }
