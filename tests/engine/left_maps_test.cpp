@@ -78,7 +78,7 @@ TEST_CASE("f, g and h are a reduction after every step, as they were after undo"
 }
 
 TEST_CASE("f, g and K tie the object to the big complex after every step when cells are lazy", "[engine][left]") {
-  StreamShape shape = everything(20);
+  StreamShape shape = everything_and_maps(20);
   stream(Integers{}, GENERATE(range(10U, 16U)), shape);
 }
 

@@ -24,7 +24,7 @@ TEST_CASE("an engine that is opened again is where it was", "[engine][log]") {
   const unsigned seed = GENERATE(range(0U, 20U));
   CAPTURE(seed);
   MemoryDisk disk;
-  RandomSteps random(seed, everything(40));
+  RandomSteps random(seed, everything_and_maps(40));
   std::vector<ops::Operation> applied;
   for (int session = 0; session < 3; ++session) {
     auto opened = engine::Engine::open("log", on(disk));

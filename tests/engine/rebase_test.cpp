@@ -83,7 +83,7 @@ TEST_CASE("every law holds after every step of random streams, whenever the equi
   CAPTURE(ring, policy.least_splits, seed);
   Engine engine(ring_named(ring), {}, policy);
   Engine twin(ring_named(ring), {}, RebasePolicy::never());
-  RandomSteps random(seed, everything(40));
+  RandomSteps random(seed, everything_and_maps(40));
   for (int k = 0; k < 40; ++k) {
     const ops::Operation op = random.next(engine.structure());
     CAPTURE(k, ops::to_text(op));
@@ -102,7 +102,7 @@ TEST_CASE("queries between steps change nothing that is said later, beginning af
   CAPTURE(policy.least_splits, seed);
   Engine asked(ring_named("Z"), {}, policy);
   Engine unasked(ring_named("Z"), {}, policy);
-  RandomSteps random(seed, everything(40));
+  RandomSteps random(seed, everything_and_maps(40));
   const auto named = [](Engine& engine) {
     std::string text;
     for (int p = 0; p < static_cast<int>(engine.cells().size()); ++p) {
@@ -140,7 +140,7 @@ TEST_CASE("undo goes back through rebases to exactly what was", "[engine][rebase
   const unsigned seed = GENERATE(range(20U, 24U));
   CAPTURE(ring, policy.least_splits, all_operations, seed);
   Engine engine(ring_named(ring), {}, policy);
-  RandomSteps random(seed, everything(40));
+  RandomSteps random(seed, everything_and_maps(40));
   GraphSession session(seed, 8, false);
   std::vector<std::string> before;
   std::uint64_t rebases = 0;
@@ -165,7 +165,7 @@ TEST_CASE("undo goes back past what was kept for it, to the same groups and ever
   const int at_once = GENERATE(1, 3, 7);
   CAPTURE(ring, all_operations, seed, at_once);
   Engine engine(ring_named(ring), {}, forgetful);
-  RandomSteps random(seed, everything(40));
+  RandomSteps random(seed, everything_and_maps(40));
   GraphSession session(seed, 8, false);
   std::vector<std::vector<AbelianGroup>> before;
   for (int k = 0; k < 60; ++k) {

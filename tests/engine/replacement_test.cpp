@@ -166,7 +166,7 @@ TEST_CASE("replacements among all other steps leave the groups, and are undone",
   const std::string ring = GENERATE("Z", "Z/2");
   CAPTURE(seed, ring);
   Engine engine(ring_named(ring), {}, seed % 2 == 0 ? RebasePolicy{} : RebasePolicy::never());
-  RandomSteps steps(seed, everything(40));
+  RandomSteps steps(seed, everything_and_maps(40));
   int replaced = 0;
   for (int k = 0; k < 40; ++k) {
     const ops::Operation op = steps.next(engine.structure());

@@ -39,7 +39,7 @@ TEST_CASE("the small generators of a body are found from its nodes as among all"
   for (int k = 0; k < 60; ++k) {  // so that there are more small generators than nodes of most bodies
     REQUIRE(shop.apply(ops::MakeSimplex{"point" + std::to_string(k), 0, {}}));
   }
-  RandomSteps steps(seed, everything(90));
+  RandomSteps steps(seed, everything_and_maps(90));
   for (int step = 0; begins_late && step < 10; ++step) {
     REQUIRE(shop.apply(steps.next(shop.structure())));
   }

@@ -152,7 +152,7 @@ TEST_CASE("threads ask views, the same ones and different ones, while the engine
   }
   {
     Engine engine;
-    RandomSteps steps(5, everything(50));
+    RandomSteps steps(5, everything_and_maps(50));
     for (int k = 0; k < 150; ++k) {
       carry_out(engine, next_step(steps, engine));
       if (k % 5 == 0) {
@@ -183,7 +183,7 @@ TEST_CASE("engines of different threads do not meet", "[engine][view]") {
   std::string found[2];
   const auto work = [](unsigned seed) {
     Engine engine(ring_named(seed % 2 == 0 ? "Z" : "Z/3"));
-    RandomSteps steps(seed, everything(50));
+    RandomSteps steps(seed, everything_and_maps(50));
     std::string text;
     for (int k = 0; k < 60; ++k) {
       if (engine.apply(next_step(steps, engine))) {

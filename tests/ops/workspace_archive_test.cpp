@@ -61,7 +61,7 @@ TEST_CASE("a workspace that was read has the structure of the one that was writt
 
 TEST_CASE("a workspace that was cut off is told", "[ops][archive]") {
   Workspace workspace;
-  RandomSteps random(3, everything(30));
+  RandomSteps random(3, everything_and_maps(30));
   for (int k = 0; k < 15; ++k) {
     carry_out(workspace, random.next(workspace.structure()));
   }

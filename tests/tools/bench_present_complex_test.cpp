@@ -22,7 +22,7 @@ TEST_CASE("a face that went to a copy counts with the sign that it has there", "
 TEST_CASE("the boundaries of the present object make a complex after every step", "[bench][stream]") {
   const unsigned seed = GENERATE(range(0U, 30U));
   CAPTURE(seed);
-  RandomSteps random(seed, everything(60));
+  RandomSteps random(seed, everything_and_maps(60));
   Workshop shop;
   tools::PresentComplex complex(shop.structure());
   for (int step = 0; step < 40; ++step) {
