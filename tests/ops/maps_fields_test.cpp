@@ -112,7 +112,7 @@ bool is_free_somewhere(const GMap& map) {
 }
 
 /// A lens whose lower face is glued to the upper one after a third of a turn: the lens space L(3,1).
-GMap lens_space() {
+GMap map_of_lens_space() {
   Lists alpha = suspension_of(closed_polygon(3)).involutions();
   alpha.emplace_back(12);
   for (Dart d = 0; d < 6; ++d) {
@@ -122,7 +122,7 @@ GMap lens_space() {
   return made(GMap::make(std::move(alpha)));
 }
 
-GMap random_map(Random& random) {
+GMap random_object(Random& random) {
   const int kind = random.in(0, 5);
   if (kind == 0) {
     return random_surface_map(random, random.in(1, 5), random.one_in(2)).extended();
@@ -132,7 +132,7 @@ GMap random_map(Random& random) {
   }
   if (kind == 2) {
     return random.one_in(2) ? suspension_of(random_surface_map(random, random.in(1, 4), true)).extended()
-                            : lens_space().extended();
+                            : map_of_lens_space().extended();
   }
   return random_gmap(random, {.dimension = random.in(1, 3), .closed = random.one_in(2), .folds = random.one_in(3)});
 }
@@ -145,7 +145,7 @@ TEST_CASE("a cell over a sphere modulo a prime is closed and orientable, and up 
   Random random(static_cast<unsigned>(p));
   int spheres = 0, others = 0, only_modulo = 0;
   for (int trial = 0; trial < 250; ++trial) {
-    for (const GMap& boundary : boundaries_of(random_map(random))) {
+    for (const GMap& boundary : boundaries_of(random_object(random))) {
       // What the cells of the boundary are over is asked first, as of those of the object.
       const auto is_sphere = [&](const GMap& map) { return is_sphere_modulo(map, p); };
       if (!is_sphere(boundary) || !std::ranges::all_of(boundaries_of(boundary), is_sphere)) {
@@ -170,7 +170,7 @@ TEST_CASE("incidence numbers modulo 2 have the groups modulo 2 where all cells a
   Random random(4);
   int checked = 0, wrong = 0;
   for (int trial = 0; trial < 250; ++trial) {
-    const GMap map = random_map(random);
+    const GMap map = random_object(random);
     const std::vector<GMap> boundaries = boundaries_of(map);
     if (std::ranges::none_of(boundaries, is_free_somewhere)) {
       REQUIRE(boundary_of_boundary_is_zero(map));
@@ -209,7 +209,7 @@ TEST_CASE("a cell over a projective plane is counted wrongly modulo 2, though nu
 }
 
 TEST_CASE("a cell over a lens space is a ball modulo 2 and 5, and not modulo 3 nor over the integers", "[maps]") {
-  const GMap lens = lens_space();
+  const GMap lens = map_of_lens_space();
   CHECK(homology_of(ops::simplicial_analogue(lens)) == std::vector<std::string>{"Z", "Z/3", "0", "Z"});
   CHECK(is_sphere_modulo(lens, 2));
   CHECK_FALSE(is_sphere_modulo(lens, 3));
