@@ -22,6 +22,7 @@ struct Analogue {
 
 /// Writes a simplex for each set of numbers I and each orbit of its family, called `name.<0-2>:k` after the least dart
 /// of that. Face k is that of the set without its k-th number. They come by the size of I, then by I as a number.
+/// Threads: one at a time, for queries too.
 class AnalogueWriter {
  public:
   AnalogueWriter(const std::string& name, Analogue analogue, const Structure& structure, Plan& plan);

@@ -91,9 +91,9 @@ class GluedBoth {
     for (std::size_t i = 0; i < image_.size(); ++i) {
       std::map<std::pair<ops::CellId, ops::OrderId>, Dart> dart_of;
       for (Dart d = 0; d < image_[i].size(); ++d) {
-        const auto named = engine_.structure().denoted(seen_cell("m", static_cast<int>(i), d)).value();
-        const ops::Value now = engine_.structure().values().normal_form(
-            {named.node, engine_.structure().cells().type_id(named.node), 0, named.order});
+        const ops::DartStore::Made& made = *ops::map_named(engine_.structure(), "m");
+        const auto named = ops::seen_from_dart(engine_.structure(), made, static_cast<int>(i), d).value();
+        const ops::Value now = engine_.structure().values().normal_form(named);
         REQUIRE(dart_of.emplace(std::pair{now.cell, now.order}, image_[i][d]).first->second == image_[i][d]);
       }
       REQUIRE(dart_of.size() == chain().level(static_cast<int>(i)).size());

@@ -180,12 +180,12 @@ TEST_CASE("a cell of an incidence graph has its first face once in its boundary,
 
 TEST_CASE("cells with isomorphic closures are identified by name, first face to first face, or through darts") {
   Engine engine(ring_named("Z"));
-  carry_out(engine, R"({"op":"incidence","name":"K","cells":[{"id":"a"},{"id":"b"},{"id":"c"},
-    {"id":"ab","faces":["a","b"]},{"id":"bc","faces":["b","c"]},{"id":"ca","faces":["c","a"]},
-    {"id":"f","faces":["ab","bc","ca"]}]})");
-  carry_out(engine, R"({"op":"incidence","name":"L","cells":[{"id":"x"},{"id":"y"},{"id":"z"},
-    {"id":"zx","faces":["x","z"]},{"id":"yz","faces":["z","y"]},{"id":"xy","faces":["x","y"]},
-    {"id":"g","faces":["yz","zx","xy"]}]})");
+  carry_out(engine, R"({"op":"incidence","name":"K","cells":[{"id":"a"},{"id":"b"},{"id":"c"},)"
+                    R"({"id":"ab","faces":["a","b"]},{"id":"bc","faces":["b","c"]},{"id":"ca","faces":["c","a"]},)"
+                    R"({"id":"f","faces":["ab","bc","ca"]}]})");
+  carry_out(engine, R"({"op":"incidence","name":"L","cells":[{"id":"x"},{"id":"y"},{"id":"z"},)"
+                    R"({"id":"zx","faces":["x","z"]},{"id":"yz","faces":["z","y"]},{"id":"xy","faces":["x","y"]},)"
+                    R"({"id":"g","faces":["yz","zx","xy"]}]})");
   const auto cell = [&](const std::string& name) {
     return engine.structure().find(engine.structure().lookup(name).value());
   };
@@ -253,8 +253,8 @@ TEST_CASE("what is no incidence graph is refused, naming its cells") {
       refused_graph(engine,
                     R"([{"id":"a"},{"id":"b"},{"id":"c"},{"id":"e","faces":["a","b"]},{"id":"f","faces":["e","c"]}])"),
       "a jump in dimension from cell \"f\" of dimension 2 to its face \"c\"");
-  mentions(refused_graph(engine, R"([{"id":"a"},{"id":"b"},{"id":"1:1"},{"id":"0:3","faces":["a","b"]},
-                                     {"id":"1:0","faces":["a","b"]}])"),
+  mentions(refused_graph(engine, R"([{"id":"a"},{"id":"b"},{"id":"1:1"},{"id":"0:3","faces":["a","b"]},)"
+                                 R"({"id":"1:0","faces":["a","b"]}])"),
            "cannot have the id \"1:1\"");
   carry_out(engine, R"({"op":"simplex","name":"K.b","dim":0})");
   mentions(refused_graph(engine, R"([{"id":"a"},{"id":"b"}])"), "the name \"K.b\" is in use");
