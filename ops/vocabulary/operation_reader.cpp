@@ -1,91 +1,16 @@
 #include "ops/vocabulary/operation_reader.hpp"
 
-#include <simdjson.h>
-
 #include <new>
 #include <string>
 #include <utility>
 
+#include "ops/vocabulary/line_fields.hpp"
+#include "ops/vocabulary/map_lines.hpp"
+
 namespace sesame::ops {
 namespace {
 
-namespace json = simdjson::ondemand;
-
-/// What is wrong with a line, or only rare in one: somebody else is to read it.
-struct LeftToOthers {};
-
-template <class T>
-T got(simdjson::simdjson_result<T> result) {
-  T value;
-  if (std::move(result).get(value) != simdjson::SUCCESS) {
-    throw LeftToOthers{};
-  }
-  return value;
-}
-
-void require(bool condition) {
-  if (!condition) {
-    throw LeftToOthers{};
-  }
-}
-
-/// Calls take(item) for each of a list.
-template <class Take>
-void each(json::value value, Take take) {
-  for (auto item : got(value.get_array())) {
-    take(got(std::move(item)));
-  }
-}
-
-/// Calls take(name, value) for each field of an object; take says which field it was, and no field comes twice.
-template <class Take>
-void each_field(json::object object, Take take) {
-  unsigned met = 0;
-  for (auto entry : object) {
-    json::field field = got(std::move(entry));
-    const std::string_view name = got(field.unescaped_key());
-    const unsigned bit = 1U << take(name, field.value());
-    require((met & bit) == 0);
-    met |= bit;
-  }
-}
-
-std::string text(json::value value) { return std::string{got(value.get_string())}; }
-
-/// From `least` on, and no dimension out of reach: see Fields::small.
-int small(json::value value, int least) {
-  const std::int64_t n = got(value.get_int64());
-  require(n >= least && n <= 1'000'000);
-  return static_cast<int>(n);
-}
-
-/// An integer is read as one, so that -0 is 0, as a number is everywhere else.
-double number(json::value value) {
-  return got(value.is_integer()) ? static_cast<double>(got(value.get_int64())) : got(value.get_double());
-}
-
-Point point(json::value value) {
-  Point p{};
-  std::size_t k = 0;
-  each(value, [&](json::value coordinate) {
-    require(k < p.size());
-    p.at(k++) = number(coordinate);
-  });
-  require(k >= 2);
-  return p;
-}
-
-/// Calls read(name, value) for each field of an operation but the first, its "op"; it answers its number, from 1 on.
-template <class Read>
-void each_field_but_op(json::object object, Read read) {
-  each_field(object, [&](std::string_view name, json::value value) -> unsigned {
-    if (name == "op") {
-      (void)got(value.get_string());  // else the parser would skip over whatever stands there
-      return 0;
-    }
-    return read(name, value);
-  });
-}
+using namespace line;
 
 MakeSimplex read_simplex(json::object object) {
   MakeSimplex op;
@@ -116,25 +41,6 @@ CellType type(json::value value) {
   entries.reserve(4);  // more are rare
   each(value, [&](json::value item) { entries.push_back(small(item, 1)); });
   return entries;
-}
-
-/// An operation that has a name and one other field, which read(value, operation) reads.
-template <class Op, class Read>
-Op read_with_name(json::object object, std::string_view other, Read read) {
-  Op op;
-  unsigned met = 0;
-  each_field_but_op(object, [&](std::string_view name, json::value value) -> unsigned {
-    ++met;
-    if (name == "name") {
-      op.name = text(value);
-      return 1;
-    }
-    require(name == other);
-    read(value, op);
-    return 2;
-  });
-  require(met == 2);
-  return op;
 }
 
 /// One without positions.
@@ -344,8 +250,10 @@ Operation read_operation(json::object object) {
   if (op == "deidentify") {
     return read_deidentify(object);
   }
-  require(op == "complex");
-  return read_complex(object);
+  if (op == "complex") {
+    return read_complex(object);
+  }
+  return read_of_maps(op, object);
 }
 
 }  // namespace
