@@ -9,6 +9,9 @@
 namespace sesame::ops {
 namespace {
 
+/// That a type can have: those of so many edges.
+constexpr std::size_t most_vertices = 2 * std::size_t{largest_dimension};
+
 /// The components of a type as stretches of its vertices, or of the entries of a map.
 template <class Visit>
 void for_each_component(const CellType& type, Visit visit) {
@@ -92,6 +95,9 @@ Value VertexMaps::compose(const Value& outer, const Value& inner) {
   if (is_of_map(outer.order) || is_of_map(inner.order)) {
     return {inner.cell, outer.type, 0, compose(outer.order, inner.order)};
   }
+  if (!outer.is_degenerate() && !inner.is_degenerate()) {  // both maps are permutations
+    return {inner.cell, outer.type, 0, compose(outer.order, inner.order)};
+  }
   const VertexMap map = composed(types_.info(outer.type).type, map_of(outer), map_of(inner));
   return value_of(inner.cell, outer.type, map);
 }
@@ -104,11 +110,10 @@ OrderId VertexMaps::compose(OrderId outer, OrderId inner) {
     const auto& [permutation, sign, type, dart] = orders_[inner];
     return order_at(type, types_.dart_from(type, dart, orders_[outer].dart));
   }
-  std::vector<std::uint8_t> composite;
-  for (const std::uint8_t k : permutation(outer)) {
-    composite.push_back(permutation(inner)[k]);
-  }
-  return order(composite);
+  std::array<std::uint8_t, most_vertices> composite;
+  const std::span<const std::uint8_t> first = permutation(outer), second = permutation(inner);
+  std::transform(first.begin(), first.end(), composite.begin(), [&](std::uint8_t k) { return second[k]; });
+  return order(std::span{composite}.first(first.size()));
 }
 
 OrderId VertexMaps::inverse(OrderId id) {
@@ -116,11 +121,12 @@ OrderId VertexMaps::inverse(OrderId id) {
     const auto& [permutation, sign, type, dart] = orders_[id];
     return order_at(types_.seen_from(type, dart), types_.dart_seen_from(type, dart, 0));
   }
-  std::vector<std::uint8_t> back(permutation(id).size());
-  for (std::size_t k = 0; k < back.size(); ++k) {
-    back[permutation(id)[k]] = static_cast<std::uint8_t>(k);
+  const std::span<const std::uint8_t> there = permutation(id);
+  std::array<std::uint8_t, most_vertices> back;
+  for (std::size_t k = 0; k < there.size(); ++k) {
+    back[there[k]] = static_cast<std::uint8_t>(k);
   }
-  return order(back);
+  return order(std::span{back}.first(there.size()));
 }
 
 Value VertexMaps::product(CellId cell, const Value& left, const Value& right) {
@@ -183,6 +189,9 @@ VertexMaps::FaceStep VertexMaps::without_vertex(const Value& v, std::uint32_t k)
     const DegenerateFace step = face_of_degenerate(info, v.collapsed, k);
     return {{v.cell, step.type, step.collapsed, same_order}, step.of_cell};
   }
+  if (info.dimension == 1 && !v.is_degenerate()) {  // an edge, the other way round
+    return {{v.cell, info.faces[k].type, 0, same_order}, permutation(v.order)[k]};
+  }
   VertexMap map = map_of(v);
   std::size_t begin = 0;  // of the component of the face
   std::size_t end = 0;
@@ -222,17 +231,18 @@ OrderId VertexMaps::order(std::span<const std::uint8_t> permutation) {
   if (kept == size) {
     return same_order;
   }
-  std::vector<std::uint8_t> key(permutation.begin(), permutation.end());
-  const auto [at, is_new] = index_.emplace(std::move(key), static_cast<OrderId>(orders_.size()));
-  if (is_new) {
-    int sign = 1;
-    for (std::size_t a = 0; a < size; ++a) {
-      for (std::size_t b = a + 1; b < size; ++b) {
-        sign = permutation[a] > permutation[b] ? -sign : sign;
-      }
-    }
-    orders_.push_back({at->first, sign});
+  std::vector<std::uint8_t> entries(permutation.begin(), permutation.end());
+  if (const auto known = index_.find(entries); known != index_.end()) {
+    return known->second;
   }
+  int sign = 1;
+  for (std::size_t a = 0; a < size; ++a) {
+    for (std::size_t b = a + 1; b < size; ++b) {
+      sign = permutation[a] > permutation[b] ? -sign : sign;
+    }
+  }
+  const auto at = index_.emplace(entries, static_cast<OrderId>(orders_.size())).first;
+  orders_.push_back({std::move(entries), sign});
   return at->second;
 }
 
@@ -263,7 +273,7 @@ void VertexMaps::load(sparse::ArchiveReader& from) {
     }
     std::vector<std::uint8_t> sorted = permutation;
     std::sort(sorted.begin(), sorted.end());
-    bool is_permutation = sorted.size() <= 2 * std::size_t{largest_dimension};
+    bool is_permutation = sorted.size() <= most_vertices;
     for (std::size_t at = 0; is_permutation && at < sorted.size(); ++at) {
       is_permutation = sorted[at] == at;
     }
