@@ -9,13 +9,29 @@
 
 namespace sesame::ops {
 
+/// Names and darts of many maps are mostly as far from one another: a search begins where it would end then.
 const DartStore::Made* DartStore::named(std::uint32_t name) const {
+  if (by_name_.empty() || name < by_name_.front().first || name > by_name_.back().first) {
+    return nullptr;
+  }
+  const std::uint32_t least = by_name_.front().first;
+  const std::uint64_t span = std::max(by_name_.back().first - least, 1U);
+  const auto guess = static_cast<std::size_t>((name - least) * (by_name_.size() - 1) / span);
+  if (by_name_[guess].first == name && (guess + 1 == by_name_.size() || by_name_[guess + 1].first != name)) {
+    return &maps_[by_name_[guess].second];
+  }
   const auto after = std::ranges::upper_bound(by_name_, std::pair{name, UINT32_MAX});
   return after != by_name_.begin() && std::prev(after)->first == name ? &maps_[std::prev(after)->second] : nullptr;
 }
 
 std::uint32_t DartStore::number_of_map(int dimension, Dart dart) const {
   const std::vector<std::uint32_t>& maps = by_dimension_[static_cast<std::size_t>(dimension)].maps;
+  if (const std::size_t guess = dart / maps_[maps.front()].count; guess < maps.size()) {
+    const Made& map = maps_[maps[guess]];
+    if (map.first <= dart && dart - map.first < map.count) {
+      return maps[guess];
+    }
+  }
   const auto after = std::ranges::upper_bound(maps, dart, {}, [this](std::uint32_t map) { return maps_[map].first; });
   return *std::prev(after);
 }

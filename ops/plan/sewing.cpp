@@ -8,11 +8,41 @@
 
 #include "ops/plan/sewing.hpp"
 
+#include "ops/cells/lineage.hpp"
 #include "ops/plan/step_names.hpp"
 #include "sparse/quoted.hpp"
 
 namespace sesame::ops {
 namespace {
+
+/// The images of darts that a step sews: of a few, as in most steps, in a list that is gone through.
+class NewImages {
+ public:
+  /// Of a dart; no_dart: it has none.
+  [[nodiscard]] Dart of(Dart d) const {
+    if (!index_.empty()) {
+      const auto met = index_.find(d);
+      return met != index_.end() ? met->second : no_dart;
+    }
+    const auto met = std::ranges::find(few_, d, &std::pair<Dart, Dart>::first);
+    return met != few_.end() ? met->second : no_dart;
+  }
+  [[nodiscard]] bool contains(Dart d) const { return of(d) != no_dart; }
+  void add(Dart d, Dart image) {
+    constexpr std::size_t most_in_list = 16;
+    if (index_.empty() && few_.size() < most_in_list) {
+      few_.emplace_back(d, image);
+      return;
+    }
+    index_.insert(few_.begin(), few_.end());
+    few_.clear();
+    index_.emplace(d, image);
+  }
+
+ private:
+  std::vector<std::pair<Dart, Dart>> few_;
+  std::unordered_map<Dart, Dart> index_;
+};
 
 /// Works out which darts are sewn to which, each pair with its whole orbit.
 class SewingPlanner {
@@ -31,7 +61,7 @@ class SewingPlanner {
         return s.error();
       }
       dimension_ = a->dimension;
-      if (sewn_.contains(a->dart) && sewn_.at(a->dart) == b->dart) {
+      if (sewn_.of(a->dart) == b->dart) {
         continue;  // by an earlier pair
       }
       if (Status s = sew_orbits(a->dart, b->dart); !s) {
@@ -69,9 +99,9 @@ class SewingPlanner {
 
   /// Free, and not met by an earlier pair.
   Status check_free(Dart d) const {
-    const auto met = sewn_.find(d);
-    const Dart image = met != sewn_.end() ? met->second : alpha(index(), d);
-    if (image != d || met != sewn_.end()) {
+    const Dart met = sewn_.of(d);
+    const Dart image = met != no_dart ? met : alpha(index(), d);
+    if (image != d) {
       return Error{Errc::refused,
                    fmt::format("\"{}\" is {}-sewn to \"{}\" already: only free darts can be sewn{}", name(d), index(),
                                name(image), index() == dimension_ ? "; unsew it first" : "")};
@@ -96,7 +126,7 @@ class SewingPlanner {
         }
         const auto [a, b] = orbit_[at];
         const Dart next = alpha(j, a), image = alpha(j, b);
-        if (const auto met = sewn_.find(next); met != sewn_.end() && met->second == image) {
+        if (sewn_.of(next) == image) {
           continue;
         }
         if (is_of_orbit(next) || is_of_orbit(image)) {
@@ -122,7 +152,7 @@ class SewingPlanner {
             fmt::format("\"{}\" and \"{}\" cannot be {}-sewn: what belongs to them is not alike, as \"{}\" would be "
                         "sewn to \"{}\" and to \"{}\"",
                         name(one), name(other), index(), name(is_next ? next : image),
-                        name(sewn_.at(is_next ? next : image)), name(is_next ? image : next))};
+                        name(sewn_.of(is_next ? next : image)), name(is_next ? image : next))};
   }
 
   Status meet(Dart a, Dart b) {
@@ -131,8 +161,8 @@ class SewingPlanner {
         return s;
       }
     }
-    sewn_.emplace(a, b);
-    sewn_.emplace(b, a);
+    sewn_.add(a, b);
+    sewn_.add(b, a);
     plan_.sewings.push_back({dimension_, index(), a, b});
     return Done{};
   }
@@ -175,7 +205,7 @@ class SewingPlanner {
   Plan& plan_;
   int dimension_ = 0;
   std::vector<Equation> equations_;
-  std::unordered_map<Dart, Dart> sewn_;       // by this step
+  NewImages sewn_;                            // by this step
   std::vector<std::pair<Dart, Dart>> orbit_;  // memory
 };
 
@@ -221,7 +251,13 @@ std::string name_of_dart(int dimension, Dart dart, const Structure& structure) {
 }
 
 Result<Value> seen_now(int dimension, int i, Dart dart, const Structure& structure) {
-  const auto value = seen_from_dart(structure, structure.darts().map_of(dimension, dart), i, dart);
+  auto value = seen_from_dart(structure, structure.darts().map_of(dimension, dart), i, dart);
+  if (value) {
+    Lineage(structure).advance_to_now(*value);
+    if (structure.lazy().consumed_by(value->cell) == none && !is_deleted(structure.forest(), value->cell)) {
+      return *value;
+    }
+  }
   const std::string name = name_of_dart(dimension, dart, structure);
   return value ? what_is_now(*value, name, structure)
                : Error{Errc::unknown_name, fmt::format("the cell of \"{}\" was removed", name)};
