@@ -47,7 +47,9 @@ Status check_names(const Wanted& wanted, const Structure& structure) {
   }
   std::string full = name + ".";
   const std::size_t base = full.size();
-  if (is_free_beginning(full, structure, map.size())) {
+  // What ends in "'" looks like no name of a face.
+  if ((halves == 0 && !structure.directory().may_have_faces_named(name)) ||
+      is_free_beginning(full, structure, map.size())) {
     return Done{};
   }
   for (int i = 0; i <= map.dimension(); ++i) {
