@@ -162,7 +162,17 @@ TEST_CASE("the assembled sponge is the one in space", "[bench]") {
     CHECK(groups_in_space(cells) == groups);
     for (const Order order : orders) {
       check(tools::menger_sponge(level, {order, 11}), sizes_of(cells), groups);
+      check(tools::menger_sponge_of_maps(level, {order, 11}), sizes_of(cells), groups);
     }
+  }
+}
+
+TEST_CASE("a torus of polygons is sewn side by side", "[bench]") {
+  for (const std::uint32_t n : {1U, 2U, 3U, 8U}) {
+    CAPTURE(n);
+    const Operations operations = tools::torus_of_polygons(n);
+    CHECK(operations.size() == 3 * std::size_t{n} * n);
+    check(operations, {n * n, 2 * n * n, n * n}, torus_groups);
   }
 }
 

@@ -34,6 +34,20 @@ TEST_CASE("generate writes each workload in its formats", "[bench]") {
   }
 }
 
+TEST_CASE("generate writes constructions as scripts", "[bench]") {
+  const std::string torus = generate("torus-of-polygons --size 2").out;
+  CHECK_THAT(torus,
+             Catch::Matchers::StartsWith("{\"sesame\":1,\"ring\":\"Z\",\"title\":\"torus-of-polygons, size 2\"}\n"
+                                         "{\"op\":\"polygon\",\"name\":\"t0\",\"sides\":4}\n"));
+  CHECK_THAT(torus, Contains("{\"op\":\"sew\",\"dim\":2,\"pairs\":[[\"t0:4\",\"t2:1\"]]}\n"));
+  CHECK(std::count(torus.begin(), torus.end(), '\n') == 1 + 3 * 4);
+  CHECK(generate("torus-of-polygons --size 2 --format script").out == torus);
+  const std::string cubes = generate("menger-of-cubes --size 1").out, maps = generate("menger-of-maps --size 1").out;
+  CHECK_THAT(cubes, Contains("\"op\":\"simploid\"") && Contains("\"op\":\"identify\""));
+  CHECK_THAT(maps, Contains("\"op\":\"gmap\"") && Contains("{\"op\":\"sew\",\"dim\":3,"));
+  CHECK(std::count(cubes.begin(), cubes.end(), '\n') == std::count(maps.begin(), maps.end(), '\n'));
+}
+
 TEST_CASE("generate refuses what it cannot do, and says what it can", "[bench]") {
   const auto refused = [](const std::string& arguments) {
     const CommandRun run = generate(arguments);
@@ -46,6 +60,9 @@ TEST_CASE("generate refuses what it cannot do, and says what it can", "[bench]")
   CHECK_THAT(refused("torus --size 2"), Contains("--size of torus goes from 3 to 5000"));
   CHECK_THAT(refused("torus --size 100000"), Contains("--size of torus goes from 3 to 5000"));
   CHECK_THAT(refused("cubical --size 2 --format gudhi"), Contains("use phat-binary or phat"));
+  CHECK_THAT(refused("torus --size 3 --format script"), Contains("the format script is that of constructions"));
+  CHECK_THAT(refused("menger-of-maps --size 5"), Contains("--size of menger-of-maps goes from 1 to 4"));
+  CHECK_THAT(refused("torus-of-polygons --format phat"), Contains("a construction has the format script only"));
   CHECK_THAT(refused("tower-A --format phat"), Contains("a tower has the format tower only"));
   CHECK_THAT(refused("torus --size 3 -o /nowhere/torus"), Contains("cannot write /nowhere/torus"));
   CHECK_THROWS_AS(generate("torus --format stl"), CLI::ParseError);

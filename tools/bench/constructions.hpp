@@ -35,10 +35,16 @@ struct Assembly {
 /// triangle that both lose. genus >= 1, n >= 4: 6 genus n^2 - 8 (genus - 1) cells. H = Z, Z^(2 genus), Z.
 [[nodiscard]] Operations surface_of_genus(std::uint32_t genus, std::uint32_t n, Assembly assembly = {});
 
+/// The torus of n x n polygons with four sides, n >= 1, sewn side by side, row by row: 3 n^2 steps, 4 n^2 cells.
+/// H = Z, Z^2, Z.
+[[nodiscard]] Operations torus_of_polygons(std::uint32_t n);
+
 // ---- solids
 
 /// Menger's sponge, 0 <= level <= 4: 20^level cubes, glued along their squares. H = Z, Z^menger_tunnels(level).
 [[nodiscard]] Operations menger_sponge(int level, Assembly assembly = {});
+/// The same of cubes that are 3-G-maps of 48 darts, sewn where the others are glued, by the same steps.
+[[nodiscard]] Operations menger_sponge_of_maps(int level, Assembly assembly = {});
 /// 0, 5, 81, 1409, 26433 for the levels 0 to 4. The sponge is a ball with this number of handles: its surface has
 /// 2 20^level + 4 8^level squares, and (21 20^level + 38 8^level - 59) / 133 is the genus of it.
 [[nodiscard]] std::int64_t menger_tunnels(int level);

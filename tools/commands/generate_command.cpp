@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "replay/script/replay.hpp"
+#include "tools/bench/constructions.hpp"
 #include "tools/bench/filtrations.hpp"
 #include "tools/bench/towers.hpp"
 #include "tools/bench/zigzags.hpp"
@@ -37,7 +38,11 @@ struct ZigzagWorkload {
   std::uint64_t size, smallest, largest;
   std::function<void(std::ostream& out, std::uint64_t size, std::uint64_t seed)> write;
 };
-using Workload = std::variant<FiltrationWorkload, TowerWorkload, ZigzagWorkload>;
+struct ScriptWorkload {
+  std::uint64_t size, smallest, largest;
+  std::function<Operations(std::uint32_t size)> make;  ///< over Z
+};
+using Workload = std::variant<FiltrationWorkload, TowerWorkload, ZigzagWorkload, ScriptWorkload>;
 
 const std::map<std::string, Workload>& workloads() {
   const auto torus = [](std::uint32_t n, std::uint64_t) { return torus_filtration(n); };
@@ -51,6 +56,8 @@ const std::map<std::string, Workload>& workloads() {
   const auto oscillating_rips = [](std::ostream& out, std::uint64_t points, std::uint64_t seed) {
     write_oscillating_rips(out, static_cast<std::uint32_t>(points), 1.6, 2, seed);
   };
+  const auto sponge = [](std::uint32_t level) { return menger_sponge(static_cast<int>(level)); };
+  const auto sponge_of_maps = [](std::uint32_t level) { return menger_sponge_of_maps(static_cast<int>(level)); };
   static const std::map<std::string, Workload> all{
       {"torus", FiltrationWorkload{700, 3, 5000, torus}},
       {"torus-300", FiltrationWorkload{300, 3, 5000, torus}},
@@ -67,6 +74,9 @@ const std::map<std::string, Workload>& workloads() {
       {"zigzag-oscillating", TowerWorkload{{200'000, 300, 3, 0, true, 0, 0.25, 10'000}}},
       {"zigzag-stream", TowerWorkload{{10'000'000, 4'000, 3, 0, true, 0, 0.25, 7'500}}},
       {"temporal-network", ZigzagWorkload{300'000, 1, UINT64_MAX, network}},
+      {"torus-of-polygons", ScriptWorkload{700, 1, 5'000, torus_of_polygons}},
+      {"menger-of-cubes", ScriptWorkload{3, 1, 4, sponge}},
+      {"menger-of-maps", ScriptWorkload{3, 1, 4, sponge_of_maps}},
       {"oscillating-rips", ZigzagWorkload{1'000, 1, 65'535, oscillating_rips}},
   };
   return all;
@@ -85,11 +95,23 @@ std::string names() {
   return text;
 }
 
-/// What is wrong with the arguments for this workload, or an empty string.
-std::string objection(const Arguments& arguments, const FiltrationWorkload& workload) {
+/// What is wrong with the size for this workload, or an empty string.
+template <class Kind>
+std::string objection_to_size(const Arguments& arguments, const Kind& workload) {
   if (arguments.size.value_or(workload.size) < workload.smallest || arguments.size > workload.largest) {
     return "--size of " + arguments.name + " goes from " + std::to_string(workload.smallest) + " to " +
            std::to_string(workload.largest);
+  }
+  return {};
+}
+
+/// What is wrong with the arguments for this workload, or an empty string.
+std::string objection(const Arguments& arguments, const FiltrationWorkload& workload) {
+  if (std::string objected = objection_to_size(arguments, workload); !objected.empty()) {
+    return objected;
+  }
+  if (arguments.format == "script") {
+    return "the format script is that of constructions: use phat-binary, phat, gudhi or tower";
   }
   const bool is_cubical = arguments.name.starts_with("cubical");
   if (is_cubical && (arguments.format == "gudhi" || arguments.format == "tower")) {
@@ -103,11 +125,21 @@ std::string objection(const Arguments& arguments, const TowerWorkload&) {
 }
 
 std::string objection(const Arguments& arguments, const ZigzagWorkload& workload) {
-  if (arguments.size.value_or(workload.size) < workload.smallest || arguments.size > workload.largest) {
-    return "--size of " + arguments.name + " goes from " + std::to_string(workload.smallest) + " to " +
-           std::to_string(workload.largest);
+  const bool is_tower = arguments.format.empty() || arguments.format == "tower";
+  return is_tower ? objection_to_size(arguments, workload) : "a zigzag has the format of towers only";
+}
+
+std::string objection(const Arguments& arguments, const ScriptWorkload& workload) {
+  const bool is_script = arguments.format.empty() || arguments.format == "script";
+  return is_script ? objection_to_size(arguments, workload) : "a construction has the format script only";
+}
+
+void write(std::ostream& out, const Arguments& arguments, const ScriptWorkload& workload) {
+  const auto size = static_cast<std::uint32_t>(arguments.size.value_or(workload.size));
+  out << ops::to_text(ops::Header{1, "Z", arguments.name + ", size " + std::to_string(size)}) << '\n';
+  for (const ops::Operation& operation : workload.make(size)) {
+    out << ops::to_text(operation) << '\n';
   }
-  return arguments.format.empty() || arguments.format == "tower" ? "" : "a zigzag has the format of towers only";
 }
 
 void write(std::ostream& out, const Arguments& arguments, const ZigzagWorkload& workload) {
@@ -158,14 +190,16 @@ int run_generate(const Arguments& arguments) {
 }  // namespace
 
 void add_generate_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("generate", "Make a filtration, a random tower or a zigzag to measure with");
+  CLI::App* command =
+      app.add_subcommand("generate", "Make a filtration, a random tower, a zigzag or a construction to measure with");
   auto arguments = std::make_shared<Arguments>();
-  const std::vector<std::string> formats{"phat-binary", "phat", "gudhi", "tower"};
+  const std::vector<std::string> formats{"phat-binary", "phat", "gudhi", "tower", "script"};
   command->add_option("NAME", arguments->name, "One of " + names())->required();
   command->add_option("-o,--output", arguments->out, "The file; - for standard output")->capture_default_str();
   command
       ->add_option("--format", arguments->format,
-                   "Default: phat-binary, a boundary matrix, for a filtration, and tower for a tower")
+                   "Default: phat-binary, a boundary matrix, for a filtration, tower for a tower, and script for "
+                   "a construction, one step a line")
       ->check(one_of(formats))
       ->type_name(alternatives(formats));
   command->add_option("--seed", arguments->seed, "What the random choices depend on")
@@ -175,7 +209,7 @@ void add_generate_command(CLI::App& app, int& status) {
       ->add_option(
           "--size", arguments->size,
           "Vertices a side of torus and grid, points, vertices of the complete graph, operations of a tower, zigzag or "
-          "network")
+          "network, squares a side of a torus of polygons, level of a sponge")
       ->check(from_one_on());
   command->footer(
       "The same name, size and seed give the same bytes on every machine.\n"
