@@ -129,7 +129,7 @@ class Structure {
   void join_bodies(BodyId a, BodyId b);
   void change_abstract(const Plan& plan, CellId first);
   void leave_abstract(const Plan& plan);
-  void change_darts(const Plan& plan, CellId first, BodyId body);
+  void change_darts(const Plan& plan, CellId first);
   void note_orders(const Plan& plan, CellId first);
   void lower_kind(BodyId body, BodyKind kind);
   void count(CellId c, int change);

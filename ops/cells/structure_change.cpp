@@ -60,7 +60,7 @@ void Structure::apply(const Plan& plan) {
     leave_abstract(plan);
   }
   if (plan.map || !plan.sewings.empty() || !plan.extended.empty()) {
-    change_darts(plan, first, new_body);
+    change_darts(plan, first);
   }
   if (maps().has_orders()) {
     note_orders(plan, first);
@@ -68,7 +68,7 @@ void Structure::apply(const Plan& plan) {
   coface_index_.on_end_of_step();
 }
 
-void Structure::change_darts(const Plan& plan, CellId first, BodyId body) {
+void Structure::change_darts(const Plan& plan, CellId first) {
   if (plan.map) {
     note(EventKind::darts, darts_.events());
     const std::uint32_t name = directory_.names().number_of(plan.new_body.value());  // that of the body may be older
