@@ -4,6 +4,7 @@
 
 #include <simdjson.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -65,7 +66,11 @@ inline int small(json::value value, int least) {
 }
 
 /// An integer is read as one, so that -0 is 0, as a number is everywhere else.
+/// Numbers with more digits than a double tells apart, which simdjson may read as another one, are left to others.
 inline double number(json::value value) {
+  constexpr auto most_digits = 19;
+  const std::string_view token = value.raw_json_token();
+  require(std::count_if(token.begin(), token.end(), [](char c) { return c >= '0' && c <= '9'; }) <= most_digits);
   return got(value.is_integer()) ? static_cast<double>(got(value.get_int64())) : got(value.get_double());
 }
 
