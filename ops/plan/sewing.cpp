@@ -83,6 +83,12 @@ class SewingPlanner {
                                "the same dimension can be sewn",
                                one, a.dimension, other, b.dimension)};
     }
+    if (!plan_.sewings.empty() && a.dimension != dimension_) {
+      return Error{Errc::refused,
+                   fmt::format("\"{}\" is a dart of a map of dimension {}, those before it of dimension {}: "
+                               "sew maps of one dimension in a step",
+                               one, a.dimension, dimension_)};
+    }
     if (index() > a.dimension) {
       return Error{Errc::bad_input, fmt::format("\"{}\" is a dart of a map of dimension {}: it can be sewn in the "
                                                 "dimensions 0 to {}",

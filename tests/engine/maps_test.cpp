@@ -130,6 +130,16 @@ TEST_CASE("a map with a face that is no ball is refused by cells, naming its dar
   CHECK(engine.homology().betti == std::vector<std::int64_t>{1, 0, 0});  // a cone
 }
 
+TEST_CASE("maps of two dimensions are not sewn in one step, as their darts have the same numbers") {
+  Engine engine(ring_named("Z"));
+  carry_out(engine, make_map("p", ops::polygon(3)));
+  carry_out(engine, make_map("q", ops::polygon(3)));
+  carry_out(engine, make_map("s", solid_of(cube_faces())));
+  carry_out(engine, make_map("t", solid_of(cube_faces())));
+  CHECK(has(refusal(engine, operation(R"({"op":"sew","dim":2,"pairs":[["p:0","q:0"],["s:0","t:0"]]})")),
+            "sew maps of one dimension in a step"));
+}
+
 TEST_CASE("what cannot be sewn is refused with the darts, and nothing has changed") {
   Engine engine(ring_named("Z"));
   carry_out(engine, R"({"op":"polygon","name":"p","sides":3})");
