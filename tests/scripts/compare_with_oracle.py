@@ -2,7 +2,7 @@
 """Compares `sesame replay` with the oracle, step by step, over Z, Z/2 and Z/3.
 
     compare_with_oracle.py SESAME SCRIPT...
-    compare_with_oracle.py SESAME --random COUNT [--seed N] [--steps M] [--ops basic|all|tear|nest|abstract|maps]
+    compare_with_oracle.py SESAME --random COUNT [--seed N] [--steps M] [--ops basic|all|tear|nest|abstract|maps|boundaries]
 
 Every reported step (cells, Euler characteristic, Betti numbers, torsion, class), the exit status, the line that an
 error names and the summary must agree. A chain that a class is said to bound and, with --generators, the
@@ -69,6 +69,11 @@ def run_program(program, path, ring, extra):
     return done.returncode, objects, done.stderr.decode("utf-8", errors="replace")
 
 
+def has_unknown(state, chain):
+    """Whether a chain has generators of cells that are no balls: of these the program has others than the oracle."""
+    return any(isinstance(name, str) and ("~" in name or state.is_hollow(state.find(name))) for _, name in chain)
+
+
 def read_answer(state, chain, prime, what):
     """A chain of the program's output: canonical names of living cells, each once, no zero coefficient."""
     try:
@@ -107,7 +112,7 @@ def check_class(state, step, expected, answer, prime):
     bounds = answer.get("bounds")
     if (bounds is not None) != expected["zero"]:
         raise Difference(f"class is {json.dumps(answer)}: a chain that it bounds belongs to class zero, and to it only")
-    if bounds is not None:
+    if bounds is not None and not has_unknown(state, bounds):
         witness = read_answer(state, bounds, prime, "bounds")
         chain = oracle.read_chain(state, step["chain"], prime)
         if oracle.boundary_of_chain(state, witness, prime) != chain:
@@ -126,6 +131,8 @@ def check_generators(state, found, generators, prime):
         orders = sorted(plain(g["order"]) for g in mine)
         if orders != sorted([0] * found["betti"][dim] + found["torsion"][dim]):
             raise Difference(f"generators of dimension {dim} have the orders {orders}")
+        if any(has_unknown(state, g["chain"]) for g in mine):
+            continue
         above = [state.boundary(c) for c in lists[dim + 1]] if dim + 1 < len(lists) else []
         chains = []
         for g in mine:

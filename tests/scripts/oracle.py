@@ -23,6 +23,7 @@ canonical name lists them, each as the label that it has become, is that of its 
 
 A cell of a map, unless it is a vertex or an edge, has no vertices in order. A value of it is the cell as one of its darts
 sees it: then the shape is a gmaps.Seen, and two cells are equated as the darts of the one see it to be like the other.
+What a cell is that is known by its boundary, or is of a map and no ball, is said in boundaries.
 """
 
 import collections
@@ -33,10 +34,14 @@ import math
 import sys
 
 sys.dont_write_bytecode = True
+import boundaries
 import chains
 import gmaps
-from gmaps import MapKind, Seen, dimension_of
+from boundaries import Bounded, Hollow, Whole, dimension_of, is_simploid
+from gmaps import MapKind, Seen
 
+LEAST_HOLLOW_DIMENSION = 3  # of cells of maps that may be no balls
+LARGEST_LISTED_DIMENSION = 62  # of a cell that is known by its boundary
 LARGEST_DIMENSION = 16  # a simplex has 2^(dim+1) - 1 cells; beyond this the oracle refuses
 
 
@@ -207,13 +212,13 @@ def subsets(size):
 
 
 def is_simplex(kind):
-    return not isinstance(kind, MapKind) and len(kind) <= 1
+    return is_simploid(kind) and len(kind) <= 1
 
 
 def face_slots(kind):
     """The (component, index) of each face, in the flattened order; both counted from 0. A map has one component."""
-    if isinstance(kind, MapKind):
-        return [(0, k) for k in range(len(gmaps.faces_of_kind(kind)[0]))]
+    if not is_simploid(kind):
+        return [(0, k) for k in range(len(gmaps.faces_of_kind(kind)[0] if isinstance(kind, MapKind) else kind.faces))]
     return [(i, j) for i, a in enumerate(kind) for j in range(a + 1)]
 
 
@@ -242,11 +247,13 @@ def slot_sign(kind, i, j):
     """Of a face in the boundary."""
     if isinstance(kind, MapKind):
         return gmaps.signs(kind)[gmaps.faces_of_kind(kind)[0][j][0]]
+    if isinstance(kind, Bounded):
+        return kind.faces[j][0]
     return (-1) ** (j + sum(kind[:i]))
 
 
 def slot_number(kind, i, j):
-    return j if isinstance(kind, MapKind) else sum(a + 1 for a in kind[:i]) + j
+    return j if not is_simploid(kind) else sum(a + 1 for a in kind[:i]) + j
 
 
 # ------------------------------------------------------------------------------------------------ values
@@ -254,6 +261,8 @@ def slot_number(kind, i, j):
 
 def whole(kind):
     """The shape of a cell itself."""
+    if isinstance(kind, (Bounded, Hollow)):
+        return Whole(kind)
     return Seen(kind, 0) if isinstance(kind, MapKind) else tuple(tuple(range(a + 1)) for a in kind)
 
 
@@ -263,26 +272,32 @@ def squashed(kind):
 
 
 def type_of(shape):
+    if isinstance(shape, Whole):
+        return shape.kind
     return gmaps.kind_from(*shape) if isinstance(shape, Seen) else tuple(len(part) - 1 for part in shape)
 
 
 def is_degenerate(value):
-    return not isinstance(value[1], Seen) and any(len(set(part)) < len(part) for part in value[1])
+    return not isinstance(value[1], (Seen, Whole)) and any(len(set(part)) < len(part) for part in value[1])
 
 
 def is_monotone(shape):
-    return isinstance(shape, Seen) or all(part == tuple(sorted(part)) for part in shape)
+    return isinstance(shape, (Seen, Whole)) or all(part == tuple(sorted(part)) for part in shape)
 
 
 def orientation(shape):
     """The sign of a shape that is a permutation in every component, or of the dart that sees the cell."""
     if isinstance(shape, Seen):
         return gmaps.signs(shape.kind)[shape.dart]
+    if isinstance(shape, Whole):
+        return 1
     return math.prod(sign_between(part, sorted(part)) for part in shape)
 
 
 def fill(outer, inner):
     """The shape of a value (y, outer) when y itself is a value of the shape inner."""
+    if isinstance(outer, Whole):
+        return outer
     if isinstance(outer, Seen):
         return Seen(inner.kind, gmaps.order_from(*inner)[outer.dart])
     entries = iter(inner)
@@ -293,12 +308,14 @@ def fill(outer, inner):
 
 def reordered(shape, order):
     """The shape whose vertex k is vertex order[k] of another one, in every component."""
-    if isinstance(shape, Seen):
+    if isinstance(shape, (Seen, Whole)):
         return fill(order, shape)
     return tuple(tuple(part[k] for k in places) for part, places in zip(shape, order))
 
 
 def inverse(order):
+    if isinstance(order, Whole):
+        return order
     if isinstance(order, Seen):
         return Seen(type_of(order), gmaps.order_from(*order).index(0))
     return tuple(tuple(map(part.index, range(len(part)))) for part in order)
@@ -315,6 +332,8 @@ def face_at_dart(kind, faces, dart):
 def face_of(value, i, j, faces_of):
     """d^i_j of a value; faces_of gives the faces (values) of a nondegenerate cell."""
     cell, shape = value
+    if isinstance(shape, Whole):
+        return faces_of(cell)[j]
     if isinstance(shape, Seen):  # the dart from which the face is seen is a dart of a face of the cell
         dart = gmaps.order_from(*shape)[gmaps.faces_of_kind(type_of(shape))[0][j][0]]
         return face_at_dart(shape.kind, faces_of(cell), dart)
@@ -340,6 +359,8 @@ def collapse(value, i, j, vanished):
 
 def cone_shape(shape, simplicial):
     """One more vertex, the last: of the only component, or of a component of its own."""
+    if isinstance(shape, (Seen, Whole)):  # the cone over a cell that is no simploid has one orientation
+        return None
     if simplicial:
         part = shape[0] if shape else (0,)
         return (part + (max(part) + 1,),)
@@ -363,7 +384,12 @@ def sections(shape):
 
 
 def double_faces(kind, faces, faces_of):
-    """(value, value, what they are) of every two ways to a face of a face of a cell with these faces."""
+    """(value, value, what they are) of every two ways to a face of a face of a cell with these faces.
+
+    Of one that is known by its boundary there is nothing to say but that this is a cycle.
+    """
+    if isinstance(kind, (Bounded, Hollow)):
+        return
     if isinstance(kind, MapKind):  # the face that has dart 0 of another one has number 0
         last = kind.alpha[-1]
         for d in range(len(last)):
@@ -379,7 +405,54 @@ def double_faces(kind, faces, faces_of):
 
 def broken_law(kind, faces, faces_of):
     """A face law that a cell with these faces breaks, or None."""
+    if isinstance(kind, Bounded):
+        itself = {None: faces}
+        breaks = is_no_cycle((None, whole(kind)), lambda c: itself[c] if c in itself else faces_of(c))
+        return "that its boundary is a cycle" if breaks else None
+    if isinstance(kind, Hollow):
+        breaks = any(is_no_cycle(Generator("new", kind, faces, k), faces_of) for k in range(len(kind.generators)))
+        return "that boundaries of its generators are cycles" if breaks else None
     return next((what for one, two, what in double_faces(kind, faces, faces_of) if one != two), None)
+
+
+# A generator of a Hollow cell: the number of the cell, its kind and faces, and which one.
+Generator = collections.namedtuple("Generator", "owner kind faces k")
+
+
+def boundary_of(item, faces_of):
+    """The boundary of a value that is not degenerate, or of a Generator, as (coefficient, such) without those that are 0."""
+    if isinstance(item, Generator):
+        for n, slot, k in item.kind.generators[item.k][1]:
+            if slot is None:
+                yield n, item._replace(k=k)
+            elif k is not None:
+                cell, shape = item.faces[slot]
+                yield n, Generator(cell, shape.kind, faces_of(cell), k)
+            elif not is_degenerate(item.faces[slot]):
+                yield n, item.faces[slot]
+        return
+    kind = type_of(item[1])
+    for i, j in face_slots(kind):
+        face = face_of(item, i, j, faces_of)
+        if not is_degenerate(face):
+            yield slot_sign(kind, i, j), face
+
+
+def as_chain(terms):
+    """{number: coefficient}; of generators of Hollow cells the numbers are negative, or tuples."""
+    chain = {}
+    for n, item in terms:
+        if isinstance(item, Generator):
+            key = (item.owner, item.k) if not isinstance(item.owner, int) else -1 - (item.owner << 20) - item.k
+        else:
+            key, n = item[0], n * orientation(item[1])
+        chain[key] = chain.get(key, 0) + n
+    return {key: n for key, n in chain.items() if n}
+
+
+def is_no_cycle(item, faces_of):
+    return bool(as_chain((n * m, of_face) for n, face in boundary_of(item, faces_of)
+                         for m, of_face in boundary_of(face, faces_of)))
 
 
 # ------------------------------------------------------------------------------------------------ the state
@@ -419,6 +492,7 @@ class State:
         self.maps = {}  # name -> MadeMap, in the order in which they were made
         self.alpha = {}  # dart, as (name of its map, number) -> the tuple of its images
         self.mapped = set()  # numbers of bodies that have, or had, cells of maps that are no simplices
+        self.places = {}  # dart of a largest cell that is no ball -> (canonical boundary, which dart of that it is)
         self.disordered = set()  # numbers of bodies where cells and faces have come to order their vertices differently
 
     def copy(self):
@@ -439,6 +513,7 @@ class State:
         other.maps = dict(self.maps)
         other.alpha = dict(self.alpha)
         other.mapped = set(self.mapped)
+        other.places = dict(self.places)
         other.disordered = set(self.disordered)
         return other
 
@@ -571,12 +646,14 @@ class State:
         """Keys that have come to denote what a coned cell denotes make names of its cone from now on."""
 
         def sorted_value(value):
-            if value and isinstance(value[1], Seen):
-                return value
+            if value and isinstance(value[1], (Seen, Whole)):
+                return value[0], None
             return value and (value[0], tuple(tuple(sorted(part)) for part in value[1]))
 
         def over(shape, other):
             """A shape that is another one in some order, as that order."""
+            if isinstance(shape, (Seen, Whole)):
+                return shape
             ranks = [[sorted(range(len(part)), key=part.__getitem__) for part in parts] for parts in (shape, other)]
             return tuple(tuple(theirs[mine.index(k)] for k in range(len(mine))) for mine, theirs in zip(*ranks))
 
@@ -649,15 +726,26 @@ class State:
     def boundary(self, number):
         """Sum of (-1)^(j + a_1 + ... + a_{i-1}) d^i_j as {cell: coefficient}; degenerate faces count as 0.
 
-        Of a cell of a map each face, as its first dart sees it, has the sign of that dart.
+        Of a cell of a map each face, as its first dart sees it, has the sign of that dart. A generator of a Hollow cell
+        has a negative number, see as_chain.
         """
-        kind = self.cells[number].kind
-        chain = {}
-        for (i, j), face in zip(face_slots(kind), self.faces(number)):
-            if not is_degenerate(face):
-                sign = orientation(face[1]) * slot_sign(kind, i, j)
-                chain[face[0]] = chain.get(face[0], 0) + sign
-        return {c: v for c, v in chain.items() if v}
+        if number < 0:
+            return as_chain(boundary_of(self.generator(*divmod(-1 - number, 1 << 20)), self.faces))
+        return as_chain(boundary_of(self.plain(number), self.faces))
+
+    def generator(self, number, k):
+        return Generator(number, self.cells[number].kind, self.faces(number), k)
+
+    def generators(self):
+        """Like by_dimension, but with all generators of cells that have several."""
+        lists = [[c for c in cells if not self.is_hollow(c)] for cells in self.by_dimension()]
+        for c in filter(self.is_hollow, self.alive()):
+            for k, (degree, _) in enumerate(self.cells[c].kind.generators):
+                lists[degree].append(-1 - (c << 20) - k)
+        return lists
+
+    def is_hollow(self, number):
+        return isinstance(self.cells[number].kind, Hollow)
 
     def closure(self, numbers):
         """The cells and all nondegenerate cells that their faces are made of, by age."""
@@ -767,7 +855,7 @@ class State:
 
 
 def chain_rank_data(state, prime):
-    lists = state.by_dimension()
+    lists = state.generators()
     factors = [[]]
     for p in range(1, len(lists)):
         factors.append(invariant_factors([state.boundary(c) for c in lists[p]], prime))
@@ -778,9 +866,9 @@ def chain_rank_data(state, prime):
 def summary(state, prime):
     """Cells, Euler characteristic, Betti numbers and torsion, all from scratch."""
     lists, factors = chain_rank_data(state, prime)
-    sizes = [len(cells) for cells in lists]
+    sizes = [len(generators) for generators in lists]
     return {
-        "cells": sizes,
+        "cells": [len(cells) for cells in state.by_dimension()],
         "euler": sum(n if p % 2 == 0 else -n for p, n in enumerate(sizes)),
         "betti": [n - len(factors[p]) - len(factors[p + 1]) for p, n in enumerate(sizes)],
         "torsion": [[t for t in factors[p + 1] if t > 1] for p in range(len(sizes))],
@@ -799,8 +887,8 @@ def is_boundary(state, chain, prime):
     """Whether a cycle bounds: adding it to the boundaries must change neither their rank nor their index."""
     if not chain:
         return True
-    dim = state.dim(next(iter(chain)))
-    lists = state.by_dimension()
+    lists = state.generators()
+    dim = next(p for p, generators in enumerate(lists) if next(iter(chain)) in generators)
     above = [state.boundary(c) for c in lists[dim + 1]] if dim + 1 < len(lists) else []
     return invariant_factors(above, prime) == invariant_factors(above + [chain], prime)
 
@@ -815,6 +903,8 @@ def read_chain(state, chain, prime):
         if not isinstance(term, list) or len(term) != 2:
             raise ScriptError("a term of a chain must be [integer, cell]")
         value, factor = state.value(term[1]), integer(term[0], "a coefficient")
+        if isinstance(value[1], Whole) and isinstance(value[1].kind, Hollow):
+            raise ScriptError(f'the oracle does not know which generators "{term[1]}" is')
         dims.add(dimension_of(type_of(value[1])))
         if not is_degenerate(value):
             total[value[0]] = total.get(value[0], 0) + factor * state.sign(term[1])
@@ -886,11 +976,13 @@ def read_complex_cell(entry):
     if not isinstance(entry, dict):
         raise ScriptError("every cell must be an object")
     for field in entry:
-        if field not in ("id", "type", "faces", "at"):
+        if field not in ("id", "type", "faces", "at", "dim", "boundary"):
             raise ScriptError(f'a cell of a complex has no field "{field}"')
     if "id" not in entry:
         raise ScriptError('a cell of a complex needs the field "id"')
     ident = check_name(entry["id"], "id")
+    if "dim" in entry or "boundary" in entry:
+        return ident, None, read_listed_boundary(entry, ident)
     below = entry.get("faces", [])
     if not isinstance(below, list) or not all(isinstance(f, str) for f in below):
         raise ScriptError(f'faces of "{ident}" must be a list of ids')
@@ -912,6 +1004,56 @@ def read_complex_cell(entry):
     return ident, kind, below
 
 
+def read_listed_boundary(entry, ident):
+    """The dimension, and [coefficient, id] for each term."""
+    dim, boundary = entry.get("dim"), entry.get("boundary", [])
+    if "type" in entry or "faces" in entry:
+        raise ScriptError(f'"{ident}" has a dim or a boundary, and takes neither type nor faces')
+    if not is_integer(dim) or not 0 <= dim <= LARGEST_LISTED_DIMENSION:
+        raise ScriptError(f'"{ident}" needs a dim from 0 to {LARGEST_LISTED_DIMENSION}')
+    good = isinstance(boundary, list) and all(
+        isinstance(term, list) and len(term) == 2 and is_integer(term[0]) and isinstance(term[1], str) for term in boundary)
+    if not good or any(n == 0 for n, _ in boundary) or sum(abs(n) for n, _ in boundary) > 10**9:
+        raise ScriptError(f'boundary of "{ident}" must be a list of terms, with coefficients that are not 0')
+    if dim == 0 and boundary:
+        raise ScriptError(f'"{ident}" has the dimension 0 and a boundary')
+    if dim == 1 and sorted(n for n, _ in boundary) != [-1, 1]:
+        raise ScriptError(f'the boundary of the edge "{ident}" must be its end less its beginning')
+    if "at" in entry:
+        if dim:
+            raise ScriptError(f'"{ident}" is not a vertex and takes no "at"')
+        check_point(entry["at"], "at")
+    return dim, boundary
+
+
+def declared(listed):
+    """{id: (kind, ids of the faces)} of what read_complex_cell read. Of an edge the end comes first."""
+    entries = {}
+
+    def dimension(ident):
+        if ident not in listed:
+            raise ScriptError(f'"{ident}" is not listed')
+        kind, below = listed[ident]
+        return below[0] if kind is None else sum(kind)
+
+    def entry(ident):
+        if ident not in entries:
+            kind, below = listed[ident]
+            if kind is None:
+                dim, boundary = below
+                if any(dimension(face) != dim - 1 for _, face in boundary):
+                    raise ScriptError(f'the faces of "{ident}" must have the dimension {dim - 1}')
+                faces = tuple((n, entry(face)[0]) for n, face in boundary)
+                kind = () if dim == 0 else (1,) if dim == 1 else Bounded(dim, faces)
+                below = [face for n, face in (sorted(boundary, reverse=True) if dim == 1 else boundary)]
+            entries[ident] = kind, below
+        return entries[ident]
+
+    for ident in listed:
+        entry(ident)
+    return entries
+
+
 def op_complex(state, step, _prime):
     fields(step, ("name", "cells"))
     name = check_name(step["name"], "name")
@@ -923,11 +1065,14 @@ def op_complex(state, step, _prime):
         if ident in entries:
             raise ScriptError(f'the id "{ident}" is listed twice')
         entries[ident] = (kind, below)
+    order_of_listing = {ident: below if kind is not None else [face for _, face in below[1]]
+                        for ident, (kind, below) in entries.items()}
+    entries = declared(entries)
     for ident, (kind, below) in entries.items():
         for (i, _), other in zip(face_slots(kind), below):
             if other not in entries:
                 raise ScriptError(f'face "{other}" of "{ident}" is not listed')
-            if entries[other][0] != face_kind(kind, i):
+            if is_simploid(kind) and entries[other][0] != face_kind(kind, i):
                 raise ScriptError(f'face "{other}" of "{ident}" has the wrong type')
 
     def value_of(ident):
@@ -943,12 +1088,14 @@ def op_complex(state, step, _prime):
     def place(ident):  # in the order of listing, but after the faces
         if ident not in numbers:
             kind, below = entries[ident]
-            for face in below:
+            for face in order_of_listing[ident]:
                 place(face)
             numbers[ident] = state.add(f"{name}.{ident}", kind, [state.plain(numbers[f]) for f in below], body, name)
 
     for ident in entries:
         place(ident)
+    if not all(is_simploid(kind) for kind, _ in entries.values()):
+        state.mapped.add(body)
 
 
 def cells_to_cone(state, over):
@@ -964,8 +1111,6 @@ def cells_to_cone(state, over):
 def add_cones(state, apexes, over):
     """The cones from each apex over the same cells, one after the other."""
     base = cells_to_cone(state, over)
-    if any(isinstance(state.cells[c].kind, MapKind) for c in base):
-        raise ScriptError("there is no cone over a cell of a map")
     simplicial = all(is_simplex(state.cells[c].kind) for c in base)
     if base:
         body = min(state.body_root(state.cells[c].body) for c in base)
@@ -981,7 +1126,7 @@ def add_cones(state, apexes, over):
 def add_cone(state, apex, base, simplicial, body):
     state.check_prefix(apex)
     tip = state.add(apex, (), [], body, apex)
-    coned = {}
+    coned, kinds = {}, {}
     table = {key: (state.cells[value[0]].name, value[1]) for key, value in state.names.items()
              if value and value[0] in set(base)}
 
@@ -990,6 +1135,10 @@ def add_cone(state, apex, base, simplicial, body):
 
     for c in sorted(base, key=lambda c: (state.dim(c), c)):
         kind = state.cells[c].kind
+        if not is_simploid(kind):
+            kinds[c], below = cone_by_boundary(state, c, coned, kinds, cone_of, tip)
+            coned[c] = state.add(f"{apex}*{state.cells[c].name}", kinds[c], below, body)
+            continue
         below = [cone_of(face) for face in state.faces(c)]
         if simplicial:
             below += [] if kind else [state.plain(tip)]
@@ -1000,6 +1149,27 @@ def add_cone(state, apex, base, simplicial, body):
         coned[c] = state.add(f"{apex}*{state.cells[c].name}", own_kind, below + [state.plain(c)], body)
     names = [state.cells[c].name for c in sorted(base)]
     state.cones[apex] = Cone(simplicial, names, table, frozenset())
+
+
+def cone_by_boundary(state, c, coned, kinds, cone_of, tip):
+    """(kind, faces) of the cone over a cell that is no simploid, which has one orientation, that of the cell."""
+    kind = state.cells[c].kind
+    signs, faces = [], []  # of all faces, and the cones over them
+    for face in state.faces(c):
+        is_plain = is_simploid(type_of(face[1]))
+        signs.append(1 if is_plain else orientation(face[1]))
+        faces.append(cone_of(face) if is_plain else (coned[face[0]], whole(kinds[face[0]])))
+    if isinstance(kind, Hollow):
+        faces += [(tip, ()), state.plain(c)]
+        generators = tuple(boundaries.coned_generators(kind, signs, len(faces) - 2, len(faces) - 1))
+        return Hollow(kind.dimension + 1, tuple(type_of(face[1]) for face in faces), generators), faces
+    terms = []
+    for sign, face, own, (i, j) in zip(signs, faces, state.faces(c), face_slots(kind)):
+        if not is_degenerate(own):
+            terms.append((sign * slot_sign(kind, i, j), face))
+    terms.append(((-1) ** (dimension_of(kind) + 1), state.plain(c)))
+    of_faces = tuple((n, type_of(face[1])) for n, face in terms)
+    return Bounded(dimension_of(kind) + 1, of_faces), [face for _, face in terms]
 
 
 def read_over(step):
@@ -1026,8 +1196,8 @@ def op_suspend(state, step, _prime):
 
 def read_vertex_map(entries, kind):
     """A permutation of the vertices for each component; that of a simplex may stand alone."""
-    if isinstance(kind, MapKind):
-        raise ScriptError("a cell of a map has no vertex map")
+    if not is_simploid(kind):
+        raise ScriptError("only simploids have vertex maps")
     if not isinstance(entries, list) or not entries:
         raise ScriptError("a vertex map must be a list of vertices, or a list of such lists")
     if not isinstance(entries[0], list):
@@ -1061,8 +1231,8 @@ def op_degenerate(state, step, _prime):
     fields(step, ("cell", "along"))
     value, along = state.value(step["cell"]), step["along"]
     kind = type_of(value[1])
-    if isinstance(kind, MapKind):
-        raise ScriptError(f'"{step["cell"]}" is a cell of a map, which has no directions')
+    if not is_simploid(kind):
+        raise ScriptError(f'"{step["cell"]}" is no simploid, and has no directions')
     if isinstance(along, list) and len(along) == 2 and all(map(is_integer, along)):
         i, j = along[0] - 1, along[1]
     elif is_integer(along) and len(kind) <= 1:
@@ -1086,13 +1256,16 @@ def read_split(state, entry):
             raise ScriptError(f'an entry of split needs the field "{field}"')
     if not isinstance(entry["moves"], list):
         raise ScriptError("moves must be a list of [cell, face number]")
-    state.find(entry["cell"])
+    if state.is_hollow(state.find(entry["cell"])):
+        raise ScriptError(f'"{entry["cell"]}" is no ball, and is not split')
     return state.value(entry["cell"]), check_name(entry["as"], "as"), entry["moves"]
 
 
 def slot_in_order(shape, number):
     """The number of a face of a cell, counted as a name for it has its vertices."""
     i, j = face_slots(type_of(shape))[number]
+    if isinstance(shape, Whole):
+        return number
     if isinstance(shape, Seen):
         faces, _ = gmaps.faces_of_kind(type_of(shape))
         return gmaps.faces_of_kind(shape.kind)[1][gmaps.order_from(*shape)[faces[j][0]]][0]
@@ -1114,6 +1287,8 @@ def op_deidentify(state, step, _prime):
             if not isinstance(move, list) or len(move) != 2 or not is_integer(move[1]):
                 raise ScriptError("a move must be [cell, face number]")
             cell, number = state.find(move[0]), move[1]
+            if state.is_hollow(cell):
+                raise ScriptError(f'the oracle does not know the faces of "{move[0]}"')
             if not 0 <= number < len(state.faces(cell)):
                 raise ScriptError(f'"{move[0]}" has no face {number}')
             number = slot_in_order(state.value(move[0])[1], number)
@@ -1343,10 +1518,15 @@ def add_map(state, name, alpha, texts, by_simplices, top_name=None):
 
 def add_cells_of_map(state, name, alpha, texts, body, top_name):
     layers = gmaps.cells_of(alpha, is_ball)
-    if any(cell is None for cells in layers for cell in cells):
+    largest = len(layers) - 1
+    if any(cell is None for cells in layers[:None if largest < LEAST_HOLLOW_DIMENSION else largest] for cell in cells):
         raise ScriptError(f'"{name}" has a cell that is no ball')
+    components = gmaps.orbits(alpha, range(largest))
     for i, cells in enumerate(layers):
-        for cell in cells:
+        for number_of_cell, cell in enumerate(cells):
+            if cell is None:
+                add_hollow(state, name, alpha, components[number_of_cell], texts, body)
+                continue
             faces = {}
             if i > 0:
                 at = {place: d for d, place in sorted(cell.darts.items(), reverse=True)}
@@ -1357,6 +1537,22 @@ def add_cells_of_map(state, name, alpha, texts, body, top_name):
             number = state.add(top, cell.kind, faces.values(), body, name)
             for d, place in cell.darts.items():
                 state.names[dart_cell_name(name, i, texts[d])] = number, gmaps.shape_from(cell.kind, place)
+
+
+def add_hollow(state, name, alpha, darts, texts, body):
+    """The largest cell of some darts, which is no ball. Its darts are numbered from the first of those from which it looks
+    least."""
+    n = len(alpha) - 1
+    own = gmaps.renumbered(alpha[:-1], darts)
+    order = [darts[k] for k in gmaps.walk(own, gmaps.canonical_root(own))]
+    boundary = gmaps.renumbered(alpha[:-1], order)
+    faces = [state.names[dart_cell_name(name, slot.dimension, texts[order[slot.root]])]
+             for slot in boundaries.slots_of(boundary, is_ball)]
+    kind = boundaries.hollow(boundary, is_ball)
+    number = state.add(dart_cell_name(name, n, texts[order[0]]), kind, faces, body, name)
+    for place, d in enumerate(order):
+        state.names[dart_cell_name(name, n, texts[d])] = number, whole(kind)
+        state.places[name, d] = boundary, place
 
 
 def roots_of_faces(kind):
@@ -1626,6 +1822,7 @@ def op_unsew(state, step, _prime):
     for i in range(n + 1):
         here = split_cells(state, i, before, free, copies, rank) if i < n else {}
         move_faces(state, i, here, copies)
+        move_faces_of_hollow(state, n, i, here)
         copies = here
     problem = state.broken_law()
     if problem:
@@ -1645,6 +1842,10 @@ def split_cells(state, i, before, free, below, rank):
             raise ScriptError("other steps have split what is unsewn")
         names = {dart_cell_name(d[0], i, dart_text(state, d)): d for d in darts}
         called = state.cells[whole[0]].name
+        above = {seen_by(state, i + 1, d)[0] for d in darts}
+        if any(c not in above and not state.is_hollow(c) and any(face[0] == whole[0] for face in cell.faces)
+               for c, cell in state.cells.items()):
+            raise ScriptError(f'"{called}" is a face of what is no cell of its map')
         # A polygon gives its face one more name.
         names.update((d[0], d) for d in darts if i == 2 and d[1] == 0 and d[0] in state.names)
         if is_degenerate(whole) or any(value and value[0] == whole[0] and not is_degenerate(value) and key not in names
@@ -1683,6 +1884,8 @@ def move_faces(state, i, here, below):
     """Where a dart sees a copy as a face of its i-cell, that is the face now."""
     for d, (saw, sees) in below.items():
         cell, shape = here[d][1] if d in here else seen_by(state, i, d)
+        if state.is_hollow(cell):
+            continue
         if is_degenerate((cell, shape)):
             raise ScriptError("the oracle does not unsew at edges that became degenerate")
         kind = state.cells[cell].kind
@@ -1691,6 +1894,23 @@ def move_faces(state, i, here, below):
             other = gmaps.shape_from(gmaps.faces_of_kind(kind)[0][number][1], place)
         else:
             number, other = shape[0][0], ()
+        faces = list(state.faces(cell))
+        if (faces[number][0], fill(other, faces[number][1])) not in (saw, sees):
+            raise ScriptError(f'"{state.cells[saw[0]].name}" is no face of "{state.cells[cell].name}" any more')
+        faces[number] = sees[0], fill(inverse(other), sees[1])
+        state.cells[cell] = state.cells[cell]._replace(faces=tuple(faces))
+
+
+def move_faces_of_hollow(state, n, q, copies):
+    """The same of largest cells that are no balls, which have the cells of dimension q as faces."""
+    for d, (saw, sees) in copies.items():
+        cell = seen_by(state, n, d)[0]
+        if not state.is_hollow(cell):
+            continue
+        boundary, place = state.places[d]
+        number, slot = next((number, slot) for number, slot in enumerate(boundaries.slots_of(boundary, is_ball))
+                            if slot.dimension == q and place in slot.indices)
+        other = gmaps.shape_from(slot.kind, slot.indices[place])
         faces = list(state.faces(cell))
         if (faces[number][0], fill(other, faces[number][1])) not in (saw, sees):
             raise ScriptError(f'"{state.cells[saw[0]].name}" is no face of "{state.cells[cell].name}" any more')
@@ -1718,10 +1938,14 @@ def op_extend(state, step, _prime):
     darts = [(name, k) for name in chosen for k in range(len(state.maps[name].texts))]
     number = {d: k for k, d in enumerate(darts)}
     alpha = [[number[state.alpha[d][i]] for d in darts] for i in range(n + 1)] + [list(range(len(darts)))]
-    cells = [gmaps.cell_of(alpha, n + 1, part[0], is_ball) for part in gmaps.orbits(alpha, range(n + 1))]
-    if None in cells:
-        raise ScriptError("the new cell is no ball")
-    for cell in cells:
+    if any(image == d for images in alpha[:-1] for d, image in enumerate(images)):
+        raise ScriptError("what is extended is open")
+    components = gmaps.orbits(alpha, range(n + 1))
+    cells = [gmaps.cell_of(alpha, n + 1, part[0], is_ball) for part in components]
+    for cell, component in zip(cells, components):
+        if cell is None:
+            extend_over(state, alpha, component, darts)
+            continue
         at = {place: d for d, place in sorted(cell.darts.items(), reverse=True)}
         faces = [seen_by(state, n, darts[at[root]]) for root in roots_of_faces(cell.kind)]
         problem = broken_law(cell.kind, faces, state.faces)
@@ -1739,6 +1963,30 @@ def op_extend(state, step, _prime):
     for name in chosen:  # a new map of the same name
         made = state.maps.pop(name)
         state.maps[name] = made._replace(dimension=n + 1)
+
+
+def extend_over(state, alpha, component, darts):
+    """The cell over a component that is no sphere."""
+    n = len(alpha) - 2
+    largest = [seen_by(state, n, darts[d])[0] for d in component]
+    if n + 1 < LEAST_HOLLOW_DIMENSION or any(map(state.is_hollow, largest)):
+        raise ScriptError("the new cell is no ball")
+    order = gmaps.walk(alpha, component[0])
+    seen = gmaps.renumbered(alpha[:-1], order)
+    order = [order[k] for k in gmaps.walk(seen, gmaps.canonical_root(seen))]
+    boundary = gmaps.renumbered(alpha[:-1], order)
+    faces = [seen_by(state, slot.dimension, darts[order[slot.root]]) for slot in boundaries.slots_of(boundary, is_ball)]
+    kind = boundaries.hollow(boundary, is_ball)
+    if tuple(type_of(face[1]) for face in faces) != kind.faces or broken_law(kind, faces, state.faces):
+        raise ScriptError("other steps have split what the cell is over")
+    for face in faces:
+        state.merge_bodies(state.cells[faces[0][0]].body, state.cells[face[0]].body)
+    called = [dart_cell_name(darts[d][0], n + 1, dart_text(state, darts[d])) for d in order]
+    new = state.add(called[0], kind, faces, state.body_root(state.cells[faces[0][0]].body))
+    for place, d in enumerate(order):
+        if state.reading(called[place]) is None or place == 0:
+            state.names[called[place]] = new, whole(kind)
+        state.places[darts[d]] = boundary, place
 
 
 def label_key(label):

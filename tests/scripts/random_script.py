@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Prints a random legal script for `sesame replay`.
 
-    random_script.py --seed N [--steps M] [--ring Z|Z/p] [--ops basic|all|tear|nest|abstract|maps] [--weight NAME=N]...
+    random_script.py --seed N [--steps M] [--ring Z|Z/p] [--ops basic|all|tear|nest|abstract|maps|boundaries] [--weight NAME=N]...
                      [--illegal]
 
 basic: simplex, simploid, complex, cone, suspend, identify, expect, class, undo and note: several bodies, self-gluings and
@@ -15,7 +15,8 @@ steps than asked for.
 abstract: simplices on labelled vertices are inserted and replaced, any two vertices are collapsed, and now and then a body is
 changed by one of the other operations.
 maps: polygons, solids and other maps by their cells, few by their simplices, are sewn, unsewn and extended; in most scripts all other
-operations come between.
+operations come between. Some maps have cells that are no balls.
+boundaries: complexes of cells that are known by their boundaries, and all other operations.
 What is legal, the oracle knows. With --illegal the last step is wrong, and only that one.
 The same options give the same script.
 """
@@ -26,6 +27,7 @@ import random
 import sys
 
 sys.dont_write_bytecode = True
+import boundaries
 import gmaps
 import oracle
 import split_plans
@@ -142,7 +144,8 @@ class Writer:
         for c in state.alive():
             groups.setdefault(state.cells[c].kind, []).append(c)
         kinds = sorted((kind for kind, members in groups.items() if len(members) > 1),
-                       key=lambda kind: (isinstance(kind, oracle.MapKind), kind))
+                       key=lambda kind: (isinstance(kind, oracle.MapKind), kind) if not is_by_boundary(kind)
+                       else (2, str(kind)))
         if not kinds:
             return False
         higher = [kind for kind in kinds if kind]
@@ -158,7 +161,7 @@ class Writer:
                 a, b = self.random.sample(members, 2)
             pair = [self.name_of(a), self.name_of(b)]
             pairs.append([self.another(name) for name in pair] if self.random.random() < 0.1 else pair)
-            if self.random.random() < self.vertex_maps and not isinstance(kind, oracle.MapKind):
+            if self.random.random() < self.vertex_maps and oracle.is_simploid(kind):
                 pairs[-1].append(self.vertex_map(kind))
         return self.attempt({"op": "identify", "pairs": pairs})
 
@@ -204,7 +207,7 @@ class Writer:
 
     def query(self):
         state, prime = self.oracle.state, self.oracle.prime
-        lists = state.by_dimension()
+        lists = [[c for c in cells if not state.is_hollow(c)] for cells in state.by_dimension()]
         if not lists:
             return False
         dim = self.random.randrange(len(lists))
@@ -361,7 +364,7 @@ class WriterOfAll(Writer):
     def attempt_cone(self, step):
         over = step.get("over")
         if isinstance(over, list):
-            step["over"] = [self.name_of(c) for c in self.some_cells(len(over))]
+            step["over"] = [self.name_of(c) for c in self.some_cells(len(over)) if not self.oracle.state.is_hollow(c)]
         elif over is not None:
             bodies = self.usable_bodies()
             if not bodies:
@@ -391,6 +394,49 @@ class WriterOfAll(Writer):
         return fresh
 
     # -- steps
+
+    def cw(self):
+        """A complex of cells that are known by their boundaries, and edges and triangles."""
+        points = [f"p{k}" for k in range(self.random.choice([1, 1, 1, 2, 3]))]
+        cells = [{"id": point, **({"dim": 0} if self.random.random() < 0.5 else {})} for point in points]
+        layer = {point: {} for point in points}  # {id: boundary}
+        for dim in range(1, self.random.choice([2, 3, 3, 4, 4, 5])):
+            below, layer = layer, {}
+            cycles = [] if dim == 1 else cycles_of(below)
+            for k in range(self.random.choice([0, 1, 1, 2, 3])):
+                ident, cell = f"c{dim}-{k}", {"dim": dim}
+                ends = [self.random.choice(points) for _ in range(2)]
+                if dim == 1 and self.random.random() < 0.3:
+                    cell, terms = {"faces": ends}, [[1, ends[0]], [-1, ends[1]]]
+                elif dim == 1:
+                    terms = [[1, ends[0]], [-1, ends[1]]]
+                elif dim == 2 and len(points) == 1 and below and self.random.random() < 0.3:
+                    sides = [self.random.choice(sorted(below)) for _ in range(3)]
+                    cell, terms = {"faces": sides}, [[(-1) ** n, side] for n, side in enumerate(sides)]
+                else:
+                    terms = self.boundary_of_cycles(cycles, sorted(below))
+                layer[ident] = {}
+                for n, face in terms:
+                    layer[ident][face] = layer[ident].get(face, 0) + n
+                if "dim" in cell:
+                    self.random.shuffle(terms)
+                    cell.update({"boundary": terms} if terms or self.random.random() < 0.3 else {})
+                cells.append({"id": ident, **cell})
+        self.random.shuffle(cells)
+        return self.attempt({"op": "complex", "name": self.fresh("k"), "cells": cells})
+
+    def boundary_of_cycles(self, cycles, faces):
+        """Terms of a sum of some cycles, in parts; perhaps a face there and back."""
+        total, terms = {}, []
+        for cycle in self.random.sample(cycles, self.random.randint(0, min(len(cycles), 2))):
+            total = combine(total, 1, cycle, self.random.choice([-2, -1, 1, 1, 2, 3]))
+        for face, n in total.items():
+            part = self.random.randint(-1, 2)
+            terms += [[m, face] for m in ((part, n - part) if self.random.random() < 0.3 else (n,)) if m]
+        if faces and self.random.random() < 0.2:
+            face = self.random.choice(faces)
+            terms += [[1, face], [-1, face]]
+        return terms
 
     def product(self):
         state = self.oracle.state
@@ -430,7 +476,7 @@ class WriterOfAll(Writer):
 
     def degenerate(self):
         state = self.oracle.state
-        cells = [c for c in state.alive() if state.dim(c) and not isinstance(state.cells[c].kind, oracle.MapKind)]
+        cells = [c for c in state.alive() if state.dim(c) and oracle.is_simploid(state.cells[c].kind)]
         if not cells:
             return False
         cell = self.random.choices(cells, [4 ** -state.dim(c) for c in cells])[0]
@@ -478,13 +524,22 @@ class WriterOfAll(Writer):
 
     def deidentify(self, split):
         """The step, with any names of the cells and in any order."""
-        if not split:
+        if not split or self.tears_hollow_cells(split):
             return False
         for entry in split:
             entry["cell"] = self.name_of(self.oracle.state.find(entry["cell"]))
             self.random.shuffle(entry["moves"])
         self.random.shuffle(split)
         return self.attempt({"op": "deidentify", "split": split})
+
+    def tears_hollow_cells(self, split):
+        """Whether incidences move that are in the boundaries of cells that are no balls: to those the copies would have to
+        go as well, and they have other faces in the program."""
+        state = self.oracle.state
+        hollow = set(state.closure(filter(state.is_hollow, state.alive())))
+        moved = [name for entry in split for name, _ in entry["moves"] if name in state.names]
+        return any(state.is_hollow(state.find(entry["cell"])) for entry in split) or any(
+            state.find(name) in hollow for name in moved)
 
     def isolate(self):
         cell = self.some_cells(1)
@@ -538,7 +593,7 @@ class WriterOfAll(Writer):
             split = [{"cell": cell.name, "as": "fresh", "moves": [[cell.name, 0]]}]
             steps.append({"op": "deidentify", "split": split})
             steps.append({"op": "deidentify", "split": [{"cell": cell.name, "as": cell.name, "moves": []}]})
-            if not isinstance(cell.kind, oracle.MapKind):
+            if oracle.is_simploid(cell.kind):
                 steps.append({"op": "degenerate", "cell": cell.name, "along": [1, (cell.kind or (0,))[0]]})
             parts = split_plans.link_classes(state, c)
             if any(len(part) > 1 for part in parts):
@@ -729,6 +784,40 @@ class WriterOfAbstract(WriterOfAll):
         return steps
 
 
+class WriterOfBoundaries(WriterOfAll):
+    """Cells that are known by their boundaries, and all that others do."""
+
+    weights = {**WriterOfAll.weights, "simplex": 3, "simploid": 2, "product": 2, "cw": 8}
+    growing = (*WriterOfAll.growing, "cw")
+
+    def write(self, steps):
+        self.cw()
+        super().write(steps)
+
+    def wrong_steps(self):
+        edges = [{"id": "v"}, {"id": "w", "dim": 0}, {"id": "a", "dim": 1, "boundary": [[1, "w"], [-1, "v"]]}]
+        wrong = [{"dim": 2, "boundary": [[1, "a"]]}, {"dim": 2, "boundary": [[1, "v"]]}, {"dim": 2, "boundary": [[1, "x"]]},
+                 {"dim": 1, "boundary": [[1, "v"]]}, {"dim": 1}, {"dim": 0, "boundary": [[1, "v"]]}, {"dim": 63},
+                 {"dim": 3, "boundary": [[1, "f"]]}, {"dim": 2, "boundary": [[0, "a"]]}, {"dim": -1},
+                 {"dim": 2, "boundary": [[10**9, "a"], [-(10**9), "a"]]}, {"dim": 2, "faces": ["a", "a"]},
+                 {"dim": 2, "type": [2]}, {"boundary": [[1, "a"], [-1, "a"]]}, {"dim": 2, "boundary": [["a", 1]]},
+                 {"dim": 2, "boundary": [[2, "a"], [-1, "a"]]}]
+        steps = [{"op": "complex", "name": "fresh", "cells": [*edges, {"id": "f", **cell}]} for cell in wrong]
+        steps.append({"op": "complex", "name": "fresh", "cells": [{"id": "s", "dim": 2}, {"id": "t", "faces": ["s"] * 4}]})
+        state = self.oracle.state
+        for c in state.alive():
+            if is_by_boundary(state.cells[c].kind):
+                name = state.cells[c].name
+                steps.append({"op": "identify", "pairs": [[name, name, [0, 1, 2]]]})
+                steps.append({"op": "degenerate", "cell": name, "along": 0})
+                steps.append({"op": "replace", "subdivide": name, "by": "fresh"})
+                others = [b for b in state.alive() if state.dim(b) == state.dim(c) and state.cells[b].kind != state.cells[c].kind]
+                steps += [{"op": "identify", "pairs": [[name, state.cells[b].name]]} for b in others[:2]]
+                body = next(n for n, b in state.bodies.items() if state.body_root(b) == state.body_root(state.cells[c].body))
+                steps.append({"op": "product", "name": "fresh", "left": body, "right": body})
+        return steps + self.random.sample(super().wrong_steps(), 5)
+
+
 SOLIDS = {
     "tetrahedron": [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]],
     "cube": [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]],
@@ -760,15 +849,18 @@ def map_of_faces(faces):
 class WriterOfMaps(WriterOfAll):
     """Maps are made and sewn, unsewn and extended, beside all that others do."""
 
-    of_maps = {"polygon": 8, "solid": 3, "surface": 2, "small_map": 2, "nmap": 2, "chain": 3, "incidence": 3, "sew": 22, "unsew": 8, "extend": 5}
-    weights = {**WriterOfAll.weights, "product": 1, "simploid": 1, "loops": 0, "moore": 0, "simplex": 2, **of_maps}
-    growing = (*WriterOfAll.growing, "polygon", "solid", "surface", "small_map", "nmap", "chain", "incidence")
+    of_maps = {"polygon": 8, "solid": 3, "surface": 2, "closed_surface": 4, "small_map": 2, "nmap": 2, "chain": 3,
+               "incidence": 3, "sew": 22, "unsew": 8, "extend": 5}
+    weights = {**WriterOfAll.weights, "product": 1, "simploid": 1, "loops": 0, "moore": 0, "simplex": 2, "cw": 1, **of_maps}
+    growing = (*WriterOfAll.growing, "cw", "polygon", "solid", "surface", "closed_surface", "small_map", "nmap", "chain",
+               "incidence")
+    last_surface = None
 
     def write(self, steps):
         if self.random.random() < 0.3:  # nothing else
             self.weights = {**self.of_maps, "query": 5, "expect": 1, "undo": 3}
         for _ in range(self.random.randint(1, 3)):
-            self.random.choice([self.polygon, self.polygon, self.solid, self.surface])()
+            self.random.choice([self.polygon, self.polygon, self.solid, self.surface, self.closed_surface])()
         super().write(steps)
 
     def make(self, step):
@@ -790,6 +882,27 @@ class WriterOfMaps(WriterOfAll):
         faces = SOLIDS[self.random.choice(sorted(SOLIDS))]
         count = self.random.choice([1, 2, 3, len(faces), len(faces)])
         return self.make({"op": "gmap", "name": self.fresh("f"), "alpha": map_of_faces(faces[:count])})
+
+    def closed_surface(self):
+        """Polygons whose sides are sewn in pairs, in any way; with a cell over it, or none; often the same once more."""
+        alpha = self.last_surface
+        if alpha is None or self.random.random() < 0.5:
+            alpha = [[], [], []]
+            sizes = self.random.choice([[2], [2], [4], [4], [6], [3, 3], [4, 4], [2, 4], [3, 4, 3]])
+            for size in sizes:
+                first = len(alpha[0])
+                for images, own in zip(alpha, gmaps.polygon(size)):
+                    images += [first + d for d in own]
+            sides = self.random.sample(range(sum(sizes)), sum(sizes))
+            for one, other in zip(sides[::2], sides[1::2]):
+                turned = self.random.random() < 0.4
+                for k in range(2):
+                    alpha[2][2 * one + k], alpha[2][2 * other + (k ^ 1 ^ turned)] = (
+                        2 * other + (k ^ 1 ^ turned), 2 * one + k)
+            self.last_surface = alpha
+        if self.random.random() < 0.7:
+            alpha = [*alpha, list(range(len(alpha[0])))]
+        return self.attempt({"op": "gmap", "name": self.fresh("u"), "alpha": alpha})
 
     def small_map(self):
         """Dimension 0 or 1: points, which may be in pairs, paths and circles. By cells no edge may lack an end."""
@@ -948,7 +1061,29 @@ class WriterOfMaps(WriterOfAll):
 
 
 WRITERS = {"basic": Writer, "all": WriterOfAll, "tear": WriterOfTearing, "nest": WriterOfNests,
-           "abstract": WriterOfAbstract, "maps": WriterOfMaps}
+           "abstract": WriterOfAbstract, "maps": WriterOfMaps, "boundaries": WriterOfBoundaries}
+
+
+def is_by_boundary(kind):
+    return isinstance(kind, (boundaries.Bounded, boundaries.Hollow))
+
+
+def cycles_of(chains):
+    """A basis of the combinations, with rational coefficients, of cells with these boundaries that have none."""
+    done, cycles = {}, []
+    for cell, below in chains.items():
+        chain = {cell: 1}
+        while below:
+            pivot = max(below)
+            if pivot not in done:
+                done[pivot] = below, chain
+                break
+            other, other_chain = done[pivot]
+            a, b = below[pivot], other[pivot]
+            below, chain = combine(below, b, other, -a), combine(chain, b, other_chain, -a)
+        if not below:
+            cycles.append(chain)
+    return cycles
 
 
 def combine(a, x, b, y):
@@ -972,12 +1107,12 @@ def write_script(seed, steps, ring="Z", illegal=False, operations="basic", weigh
 
 def read_weights(options):
     """The arguments of --weight as a dictionary."""
-    known = WRITERS[options.ops].weights if options.ops in ("all", "maps") else {}
+    known = WRITERS[options.ops].weights if options.ops in ("all", "maps", "boundaries") else {}
     weights = {}
     for text in options.weight:
         name, _, number = text.partition("=")
         if name not in known or not number.isdigit():
-            sys.exit(f"random_script.py: --weight takes NAME=N with --ops all or maps, NAME one of {', '.join(known) or '-'}")
+            sys.exit(f"random_script.py: --weight takes NAME=N with --ops all, maps or boundaries, NAME one of {', '.join(known) or '-'}")
         weights[name] = int(number)
     return weights
 

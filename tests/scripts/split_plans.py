@@ -65,9 +65,9 @@ def tear_out(state, top, fresh):
     """Makes a cell a standard simploid of its own: cut off from everything, nothing of its boundary glued.
 
     Of a face of other cells, a copy becomes that. Nothing is done when some face of a face is degenerate: no splitting
-    makes it otherwise. Nor to a cell of a map.
+    makes it otherwise. Nor to a cell that is no simploid.
     """
-    if isinstance(state.cells[top].kind, oracle.MapKind):
+    if not oracle.is_simploid(state.cells[top].kind):
         return []
     cells, shapes = {}, {}
     for subsets, value in corners(state, top):
