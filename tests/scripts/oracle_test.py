@@ -584,8 +584,8 @@ class MapsTest(unittest.TestCase):
         compared = collections.Counter()
         for seed in range(16):
             writer = random_script.WriterOfMaps(seed, "Z")
-            writer.weights = {"polygon": 4, "solid": 1, "surface": 1, "small_map": 1, "nmap": 2, "sew": 10, "unsew": 3,
-                              "extend": 2, "undo": 1}
+            writer.weights = {"polygon": 4, "solid": 1, "surface": 1, "closed_surface": 2, "small_map": 1, "nmap": 2,
+                              "sew": 10, "unsew": 3, "extend": 2, "undo": 1}
             writer.of_maps = writer.weights  # no chains of maps
             writer.write(20)
             twin = oracle.Oracle()
@@ -595,19 +595,43 @@ class MapsTest(unittest.TestCase):
                 if len(twin.state.alpha) < 150:
                     self.assertEqual(without_zeros(report["betti"], report["torsion"]), groups_of_analogue(twin.state), seed)
                     compared[step["op"]] += 1
-        self.assertTrue(all(compared[op] > 3 for op in ("polygon", "sew", "unsew", "extend")), compared)
+                    compared["hollow"] += any(map(twin.state.is_hollow, twin.state.alive()))
+        self.assertTrue(all(compared[op] > 3 for op in ("polygon", "sew", "unsew", "extend", "hollow")), compared)
 
     def test_cells_that_are_no_balls_are_refused(self):
         square = [[1, 0, 3, 2, 5, 4, 7, 6], [7, 2, 1, 4, 3, 6, 5, 0]]
         torus, plane = [5, 4, 7, 6, 1, 0, 3, 2], [4, 5, 6, 7, 0, 1, 2, 3]
         for top in (torus, plane):
             self.assertEqual(found(run(("gmap", {"name": "m", "alpha": [*square, top]})))[0][2], 1)
-            over = {"name": "m", "alpha": [*square, top, list(range(8))]}
-            self.refuses(("gmap", over))
+            over = {"name": "m", "alpha": [*square, top, list(range(8)), list(range(8))]}
+            self.refuses(("gmap", over))  # of dimension 4
             self.assertEqual(found(run(("gmap", {**over, "as": "simplices"})))[1:], ([1], []))  # a cone
-            self.refuses(("gmap", {"name": "m", "alpha": [*square, top]}), ("extend", {"maps": ["m"]}))
         self.refuses(("gmap", {"name": "m", "alpha": [*square, [1, 0, 2, 3, 4, 5, 6, 7]]}))  # a side on itself
         self.refuses(("gmap", {"name": "m", "alpha": [[0, 2, 1, 3], [1, 0, 3, 2], [0, 1, 2, 3]]}))  # an open face
+
+    def test_largest_cells_that_are_no_balls_are_cones_over_surfaces(self):
+        square = [[1, 0, 3, 2, 5, 4, 7, 6], [7, 2, 1, 4, 3, 6, 5, 0]]
+        torus, plane = [5, 4, 7, 6, 1, 0, 3, 2], [4, 5, 6, 7, 0, 1, 2, 3]
+        for top, groups, suspended in ((torus, ([1, 2, 1], []), ([1, 0, 2, 1], [])),
+                                       (plane, ([1], [[], [2]]), ([1], [[], [], [2]]))):
+            surface = ("gmap", {"name": "m", "alpha": [*square, top]})
+            self.assertEqual(found(run(surface))[1:], groups)
+            solid = ("gmap", {"name": "m", "alpha": [*square, top, list(range(8))]})
+            for twin in (run(surface, ("extend", {"maps": ["m"]})), run(solid)):
+                self.assertEqual(found(twin)[0][3], 1)
+                self.assertEqual(found(twin)[1:], ([1], []))
+                self.assertEqual(oracle.summary(twin.state, 0)["euler"], 1)
+                self.assertIsNone(twin.state.broken_law())
+            self.assertEqual(found(run(solid, ("remove", {"cells": ["m.3:5"]})))[1:], groups)
+            other = ("gmap", {**solid[1], "name": "k"})
+            sewn = run(solid, other, sew(3, *((f"m:{d}", f"k:{d}") for d in range(8))))
+            self.assertEqual(found(sewn)[1:], suspended)
+            glued = run(solid, other, ("identify", {"pairs": [["m.3:0", "k.3:1"]]}))
+            self.assertEqual(found(glued), found(run(solid)))
+            coned = run(solid, ("cone", {"apex": "v"}), ("remove", {"cells": ["v*m.3:2"]}))
+            self.assertEqual(found(coned)[1:], suspended)
+            self.refuses(solid, ("deidentify", {"split": [{"cell": "m.3:0", "as": "x", "moves": []}]}))
+            self.refuses(solid, ("extend", {"maps": ["m"]}))
 
     def test_chains_of_maps_have_the_groups_of_their_analogues_after_every_gluing(self):
         compared = 0
@@ -714,6 +738,33 @@ class MapsTest(unittest.TestCase):
             self.assertEqual(twin.state.find(one), twin.state.find(other))
         self.assertIsNone(gmaps.broken_law(gmaps.gmap_of(beta)))
         self.refuses(("map", {"name": "m", "beta": [[0], [0]]}))
+
+    # -- cells known by their boundaries
+
+    def test_cells_that_are_known_by_their_boundaries_have_the_groups_that_these_say(self):
+        def cells(*faces):
+            return [{"id": "v", "dim": 0}, {"id": "a", "dim": 1, "boundary": [[-1, "v"], [1, "v"]]},
+                    *({"id": ident, "dim": dim, "boundary": boundary} for ident, dim, boundary in faces)]
+
+        lens = ("complex", {"name": "l", "cells": cells(("s", 3, []), ("f", 2, [[7, "a"]]))})
+        self.assertEqual(found(run(lens)), ([1, 1, 1, 1], [1, 0, 0, 1], [[], [7]]))
+        twice = ("complex", {"name": "k", "cells": cells(("f", 2, [[7, "a"]]), ("s", 3, []))})
+        glued = run(lens, twice, ("identify", {"pairs": [["l.f", "k.f"]]}))
+        self.assertEqual(found(glued), ([1, 1, 1, 2], [1, 0, 0, 2], [[], [7]]))
+        self.assertEqual(glued.state.find("k.v"), glued.state.find("l.v"))
+        self.assertEqual(found(run(lens, ("degenerate", {"cell": "l.a", "along": 0})))[1:], ([1, 0, 1, 1], []))
+        coned = run(lens, ("cone", {"apex": "x", "over": "l"}))
+        self.assertEqual(found(coned), ([2, 2, 2, 2, 1], [1], []))
+        self.assertIsNone(coned.state.broken_law())
+        self.assertEqual(found(run(lens, ("suspend", {"apexes": ["n", "s"]})))[1:], ([1, 0, 0, 0, 1], [[], [], [7]]))
+        for wrong in (("f", 2, [[1, "v"]]), ("f", 1, [[1, "v"]]), ("f", 3, [[1, "f"]]), ("f", 2, [[0, "a"]])):
+            self.refuses(("complex", {"name": "l", "cells": cells(wrong)}))
+        edge = [{"id": "v"}, {"id": "w"}, {"id": "a", "faces": ["w", "v"]}, {"id": "f", "dim": 2, "boundary": [[2, "a"]]}]
+        self.refuses(("complex", {"name": "l", "cells": edge}))  # no cycle
+        self.refuses(lens, ("complex", {"name": "k", "cells": cells(("f", 2, [[5, "a"]]))}),
+                     ("identify", {"pairs": [["l.f", "k.f"]]}))
+        self.refuses(lens, ("deidentify", {"split": [{"cell": "l.v", "as": "w", "moves": [["l.a", 0]]}]}))
+        self.refuses(lens, ("product", {"name": "P", "left": "l", "right": "l"}))
 
 
 if __name__ == "__main__":
