@@ -1127,8 +1127,9 @@ def add_cone(state, apex, base, simplicial, body):
     state.check_prefix(apex)
     tip = state.add(apex, (), [], body, apex)
     coned, kinds = {}, {}
-    table = {key: (state.cells[value[0]].name, value[1]) for key, value in state.names.items()
-             if value and value[0] in set(base)}
+    named = {c: state.value(state.cells[c].name)[1] for c in base}  # what the names v*c are made after
+    table = {key: (state.cells[value[0]].name, fill(value[1], inverse(named[value[0]])))
+             for key, value in state.names.items() if value and value[0] in named}
 
     def cone_of(value):
         return coned[value[0]], cone_shape(value[1], simplicial)
@@ -1136,7 +1137,7 @@ def add_cone(state, apex, base, simplicial, body):
     for c in sorted(base, key=lambda c: (state.dim(c), c)):
         kind = state.cells[c].kind
         if not is_simploid(kind):
-            kinds[c], below = cone_by_boundary(state, c, coned, kinds, cone_of, tip)
+            kinds[c], below = cone_by_boundary(state, (c, named[c]), (coned, kinds, named), cone_of, tip)
             coned[c] = state.add(f"{apex}*{state.cells[c].name}", kinds[c], below, body)
             continue
         below = [cone_of(face) for face in state.faces(c)]
@@ -1147,27 +1148,33 @@ def add_cone(state, apex, base, simplicial, body):
             below.append((tip, squashed(kind)))
             own_kind = kind + (1,)
         coned[c] = state.add(f"{apex}*{state.cells[c].name}", own_kind, below + [state.plain(c)], body)
+        state.names[f"{apex}*{state.cells[c].name}"] = cone_of((c, named[c]))
     names = [state.cells[c].name for c in sorted(base)]
     state.cones[apex] = Cone(simplicial, names, table, frozenset())
 
 
-def cone_by_boundary(state, c, coned, kinds, cone_of, tip):
-    """(kind, faces) of the cone over a cell that is no simploid, which has one orientation, that of the cell."""
-    kind = state.cells[c].kind
+def cone_by_boundary(state, value, made, cone_of, tip):
+    """(kind, faces) of the cone over a cell that is no simploid. It has one orientation, that of the cell as it is called.
+
+    made: the cones over its faces, the kinds of those that are over no simploids, and the shapes of what cells are called.
+    """
+    coned, kinds, named = made
+    kind = type_of(value[1])
+    own = [state.face(value, i, j) for i, j in face_slots(kind)]
     signs, faces = [], []  # of all faces, and the cones over them
-    for face in state.faces(c):
+    for face in own:
         is_plain = is_simploid(type_of(face[1]))
-        signs.append(1 if is_plain else orientation(face[1]))
+        signs.append(1 if is_plain else orientation(face[1]) * orientation(named[face[0]]))
         faces.append(cone_of(face) if is_plain else (coned[face[0]], whole(kinds[face[0]])))
     if isinstance(kind, Hollow):
-        faces += [(tip, ()), state.plain(c)]
+        faces += [(tip, ()), value]
         generators = tuple(boundaries.coned_generators(kind, signs, len(faces) - 2, len(faces) - 1))
         return Hollow(kind.dimension + 1, tuple(type_of(face[1]) for face in faces), generators), faces
     terms = []
-    for sign, face, own, (i, j) in zip(signs, faces, state.faces(c), face_slots(kind)):
-        if not is_degenerate(own):
+    for sign, face, coned_face, (i, j) in zip(signs, faces, own, face_slots(kind)):
+        if not is_degenerate(coned_face):
             terms.append((sign * slot_sign(kind, i, j), face))
-    terms.append(((-1) ** (dimension_of(kind) + 1), state.plain(c)))
+    terms.append(((-1) ** (dimension_of(kind) + 1), value))
     of_faces = tuple((n, type_of(face[1])) for n, face in terms)
     return Bounded(dimension_of(kind) + 1, of_faces), [face for _, face in terms]
 
