@@ -1,5 +1,6 @@
 #include "ops/cells/cone_shape.hpp"
 
+#include <map>
 #include <utility>
 
 #include "ops/maps/incidence_numbers.hpp"
@@ -43,6 +44,28 @@ int small(const Integer& n) {
   return static_cast<int>(*value);
 }
 
+/// A generator over the sum of all largest cells of the boundary, which are faces of the cell even if no cycle has
+/// them, and a part that closes this up.
+void add_cancelling_pair(const IncidenceComplex& cells, int n, ConeShape& shape) {
+  const auto p = static_cast<std::size_t>(n) - 1;
+  ConeShape::Generator whole{n, {}, {{static_cast<std::uint32_t>(shape.generators.size()), 1}}};
+  std::map<std::uint32_t, int> boundary;
+  for (std::uint32_t cell = 0; cell < cells.cells[p].count(); ++cell) {
+    whole.terms.push_back({n - 1, cells.cells[p].first[cell], 1});
+    for (const auto& [face, coefficient] : cells.boundaries[p][cell]) {
+      boundary[face] += coefficient;
+    }
+  }
+  ConeShape::Generator part{n - 1, {}, {}};
+  for (const auto& [face, coefficient] : boundary) {
+    if (coefficient != 0) {
+      part.terms.push_back({n - 2, cells.cells[p - 1].first[face], -coefficient});
+    }
+  }
+  shape.generators.push_back(std::move(part));
+  shape.generators.push_back(std::move(whole));
+}
+
 }  // namespace
 
 ConeShape cone_shape_of(const GMap& boundary) {
@@ -70,9 +93,7 @@ ConeShape cone_shape_of(const GMap& boundary) {
     }
   }
   if (model.size(n) == 0) {
-    const auto part = static_cast<std::uint32_t>(shape.generators.size());
-    shape.generators.push_back({n - 1, {}, {}});
-    shape.generators.push_back({n, {}, {{part, 1}}});
+    add_cancelling_pair(*cells, n, shape);
   }
   return shape;
 }

@@ -15,6 +15,7 @@
 #include "ops/cells/cell_order.hpp"
 #include "ops/cells/cone_parts.hpp"
 #include "ops/cells/name_text.hpp"
+#include "ops/plan/cone_cells.hpp"
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/step_names.hpp"
@@ -57,7 +58,7 @@ std::uint64_t cells_in(const std::vector<BodyId>& bodies, const Structure& struc
   return cells;
 }
 
-/// The cells listed, with all their faces.
+/// The cells listed, with all their faces and their parts.
 Result<std::vector<CellId>> closure(const std::vector<std::string>& names, const Structure& structure) {
   std::vector<CellId> cells;
   std::unordered_set<CellId> seen;
@@ -79,6 +80,9 @@ Result<std::vector<CellId>> closure(const std::vector<std::string>& names, const
       }
       for (const CellId face : structure.faces().of(c)) {
         pending.push_back(structure.values().of(face).cell);
+      }
+      for (const CellId part : cone_parts(structure, c)) {
+        pending.push_back(part);
       }
     }
   }

@@ -213,3 +213,27 @@ TEST_CASE("what is left of cubes around a hole is one cell that is no ball") {
   CHECK(engine.homology().betti == std::vector<std::int64_t>{1, 0, 0, 0});
   CHECK(engine.first_defect().value_or("") == "");
 }
+
+TEST_CASE("a cone over a cell that is no ball is one over its parts too") {
+  Engine engine(ring_named("Z"));
+  carry_out(engine, make_map("m", torus_of_nine().extended()));
+  carry_out(engine, R"({"op":"cone","apex":"v","over":["m.3:0"]})");
+  CHECK(live_groups(engine) == std::vector<AbelianGroup>{{1, {}}});
+  CHECK(engine.first_defect().value_or("") == "");
+}
+
+TEST_CASE("a cell over an open disk has that as a face") {
+  Engine engine(ring_named("Z"));
+  const GMap open = *GMap::make({{1, 0, 3, 2, 5, 4, 7, 6}, {7, 2, 1, 4, 3, 6, 5, 0}, {0, 1, 2, 3, 4, 5, 6, 7}});
+  carry_out(engine, make_map("m", open.extended()));
+  carry_out(engine, make_map("k", open.extended()));
+  CHECK(tells(why_not(engine, operation(R"({"op":"remove","cells":["m.2:0"]})")), R"(is a face of "m.3:0")"));
+  carry_out(engine, R"({"op":"identify","pairs":[["m.3:0","k.3:0"]]})");
+  CHECK(cells_of(engine) == std::vector<std::uint64_t>{4, 4, 1, 1});
+  CHECK(live_groups(engine) == std::vector<AbelianGroup>{{1, {}}});
+  CHECK(engine.first_defect().value_or("") == "");
+  carry_out(engine, R"({"op":"remove","cells":["m.1:0"],"cofaces":true})");
+  CHECK(cells_of(engine) == std::vector<std::uint64_t>{4, 3, 0, 0});
+  CHECK(parts_of(engine) == std::vector<std::uint64_t>{0, 0, 0});
+  CHECK(engine.first_defect().value_or("") == "");
+}
