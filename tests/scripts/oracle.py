@@ -1978,6 +1978,8 @@ def extend_over(state, alpha, component, darts):
     largest = [seen_by(state, n, darts[d])[0] for d in component]
     if n + 1 < LEAST_HOLLOW_DIMENSION or any(map(state.is_hollow, largest)):
         raise ScriptError("the new cell is no ball")
+    if any(cell is None for cells in gmaps.cells_of(alpha[:-1], is_ball) for cell in cells):
+        raise ScriptError("the new cell would be over one that is no ball")
     order = gmaps.walk(alpha, component[0])
     seen = gmaps.renumbered(alpha[:-1], order)
     order = [order[k] for k in gmaps.walk(seen, gmaps.canonical_root(seen))]
