@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -127,9 +128,9 @@ class TypeTable {
   /// The type of the cell over a canonical boundary, rooted at dart 0, or none when that is no homology sphere. A
   /// vertex is over a point, an edge over two. Cost: when it is new, is_homology_sphere.
   TypeId cell_over(const GMap& boundary);
-  /// The shape of the cell over a boundary that is no homology sphere, which need not be rooted in any way.
-  /// Requires: what cone_shape_of does. Cost: when it is new, cone_shape_of.
-  const ConeShape& cone_over(const GMap& boundary);
+  /// The shape of the cell over a connected boundary, which need be no homology sphere, and not be rooted in any way;
+  /// null when a cell of the boundary is no ball. Cost: when it is new, cone_shape_of.
+  const ConeShape* cone_over(const GMap& boundary);
   /// How many darts the canonical boundary has.
   [[nodiscard]] Dart darts(TypeId id) const;
   /// The type of the same cells as seen from another dart. Cost: their darts, when it is asked for first.
@@ -171,7 +172,7 @@ class TypeTable {
   std::vector<std::unique_ptr<StandardCell>> standards_;         ///< by type, those that were asked for
   std::map<std::pair<TypeId, Dart>, std::vector<Dart>> orders_;  ///< of darts, from the roots that were asked for
   std::map<TypeId, Canonical> canonical_;                        ///< those that were asked for
-  std::map<CellType, ConeShape> cones_;                          ///< likewise, by what they are over
+  std::map<CellType, std::optional<ConeShape>> cones_;           ///< likewise, by what they are over
 };
 
 /// The number of cells of a standard simploid, the product of 2^(a_i + 1) - 1; saturates at 2^63 - 1.

@@ -56,7 +56,7 @@ class Layout {
       place_[order[k]] = k;
     }
     found_.cones.emplace(static_cast<std::uint32_t>(found_.types.size()),
-                         &types_.cone_over(restricted_to(cell.map, order, cell.map.dimension())));
+                         types_.cone_over(restricted_to(cell.map, order, cell.map.dimension())));
     place_darts(cell, none);
   }
 

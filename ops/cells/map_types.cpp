@@ -51,12 +51,12 @@ TypeId TypeTable::cell_over(const GMap& boundary) {
   return known != ids_.end() ? known->second : is_homology_sphere(boundary) ? intern_shape(boundary) : TypeId{none};
 }
 
-const ConeShape& TypeTable::cone_over(const GMap& boundary) {
+const ConeShape* TypeTable::cone_over(const GMap& boundary) {
   const auto [at, is_new] = cones_.try_emplace(encoded(boundary));
-  if (is_new) {
+  if (is_new && cells_of_map(boundary, *this).has_value()) {
     at->second = cone_shape_of(boundary);
   }
-  return at->second;
+  return at->second ? &*at->second : nullptr;
 }
 
 TypeId TypeTable::intern_shape(const GMap& boundary) {

@@ -245,7 +245,13 @@ class ExtensionPlanner {
       places_[order[k]] = static_cast<Dart>(dart_at.size());
       dart_at.push_back(order[k]);
     }
-    const ConeShape& shape = structure_.types().cone_over(restricted_to(seen, rooted, dimension_));
+    const ConeShape* shape = structure_.types().cone_over(restricted_to(seen, rooted, dimension_));
+    if (shape == nullptr) {
+      return Error{Errc::refused,
+                   fmt::format("what \"{}\" belongs to has a cell that is no ball, so there is no cell over "
+                               "it: make it \"as\":\"simplices\", with one involution more",
+                               name(first))};
+    }
     const std::string name_of_cell = cell_name(dart_at[0]);
     const auto face_at = [&](int q, Dart place) -> Result<SeenFace> {
       const Result<Value> value = seen_now(dimension_, q, darts_[dart_at[place]], structure_);
@@ -256,7 +262,7 @@ class ExtensionPlanner {
       return SeenFace{structure_.values().incidence_of(*value), value->type};
     };
     const auto first_new = static_cast<CellId>(plan_.first + plan_.cells.size());
-    if (Status s = add_cone_cell(shape, name_of_cell, structure_, face_at, plan_); !s) {
+    if (Status s = add_cone_cell(*shape, name_of_cell, structure_, face_at, plan_); !s) {
       return s;
     }
     const CellId left = left_of_new_cells(first_new, structure_, plan_);  // cells may have been split

@@ -263,14 +263,15 @@ Status RewiredCells::make_cone(const CellBoundary& boundary, const std::vector<D
   for (std::size_t k = 0; k < darts.size(); ++k) {
     dart_at[place_of[boundary.boundary_darts[k]]] = darts[k];
   }
-  const ConeShape& shape = structure_.types().cone_over(restricted_to(boundary.map, order, n - 1));
+  const ConeShape* shape = structure_.types().cone_over(restricted_to(boundary.map, order, n - 1));
+  sparse::expects(shape != nullptr, "the cells below have been made, or kept, as balls");
   const auto face_at = [&](int q, Dart place) -> Result<SeenFace> {
     const Value value = seen_after(q, dart_at[place]);
     const bool is_new = value.cell >= plan_.first && !is_asked_for(value.cell);
     return SeenFace{is_new ? Incidence{value.cell, value.order} : structure_.values().incidence_of(value), value.type};
   };
   const auto first_new = static_cast<CellId>(plan_.first + plan_.cells.size());
-  if (Status s = add_cone_cell(shape, name_(n, dart_at[0]), structure_, face_at, plan_); !s) {
+  if (Status s = add_cone_cell(*shape, name_(n, dart_at[0]), structure_, face_at, plan_); !s) {
     return s;
   }
   if (const CellId left = left_of_new_cells(first_new, structure_, plan_); left != none) {

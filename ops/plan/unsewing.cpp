@@ -324,9 +324,10 @@ class UnsewingPlanner {
     }
     const auto [at, is_new] = cones_.try_emplace(cell->cell);
     if (is_new) {
-      at->second = {&structure_.types().cone_over(boundary_around(d)), cone_parts(structure_, cell->cell)};
+      at->second = {structure_.types().cone_over(boundary_around(d)), cone_parts(structure_, cell->cell)};
       at->second.nodes.push_back(cell->cell);
-      sparse::expects(at->second.nodes.size() == at->second.shape->generators.size(), "a cell has all its parts");
+      sparse::expects(at->second.shape != nullptr && at->second.nodes.size() == at->second.shape->generators.size(),
+                      "a cell has all its parts");
     }
     const Dart place = place_in_largest(d);
     for (std::size_t g = 0; g < at->second.nodes.size(); ++g) {

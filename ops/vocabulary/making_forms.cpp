@@ -148,7 +148,7 @@ MakeComplex::Cell read_cell(const Json& value) {
   if (in.find("dim") != nullptr || in.find("boundary") != nullptr) {
     read_boundary(in, cell);
   }
-  if (in.find("at") != nullptr && !cell.faces.empty()) {
+  if (in.find("at") != nullptr && (!cell.faces.empty() || (cell.boundary && cell.boundary->dimension > 0))) {
     throw Wrong{fmt::format("cell {} has a position \"at\", but only vertices have one", sparse::quoted(cell.id))};
   }
   cell.at = read_point(in);

@@ -237,3 +237,11 @@ TEST_CASE("a cell over an open disk has that as a face") {
   CHECK(parts_of(engine) == std::vector<std::uint64_t>{0, 0, 0});
   CHECK(engine.first_defect().value_or("") == "");
 }
+
+TEST_CASE("there is no cell over a sphere whose edges were folded when they were degenerate") {
+  Engine engine(ring_named("Z"));
+  build(engine, {R"({"op":"polygon","name":"p","sides":2})", R"({"op":"degenerate","cell":"p.1:0","along":0})",
+                 R"({"op":"degenerate","cell":"p.1:2","along":0})",
+                 R"({"op":"sew","dim":2,"pairs":[["p:0","p:1"],["p:2","p:3"]]})"});
+  CHECK(tells(why_not(engine, ops::Extend{{"p"}}), "has a cell that is no ball"));
+}
