@@ -136,7 +136,7 @@ TEST_CASE("cells that are known by equal boundaries are glued, face by face") {
   CHECK(says(why_refused(engine, R"({"op":"degenerate","cell":"k.f","along":0})"), "only simploids"));
   carry_out(engine, R"({"op":"cone","apex":"x","over":"p"})");
   CHECK(live_groups(engine) == Groups{{2, {}}, {1, {}}, {1, {}}});
-  CHECK(says(why_refused(engine, R"({"op":"product","name":"x","left":"k","right":"p"})"),
+  CHECK(says(why_refused(engine, R"({"op":"product","name":"y","left":"k","right":"p"})"),
              "cells that are no simploids"));
 }
 

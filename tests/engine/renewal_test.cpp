@@ -27,7 +27,7 @@ TEST_CASE("an engine that forgets cells has the groups of one that does not, thr
     renewals += report.renewed ? 1 : 0;
     return report.renewed;
   };
-  for (int k = 0; k < 6000; ++k) {
+  for (int k = 0; k < 8000; ++k) {
     CAPTURE(k);
     const bool undoes = random.random().one_in(12) && forgets.undoable() > 0;
     const bool is_renewed =
