@@ -461,7 +461,7 @@ class Program(unittest.TestCase):
             ("import", "m.off", "--order", "1"): '"1" should be connected or file; ',
             ("tower", "t", "--format", "1"): '"1" should be auto, tower, phat, phat-binary, gudhi, facets or script; ',
             ("distance", "a", "b", "--internal-p", "0"): '"0" should be inf or 2; ',
-            ("generate", "torus", "--format", "off"): '"off" should be phat-binary, phat, gudhi or tower; ',
+            ("generate", "torus", "--format", "off"): '"off" should be phat-binary, phat, gudhi, tower or script; ',
             ("bench", "--time-limit", "0"): '"0" should be a number above 0; ',
         }
         for arguments, said in cases.items():

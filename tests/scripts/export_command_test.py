@@ -29,8 +29,8 @@ IS_HEAVY = "--heavy" in sys.argv  # else a fifth of the examples, and of random 
 SCRIPTS = sorted(EXAMPLES.glob("*.jsonl"))
 SOME_SCRIPTS = SCRIPTS[::1 if IS_HEAVY else 5]
 HEADER = '{"sesame":1,"ring":"Z","title":"test"}\n'
-CORNERS = {1: 1, 3: 2, 5: 3, 9: 4, 10: 4, 12: 8, 13: 6}  # of VTK's types of cells
-DIMENSION = {1: 0, 3: 1, 5: 2, 9: 2, 10: 3, 12: 3, 13: 3}
+CORNERS = {0: 0, 1: 1, 3: 2, 5: 3, 9: 4, 10: 4, 12: 8, 13: 6}  # of VTK's types of cells; polygons have any number
+DIMENSION = {1: 0, 3: 1, 5: 2, 9: 2, 10: 3, 12: 3, 13: 3, 7: 2, 0: 3}
 
 
 def run(*arguments, text=None, **options):
@@ -333,7 +333,8 @@ class Drawings(Folder):
         offsets = [0, *map(int, arrays["offsets"])]
         connectivity = list(map(int, arrays["connectivity"]))
         types = list(map(int, arrays["types"]))
-        self.assertEqual([b - a for a, b in zip(offsets, offsets[1:])], [CORNERS[each] for each in types])
+        self.assertEqual([b - a for a, b in zip(offsets, offsets[1:])],
+                         [CORNERS.get(each, b - a) for each, a, b in zip(types, offsets, offsets[1:])])
         self.assertEqual([int(d) for d in arrays["dimension"]], [DIMENSION[each] for each in types])
         self.assertTrue(all(0 <= k < points for k in connectivity))
         data = {array.get("Name"): numbers(array.text or "") for array in piece.iterfind("CellData/DataArray")}
@@ -353,8 +354,9 @@ class Drawings(Folder):
         self.assertEqual(sum(map(len, lists)), int(size))
         self.assertEqual(next(rest), f"CELL_TYPES {cells}")
         types = [int(next(rest)) for _ in lists]
-        self.assertEqual([each[0] for each in lists], [CORNERS[each] for each in types])
-        self.assertTrue(all(len(each) == each[0] + 1 and max(each[1:]) < points for each in lists))
+        self.assertEqual([each[0] for each in lists],
+                         [CORNERS.get(each, among[0]) for each, among in zip(types, lists)])
+        self.assertTrue(all(len(each) == each[0] + 1 and max(each[1:], default=-1) < points for each in lists))
         self.assertEqual(next(rest), f"CELL_DATA {cells}")
         data = {}
         for line in rest:
@@ -497,7 +499,7 @@ class Usage(Folder):
 
     def test_what_is_wrong_on_the_command_line_is_said(self):
         script = EXAMPLES / "torus.jsonl"
-        formats = "script, phat, phat-binary, matrix-market, vtk, vtu, obj, ply or facets"
+        formats = "script, phat, phat-binary, matrix-market, vtk, vtu, obj, ply, facets, 3map or 3map-generalized"
         self.refused(1, "--format is required", script)
         self.refused(1, f'"pdf" should be {formats}', script, "--format", "pdf")
         self.refused(1, "FILE is required", "--format", "phat")
