@@ -69,7 +69,8 @@ inline int small(json::value value, int least) {
 /// Numbers with more digits than a double tells apart, which simdjson may read as another one, are left to others.
 inline double number(json::value value) {
   constexpr auto most_digits = 19;
-  const std::string_view token = value.raw_json_token();
+  std::string_view token = value.raw_json_token();
+  token = token.substr(0, token.find_first_of("eE"));
   require(std::count_if(token.begin(), token.end(), [](char c) { return c >= '0' && c <= '9'; }) <= most_digits);
   return got(value.is_integer()) ? static_cast<double>(got(value.get_int64())) : got(value.get_double());
 }

@@ -230,7 +230,6 @@ TEST_CASE("darts of a chain of maps are named by their level, and are not sewn")
   says(error_of(engine, operation(R"({"op":"sew","dim":2,"pairs":[["m:0","m:4"]]})")), "identify glues these");
   says(error_of(engine, operation(R"({"op":"unsew","dim":2,"darts":["m:0"]})")), "identify glues these");
   says(error_of(engine, operation(R"({"op":"extend","maps":["m"]})")), "make it with one level more");
-  says(error_of(engine, operation(R"({"op":"cone","apex":"v","over":"m"})")), "has cells of maps");
   carry_out(engine, make_chain("k", *ops::chain_of_gmap(ops::polygon(4)), true));
   says(error_of(engine, operation(R"({"op":"sew","dim":2,"pairs":[["k:0","m:4"]]})")), "glued by identify");
   carry_out(engine, R"({"op":"identify","pairs":[["m.1:0","m.1:5"],["m.1:2","m.1:7"]]})");

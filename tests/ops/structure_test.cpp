@@ -341,7 +341,7 @@ std::vector<Operation> random_operations(unsigned seed, int count, Limits limits
 
 TEST_CASE("a random stream of everything has every operation in it", "[ops][stream]") {
   std::map<std::string, int> seen;
-  for (unsigned seed = 0; seed < 80; ++seed) {
+  for (unsigned seed = 0; seed < 160; ++seed) {
     const StreamShape shape = seed < 40 ? everything(30) : everything_and_maps(30);
     for (const Operation& op : random_operations(seed, 40, lazy_cones, shape)) {
       ++seen[std::string{keyword(op)}];
@@ -453,6 +453,9 @@ TEST_CASE("a body knows how many of its cells are no simplices", "[ops][stream]"
       std::vector<std::uint64_t> counts(s.bodies().counts(body).size(), 0);
       std::uint64_t simploids = 0;
       for (const CellId c : s.lazy().cells_of(body)) {
+        if (is_cone_part(s.cells().type(c).type)) {
+          continue;  // it counts as no cell
+        }
         ++counts[static_cast<std::size_t>(s.dimension(c))];
         simploids += is_simplex(s.cells().type(c).type) ? 0 : 1;
       }
