@@ -14,7 +14,7 @@ namespace sesame::engine {
 namespace {
 
 constexpr std::string_view magic = "sesame snapshot\n";
-constexpr std::uint32_t format = 2;  ///< to go up with every change of what is written
+constexpr std::uint32_t format = 3;  ///< to go up with every change of what is written
 
 /// Differs between machines that would read the same bytes as something else.
 constexpr std::array<std::uint32_t, 6> layouts{0x0102'0304,

@@ -10,8 +10,8 @@ OrderId CellStore::order(CellId c, std::uint32_t k) const {
     const auto orders = lazy_faces_->orders(c);
     return orders.empty() ? same_order : orders[k];
   }
-  const auto at = face_orders_.empty() ? face_orders_.end() : face_orders_.find(first_face_[c] + k);
-  return at == face_orders_.end() ? same_order : at->second;
+  const std::uint64_t entry = first_face_[c] + k;
+  return entry < face_orders_.size() ? face_orders_[entry] : same_order;
 }
 
 /// The node whose faces contain an entry of the list of all faces.
@@ -49,7 +49,8 @@ void CellStore::pop_asked() {
 void CellStore::add_face(CellId face, OrderId order) {
   const auto entry = static_cast<std::uint32_t>(faces_.size());
   if (order != same_order) {
-    face_orders_.emplace(entry, order);
+    face_orders_.resize(entry);
+    face_orders_.push_back(order);
   }
   faces_.push_back(face);
   next_incidence_.push_back(std::exchange(first_incidence_[face], entry));
@@ -59,13 +60,11 @@ void CellStore::add_face(CellId face, OrderId order) {
 void CellStore::pop_back() {
   first_face_.pop_back();
   while (faces_.size() > first_face_.back()) {
-    if (!face_orders_.empty()) {
-      face_orders_.erase(faces_.size() - 1);
-    }
     first_incidence_[faces_.back()] = next_incidence_.back();
     faces_.pop_back();
     next_incidence_.pop_back();
   }
+  face_orders_.truncate(std::min(face_orders_.size(), faces_.size()));
   const CellId last = size() - 1;
   type_.pop_back(last);
   first_incidence_.pop_back(last);
@@ -80,7 +79,7 @@ void CellStore::save(sparse::ArchiveWriter& to) const {
     to.put_list(types);
   }
   to.put_list(faces_);
-  to.put_map(face_orders_);
+  to.put_list(face_orders_);
   to.put_list(name_);
   to.put_list(lazy_);
   for (const auto& bodies : body_.lists()) {
@@ -97,13 +96,13 @@ void CellStore::load(sparse::ArchiveReader& from, const VertexMaps& maps) {
   }
   faces_ = from.get_list<sparse::GrowingArray<CellId>>();
   index_faces(from);
-  face_orders_.clear();
-  from.get_map<std::uint64_t, OrderId>([&](std::uint64_t entry, OrderId order) {
-    if (from.check(entry < faces_.size() && order != same_order && maps.is_order_of(order, type_[faces_[entry]]),
-                   "the order of a face is one of its vertices")) {
-      face_orders_.emplace(entry, order);
-    }
-  });
+  face_orders_ = from.get_list<sparse::GrowingArray<OrderId>>();
+  from.check(face_orders_.size() <= faces_.size(), "faces have orders");
+  for (std::size_t entry = 0; from.is_good() && entry < face_orders_.size(); ++entry) {
+    const OrderId order = face_orders_[entry];
+    from.check(order == same_order || maps.is_order_of(order, type_[faces_[entry]]),
+               "the order of a face is one of its vertices");
+  }
   check_seen_faces(from, maps);
   name_ = from.get_list<sparse::GrowingArray<std::uint32_t>>();
   lazy_ = from.get_list<std::vector<std::uint32_t>>();

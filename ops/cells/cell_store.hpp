@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "ops/cells/cell_type.hpp"
@@ -118,7 +117,7 @@ class CellStore {
   sparse::GrowingArray<std::uint32_t> name_;            ///< of those that steps made
   std::vector<std::uint32_t> lazy_;                     ///< of those that were asked for
   PerNode<BodyId> body_;
-  std::unordered_map<std::uint64_t, OrderId> face_orders_;  ///< by entry of `faces_`, where not the same
+  sparse::GrowingArray<OrderId> face_orders_;  ///< per entry of `faces_`, up to the last one that is not the same
 };
 
 }  // namespace sesame::ops
