@@ -70,31 +70,64 @@ std::string RewiredCells::text(Dart d) const {
   return map_.is_made(d) ? "a new dart" : fmt::format("\"{}\"", name_of_dart(map_.dimension(), d, structure_));
 }
 
-Value RewiredCells::value_at(CellId cell, TypeId type, Dart place) const {
-  const OrderId order = structure_.maps().order_at(type, place);
-  return {cell, structure_.maps().seen_through(order, type), 0, order};
-}
-
-Result<Value> RewiredCells::seen_before(int i, Dart d) const {
-  const auto value = seen_from_dart(structure_, structure_.darts().map_of(map_.dimension(), d), i, d);
-  if (value && structure_.is_current(value->cell) && !structure_.lazy().is_consumed(value->cell)) {
-    return *value;
+Result<RewiredCells::SeenCell> RewiredCells::seen_before(int i, Dart d) const {
+  const DartStore::Made& map = structure_.darts().map_of(map_.dimension(), d);
+  if (const DartCells::Seen seen = structure_.darts().seen(map, i, d); seen.offset != none) {
+    const CellId node{seen.offset};
+    if (structure_.is_current(node) && !structure_.lazy().is_consumed(node)) {
+      return SeenCell{node, is_cone(structure_.cells().type(node).type) ? 0 : seen.dart};
+    }
   }
-  return seen_now(map_.dimension(), i, d, structure_);
+  const Result<Value> value = seen_now(map_.dimension(), i, d, structure_);
+  if (!value) {
+    return value.error();
+  }
+  return value->is_degenerate() ? SeenCell{value->cell, 0, true}
+                                : SeenCell{value->cell, structure_.maps().dart_of(value->order)};
 }
 
 /// What a dart will see in a dimension that has been gone through. Requires: it is one of a cell above that has passed
 /// check_seen, or made.
-Value RewiredCells::seen_after(int i, Dart d) const {
+RewiredCells::SeenCell RewiredCells::seen_after(int i, Dart d) const {
   const Seen& level = levels_[static_cast<std::size_t>(i)];
   const auto at = level.find(d);
   return at != level.end() ? at->second : *seen_before(i, d);
 }
 
+/// The same of a cell that is no cone, as a face of a new one.
+SeenFace RewiredCells::face_seen_after(int i, Dart d) const {
+  const auto [cell, place, is_degenerate] = seen_after(i, d);
+  const bool is_new = cell >= plan_.first && !is_asked_for(cell);
+  const TypeId type = is_new ? plan_.cells[cell - plan_.first].type : structure_.cells().type_id(cell);
+  const OrderId order = structure_.maps().order_at(type, place);
+  const TypeId seen = structure_.maps().seen_through(order, type);
+  return {is_new ? Incidence{cell, order} : structure_.values().incidence_of({cell, seen, 0, order}), seen};
+}
+
+std::vector<Value> RewiredCells::faces_of(CellId cell) const {
+  const Value whole = structure_.values().plain(cell);
+  std::vector<Value> faces(structure_.types().info(whole.type).faces.size());
+  for (std::uint32_t k = 0; k < faces.size(); ++k) {
+    faces[k] = structure_.values().face(whole, k);
+  }
+  return faces;
+}
+
+/// The face that a dart of a cell of this type lies in, as that dart sees it.
+RewiredCells::SeenCell RewiredCells::face_at(const std::vector<Value>& faces, TypeId type, Dart place) const {
+  const CellShape::Place in_face = structure_.types().place_in_face(type, place);
+  const Value& face = faces[in_face.face];
+  if (face.is_degenerate()) {
+    return {face.cell, 0, true};
+  }
+  const Dart root = structure_.maps().dart_of(face.order);
+  return {face.cell, structure_.types().dart_from(structure_.cells().type_id(face.cell), root, in_face.dart)};
+}
+
 Status RewiredCells::add_old_cell(int i, Dart d) {
   OldCell old{map_.cell_before(i, d), none};
   for (const Dart of : old.darts) {
-    Result<Value> value = seen_before(i, of);
+    const Result<SeenCell> value = seen_before(i, of);
     if (!value) {
       return value.error();
     }
@@ -113,15 +146,17 @@ Status RewiredCells::add_old_cell(int i, Dart d) {
 
 /// Do all these darts see one cell, and its faces as faces of it?
 Status RewiredCells::check_seen(int i, const OldCell& old) const {
+  const bool has_faces = i > 0 && !is_cone(structure_.cells().type(old.cell).type);
+  const std::vector<Value> faces = has_faces ? faces_of(old.cell) : std::vector<Value>{};
   for (const Dart d : old.darts) {
-    const Value& value = before_.at(d);
-    bool is_whole = value.cell == old.cell && !value.is_degenerate();
-    if (is_whole && i > 0 && !is_cone(structure_.cells().type(value.cell).type)) {
-      const Result<Value> face = seen_before(i - 1, d);
+    const SeenCell& seen = before_.at(d);
+    bool is_whole = seen.cell == old.cell && !seen.is_degenerate;
+    if (is_whole && has_faces) {
+      const Result<SeenCell> face = seen_before(i - 1, d);
       if (!face) {
         return face.error();
       }
-      is_whole = structure_.values().face(value, 0) == *face;
+      is_whole = face_at(faces, structure_.cells().type_id(old.cell), seen.place) == *face;
     }
     if (!is_whole) {
       return Error{Errc::refused, fmt::format("the {}-cell of {} has been split, and not by unsewing, or became "
@@ -168,11 +203,11 @@ Status RewiredCells::add_cell(int i, Dart d) {
 }
 
 /// `place`: which dart of the cell it is.
-void RewiredCells::see(int i, Dart d, const Value& value, Dart place) {
-  after_.emplace(d, value);
+void RewiredCells::see(int i, Dart d, CellId cell, Dart place) {
+  after_.emplace(d, SeenCell{cell, place});
   const auto at = before_.find(d);
-  if (at == before_.end() || !(at->second == value)) {
-    plan_.newly_seen.push_back({map_.dimension(), i, d, {std::uint32_t{value.cell}, place}});
+  if (at == before_.end() || !(at->second == SeenCell{cell, place})) {
+    plan_.newly_seen.push_back({map_.dimension(), i, d, {std::uint32_t{cell}, place}});
     sees_others_.insert(d);
   }
 }
@@ -186,7 +221,7 @@ bool RewiredCells::keep(int i, const CellBoundary& boundary, const std::vector<D
   }
   const auto first = static_cast<std::size_t>(std::ranges::find_if(darts, is_old) - darts.begin());
   const TypeId type = structure_.cells().type_id(old.cell);
-  const Dart root = structure_.maps().dart_of(before_.at(darts[first]).order);
+  const Dart root = before_.at(darts[first]).place;
   const std::vector<Dart> order = darts_from(boundary.map, boundary.boundary_darts[first]);
   if (order.size() != types.darts(type) ||
       types.cell_over(restricted_to(boundary.map, order, i - 1)) != types.seen_from(type, root)) {
@@ -196,17 +231,17 @@ bool RewiredCells::keep(int i, const CellBoundary& boundary, const std::vector<D
   for (Dart k = 0; k < order.size(); ++k) {
     places[order[k]] = types.dart_from(type, root, k);
   }
-  std::vector<Value> values;
+  const std::vector<Value> faces = i > 0 ? faces_of(old.cell) : std::vector<Value>{};
   for (std::size_t k = 0; k < darts.size(); ++k) {
-    values.push_back(value_at(old.cell, type, places[boundary.boundary_darts[k]]));
-    if ((is_old(darts[k]) && !(before_.at(darts[k]) == values.back())) ||
-        (i > 0 && !(structure_.values().face(values.back(), 0) == seen_after(i - 1, darts[k])))) {
+    const Dart place = places[boundary.boundary_darts[k]];
+    if ((is_old(darts[k]) && !(before_.at(darts[k]) == SeenCell{old.cell, place})) ||
+        (i > 0 && !(face_at(faces, type, place) == seen_after(i - 1, darts[k])))) {
       return false;
     }
   }
   old.is_kept = true;
   for (std::size_t k = 0; k < darts.size(); ++k) {
-    see(i, darts[k], values[k], structure_.maps().dart_of(values[k].order));
+    see(i, darts[k], old.cell, places[boundary.boundary_darts[k]]);
   }
   return true;
 }
@@ -228,23 +263,22 @@ Status RewiredCells::make(int i, const CellBoundary& boundary, const std::vector
     places[order[k]] = types.dart_from(canonical.type, canonical.root, k);
   }
   const CellId cell = plan_.first + static_cast<std::uint32_t>(plan_.cells.size());
-  std::vector<Value> faces(types.info(canonical.type).faces.size());
+  std::vector<Dart> faces(types.info(canonical.type).faces.size());  // from which dart each is seen
   Dart naming = no_dart;
   for (std::size_t k = 0; k < darts.size(); ++k) {
     const Dart place = places[boundary.boundary_darts[k]];
     naming = place == 0 ? std::min(naming, darts[k]) : naming;
-    see(i, darts[k], value_at(cell, canonical.type, place), place);
+    see(i, darts[k], cell, place);
     if (i > 0) {
       const CellShape::Place of_face = types.place_in_face(canonical.type, place);
       if (of_face.dart == 0) {
-        faces[of_face.face] = seen_after(i - 1, darts[k]);
+        faces[of_face.face] = darts[k];
       }
     }
   }
   const std::size_t first_face = plan_.faces.size();
-  for (const Value& face : faces) {
-    const bool is_new = face.cell >= plan_.first && !is_asked_for(face.cell);
-    add_face(is_new ? Incidence{face.cell, face.order} : structure_.values().incidence_of(face), plan_);
+  for (const Dart d : faces) {
+    add_face(face_seen_after(i - 1, d).incidence, plan_);
   }
   plan_.names += name_(i, naming);
   ops::add_cell(canonical.type, first_face, plan_);
@@ -265,11 +299,7 @@ Status RewiredCells::make_cone(const CellBoundary& boundary, const std::vector<D
   }
   const ConeShape* shape = structure_.types().cone_over(restricted_to(boundary.map, order, n - 1));
   sparse::expects(shape != nullptr, "the cells below have been made, or kept, as balls");
-  const auto face_at = [&](int q, Dart place) -> Result<SeenFace> {
-    const Value value = seen_after(q, dart_at[place]);
-    const bool is_new = value.cell >= plan_.first && !is_asked_for(value.cell);
-    return SeenFace{is_new ? Incidence{value.cell, value.order} : structure_.values().incidence_of(value), value.type};
-  };
+  const auto face_at = [&](int q, Dart place) -> Result<SeenFace> { return face_seen_after(q, dart_at[place]); };
   const auto first_new = static_cast<CellId>(plan_.first + plan_.cells.size());
   if (Status s = add_cone_cell(*shape, name_(n, dart_at[0]), structure_, face_at, plan_); !s) {
     return s;
@@ -282,7 +312,7 @@ Status RewiredCells::make_cone(const CellBoundary& boundary, const std::vector<D
   }
   const CellId cell = plan_.first + static_cast<std::uint32_t>(plan_.cells.size() - 1);
   for (Dart place = 0; place < dart_at.size(); ++place) {
-    see(n, dart_at[place], {cell, plan_.cells.back().type, 0, same_order}, place);
+    see(n, dart_at[place], cell, place);
   }
   return Done{};
 }
@@ -295,7 +325,7 @@ Status RewiredCells::check_alone(int i, const OldCell& old) const {
     if (dart == no_dart) {
       is_alone = false;
     } else if (!old_of_.contains(dart) && !structure_.darts().taken_out_with(map_.dimension(), dart)) {
-      const Result<Value> value = seen_before(i, dart);
+      const Result<SeenCell> value = seen_before(i, dart);
       is_alone = is_alone && (!value || value->cell != old.cell);
     }
   });

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ops/maps/cell_boundary.hpp"
+#include "ops/plan/cone_cells.hpp"
 #include "ops/plan/rewired_map.hpp"
 #include "sparse/result.hpp"
 
@@ -41,7 +42,15 @@ class RewiredCells {
     Dart naming = no_dart;  ///< the dart that it is called by, if it is one of these
     bool is_kept = false;
   };
-  using Seen = std::unordered_map<Dart, Value>;
+  /// A cell as a dart sees it: which dart of the cell that is, of one that is no ball 0. A value would say as much, and
+  /// have a type for each dart of a cell.
+  struct SeenCell {
+    CellId cell = none;
+    Dart place = 0;
+    bool is_degenerate = false;
+    friend bool operator==(const SeenCell&, const SeenCell&) = default;
+  };
+  using Seen = std::unordered_map<Dart, SeenCell>;
 
   Status add_level(int i);
   Status add_old_cell(int i, Dart d);
@@ -54,11 +63,13 @@ class RewiredCells {
   Status finish();
   Status check_alone(int i, const OldCell& old) const;
 
-  [[nodiscard]] Result<Value> seen_before(int i, Dart d) const;
-  [[nodiscard]] Value seen_after(int i, Dart d) const;
-  [[nodiscard]] Value value_at(CellId cell, TypeId type, Dart place) const;
+  [[nodiscard]] Result<SeenCell> seen_before(int i, Dart d) const;
+  [[nodiscard]] SeenCell seen_after(int i, Dart d) const;
+  [[nodiscard]] SeenFace face_seen_after(int i, Dart d) const;
+  [[nodiscard]] std::vector<Value> faces_of(CellId cell) const;
+  [[nodiscard]] SeenCell face_at(const std::vector<Value>& faces, TypeId type, Dart place) const;
   [[nodiscard]] Dart dart_called(const std::string& name, int i) const;
-  void see(int i, Dart d, const Value& value, Dart place);
+  void see(int i, Dart d, CellId cell, Dart place);
   [[nodiscard]] std::string text(Dart d) const;
 
   const RewiredMap& map_;
