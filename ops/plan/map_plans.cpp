@@ -1,13 +1,16 @@
 // Maps by their cells, or by the simplices of their simplicial analogue.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "ops/cells/map_cells.hpp"
 #include "ops/maps/map_conversions.hpp"
+#include "ops/maps/rooted_map.hpp"
 #include "ops/plan/analogue_writer.hpp"
 #include "ops/plan/layers_writer.hpp"
 #include "ops/plan/new_cells.hpp"
@@ -92,7 +95,33 @@ Status plan_by_simplices(const Wanted& wanted, const Structure& structure, const
   return Done{};
 }
 
+/// The type over which a map is one standard cell, so that all maps like it share what is known of its faces and their
+/// names; or none. That of a cell whose darts are numbered as its type has them.
+TypeId standard_type(const Wanted& wanted, TypeTable& types) {
+  const GMap& map = wanted.map;
+  const int n = map.dimension();
+  if (wanted.halves != 0 || n < 2 ||
+      !std::ranges::all_of(std::views::iota(Dart{0}, map.size()), [&](Dart d) { return map.is_free(n, d); })) {
+    return none;
+  }
+  const GMap boundary = map.restricted(n - 1);
+  if (const auto order = darts_from(boundary, 0); order.size() != map.size() || !std::ranges::is_sorted(order)) {
+    return none;
+  }
+  const TypeId type = types.cell_over(boundary);
+  return type != none && types.canonical(type).type == type && types.canonical(type).root == 0 ? type : TypeId{none};
+}
+
 Status plan_by_cells(const Wanted& wanted, const Structure& structure, const Limits& limits, Plan& plan) {
+  if (const TypeId type = standard_type(wanted, structure.types()); type != none) {
+    const StandardCell& standard = structure.types().standard(type);
+    if (Status s = check_room(static_cast<std::int64_t>(standard.cells.size()), structure, limits); !s) {
+      return s;
+    }
+    write_standard(wanted.name, type, structure, plan);
+    plan.map = {wanted.map, standard.darts};
+    return Done{};
+  }
   const Result<std::vector<CellsOfMap>> layers = cells_of_map(wanted.map, structure.types(), true);
   if (!layers) {
     return Error{layers.error().code,
@@ -137,7 +166,6 @@ Status plan_map(const MakeMap& operation, const Structure& structure, const Limi
              : Error{map.error().code, fmt::format("\"{}\" is no map: {}", operation.name, map.error().what)};
 }
 
-/// By the standard cell of its type, which all polygons with as many sides share.
 Status plan_polygon(const MakePolygon& operation, const Structure& structure, const Limits& limits, Plan& plan) {
   const auto& [name, sides, as_simplices, at] = operation;
   if (sides < 1) {
@@ -154,13 +182,8 @@ Status plan_polygon(const MakePolygon& operation, const Structure& structure, co
   if (Status s = check_names(wanted, structure); !s) {
     return s;
   }
-  if (as_simplices) {
-    return plan_by_simplices(wanted, structure, limits, plan);
-  }
-  const TypeId type = structure.types().cell_over(map.restricted(1));
-  write_standard(name, type, structure, plan);
-  plan.map = {map, structure.types().standard(type).darts};
-  return Done{};
+  return as_simplices ? plan_by_simplices(wanted, structure, limits, plan)
+                      : plan_by_cells(wanted, structure, limits, plan);
 }
 
 }  // namespace sesame::ops
