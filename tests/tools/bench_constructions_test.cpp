@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "tests/support/bodies.hpp"
@@ -164,6 +165,28 @@ TEST_CASE("the assembled sponge is the one in space", "[bench]") {
       check(tools::menger_sponge(level, {order, 11}), sizes_of(cells), groups);
       check(tools::menger_sponge_of_maps(level, {order, 11}), sizes_of(cells), groups);
     }
+  }
+}
+
+TEST_CASE("a sponge of maps is simplified to one volume, and its groups stay", "[bench]") {
+  const std::size_t assembled = tools::menger_sponge_of_maps(1).size();
+  const Operations operations = tools::simplified_menger_sponge(1);
+  const Groups groups = trimmed(Groups{group(1), group(static_cast<Index>(tools::menger_tunnels(1)))});
+  for (const std::string& ring : test_rings) {
+    CAPTURE(ring);
+    Engine engine(ring_named(ring));
+    build(engine, {operations.begin(), operations.begin() + static_cast<std::ptrdiff_t>(assembled)});
+    REQUIRE(cells_of(engine).back() == 20);
+    for (std::size_t k = assembled; k < operations.size(); ++k) {
+      const Counts before = cells_of(engine);
+      carry_out(engine, operations[k]);
+      CAPTURE(k);
+      const Counts after = cells_of(engine);
+      CHECK(std::accumulate(after.begin(), after.end(), 0U) < std::accumulate(before.begin(), before.end(), 0U));
+      REQUIRE(live_groups(engine) == over(ring_named(ring), groups));
+    }
+    CHECK(cells_of(engine)[3] == 1);
+    CHECK(cells_of(engine)[2] == 6);  // one for each of the tunnels, and the outside
   }
 }
 

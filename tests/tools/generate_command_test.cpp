@@ -46,6 +46,9 @@ TEST_CASE("generate writes constructions as scripts", "[bench]") {
   CHECK_THAT(cubes, Contains("\"op\":\"simploid\"") && Contains("\"op\":\"identify\""));
   CHECK_THAT(maps, Contains("\"op\":\"gmap\"") && Contains("{\"op\":\"sew\",\"dim\":3,"));
   CHECK(std::count(cubes.begin(), cubes.end(), '\n') == std::count(maps.begin(), maps.end(), '\n'));
+  const std::string simplified = generate("menger-simplified --size 1").out;
+  CHECK_THAT(simplified.substr(simplified.find('\n')), Catch::Matchers::StartsWith(maps.substr(maps.find('\n'))));
+  CHECK_THAT(simplified, Contains("{\"op\":\"remove_cell\",\"cell\":\"t"));
 }
 
 TEST_CASE("generate refuses what it cannot do, and says what it can", "[bench]") {

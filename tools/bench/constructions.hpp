@@ -45,6 +45,9 @@ struct Assembly {
 [[nodiscard]] Operations menger_sponge(int level, Assembly assembly = {});
 /// The same of cubes that are 3-G-maps of 48 darts, sewn where the others are glued, by the same steps.
 [[nodiscard]] Operations menger_sponge_of_maps(int level, Assembly assembly = {});
+/// The same, and then, cell by cell with `remove_cell`, as few cells as are left when whatever lies between two different
+/// cells goes and the groups stay: one volume, cut by a face for each tunnel.
+[[nodiscard]] Operations simplified_menger_sponge(int level);
 /// 0, 5, 81, 1409, 26433 for the levels 0 to 4. The sponge is a ball with this number of handles: its surface has
 /// 2 20^level + 4 8^level squares, and (21 20^level + 38 8^level - 59) / 133 is the genus of it.
 [[nodiscard]] std::int64_t menger_tunnels(int level);

@@ -58,6 +58,7 @@ const std::map<std::string, Workload>& workloads() {
   };
   const auto sponge = [](std::uint32_t level) { return menger_sponge(static_cast<int>(level)); };
   const auto sponge_of_maps = [](std::uint32_t level) { return menger_sponge_of_maps(static_cast<int>(level)); };
+  const auto simplified = [](std::uint32_t level) { return simplified_menger_sponge(static_cast<int>(level)); };
   static const std::map<std::string, Workload> all{
       {"torus", FiltrationWorkload{700, 3, 5000, torus}},
       {"torus-300", FiltrationWorkload{300, 3, 5000, torus}},
@@ -77,6 +78,7 @@ const std::map<std::string, Workload>& workloads() {
       {"torus-of-polygons", ScriptWorkload{700, 1, 5'000, torus_of_polygons}},
       {"menger-of-cubes", ScriptWorkload{3, 1, 4, sponge}},
       {"menger-of-maps", ScriptWorkload{3, 1, 4, sponge_of_maps}},
+      {"menger-simplified", ScriptWorkload{2, 1, 3, simplified}},
       {"oscillating-rips", ZigzagWorkload{1'000, 1, 65'535, oscillating_rips}},
   };
   return all;
