@@ -1,5 +1,7 @@
+#include <map>
 #include <utility>
 
+#include "ops/cells/analogue_chain.hpp"
 #include "ops/vocabulary/json_text.hpp"
 #include "replay/script/reporter.hpp"
 #include "replay/text/text_buffer.hpp"
@@ -20,15 +22,60 @@ void write(const Rational& n, JsonText& out) {
   }
 }
 
-void write_term(const CellChain::Term& term, const ops::Structure& structure, JsonText& out) {
-  const auto& [coefficient, cell] = term;
+void write_term(const Rational& coefficient, const std::string& name, JsonText& out) {
   out.begin_list();
   write(coefficient, out);
-  out.value(structure.name(cell));
+  out.value(name);
   out.end_list();
 }
 
-void write(const engine::ClassAnswer& found, const ops::Structure& structure, JsonText& out) {
+/// Chains as lists of coefficients and names: of their cells, or of the simplices of the analogues of maps, which is
+/// worked out as a whole, since what lies within is often left out.
+class ChainWriter {
+ public:
+  ChainWriter(const ops::Structure& structure, bool in_simplices)
+      : structure_{structure}, in_simplices_{in_simplices} {}
+
+  /// Passes the coefficient and the name of each term to `visit`.
+  template <class Visit>
+  void for_each(const CellChain& chain, Visit visit) const {
+    if (!in_simplices_) {
+      for (const auto& [coefficient, cell] : chain.terms) {
+        visit(coefficient, structure_.name(cell));
+      }
+      return;
+    }
+    for (const auto& [name, coefficient] : sums(chain)) {
+      if (!coefficient.is_zero()) {
+        visit(coefficient, name);
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] std::map<std::string, Rational> sums(const CellChain& chain) const {
+    std::map<std::string, Rational> sums;
+    const auto add = [&](const std::string& name, const Rational& coefficient) {
+      const auto [at, is_new] = sums.emplace(name, coefficient);
+      at->second = is_new ? coefficient : at->second + coefficient;
+    };
+    for (const auto& [coefficient, cell] : chain.terms) {
+      if (const auto simplices = ops::in_analogue(structure_, cell)) {
+        for (const auto& [times, name] : *simplices) {
+          add(name, coefficient * Rational{sparse::Integer{times}});
+        }
+      } else {
+        add(structure_.name(cell), coefficient);
+      }
+    }
+    return sums;
+  }
+
+  const ops::Structure& structure_;
+  bool in_simplices_;
+};
+
+void write(const engine::ClassAnswer& found, const ChainWriter& chains, JsonText& out) {
   out.begin_object();
   out.field("cycle", found.is_cycle);
   out.field("zero", found.is_zero);
@@ -45,9 +92,8 @@ void write(const engine::ClassAnswer& found, const ops::Structure& structure, Js
   out.key("bounds");
   if (found.bounds) {
     out.begin_list();
-    for (const auto& term : found.bounds->terms) {
-      write_term(term, structure, out);
-    }
+    chains.for_each(*found.bounds,
+                    [&](const Rational& coefficient, const std::string& name) { write_term(coefficient, name, out); });
     out.end_list();
   } else {
     out.null();
@@ -57,7 +103,7 @@ void write(const engine::ClassAnswer& found, const ops::Structure& structure, Js
 
 /// A member `name`, or `name_of_length` when the chain is too long.
 void add_chain(TextBuffer& text, const char* name, const char* name_of_length, const CellChain& chain,
-               const std::optional<ChainLength>& length, const ops::Structure& structure) {
+               const std::optional<ChainLength>& length, const ChainWriter& chains) {
   if (length) {
     text.add(",\"").add(name_of_length).add(length->is_exact ? "\":" : "_at_most\":").add_integer(length->terms);
     return;
@@ -65,29 +111,29 @@ void add_chain(TextBuffer& text, const char* name, const char* name_of_length, c
   text.add(",\"").add(name).add("\":[");
   std::string separated;
   JsonText out(separated);
-  for (const auto& term : chain.terms) {
-    write_term(term, structure, out);
+  chains.for_each(chain, [&](const Rational& coefficient, const std::string& of_cell) {
+    write_term(coefficient, of_cell, out);
     text.add(separated);
     separated.clear();
-  }
+  });
   text.add(']');
 }
 
 void add_generator(TextBuffer& text, const engine::Generator& generator, const GeneratorOptions& options,
-                   const ops::Structure& structure) {
+                   const ChainWriter& chains) {
   std::string order;
   JsonText(order).value(generator.order);
   text.add(R"({"dim":)").add_integer(generator.degree).add(R"(,"order":)").add(order);
-  add_chain(text, "chain", "terms", generator.cycle, length_of_cycle(generator, options), structure);
+  add_chain(text, "chain", "terms", generator.cycle, length_of_cycle(generator, options), chains);
   if (!generator.order.is_zero()) {
-    add_chain(text, "bounds", "bounds_terms", generator.bounding, length_of_bounding(generator, options), structure);
+    add_chain(text, "bounds", "bounds_terms", generator.bounding, length_of_bounding(generator, options), chains);
   }
   text.add('}');
 }
 
 class JsonReporter final : public Reporter {
  public:
-  explicit JsonReporter(std::ostream& out) : out_{out} {}
+  JsonReporter(std::ostream& out, bool in_simplices) : out_{out}, in_simplices_{in_simplices} {}
 
   void step(engine::Engine& engine, const ReportedStep& reported) override {
     text_.clear();
@@ -103,7 +149,7 @@ class JsonReporter final : public Reporter {
     }
     if (reported.step.answer) {
       out.key("class");
-      write(*reported.step.answer, engine.structure(), out);
+      write(*reported.step.answer, {engine.structure(), in_simplices_}, out);
     }
     out.field("us", reported.microseconds);
     out.end_object();
@@ -172,7 +218,7 @@ class JsonReporter final : public Reporter {
         goes_on = !summary.is_stopped() && out_;
         if (goes_on) {
           text.add(std::exchange(is_first, false) ? "" : ",");
-          add_generator(text, generator, *summary.generators, engine.structure());
+          add_generator(text, generator, *summary.generators, {engine.structure(), in_simplices_});
         }
         return goes_on;
       });
@@ -182,11 +228,16 @@ class JsonReporter final : public Reporter {
   }
 
   std::ostream& out_;
+  bool in_simplices_;
   std::string text_;  ///< of a line; kept for the next one
 };
 
 }  // namespace
 
-std::unique_ptr<Reporter> json_reporter(std::ostream& out) { return std::make_unique<JsonReporter>(out); }
+std::unique_ptr<Reporter> json_reporter(std::ostream& out) { return std::make_unique<JsonReporter>(out, false); }
+
+std::unique_ptr<Reporter> json_reporter_in_simplices(std::ostream& out) {
+  return std::make_unique<JsonReporter>(out, true);
+}
 
 }  // namespace sesame::replay

@@ -54,6 +54,8 @@ class Reporter {
 
 /// One object a line, as the documentation of `sesame replay --json` says.
 [[nodiscard]] std::unique_ptr<Reporter> json_reporter(std::ostream& out);
+/// The same, with chains of cells of maps in simplices: see ops::in_analogue.
+[[nodiscard]] std::unique_ptr<Reporter> json_reporter_in_simplices(std::ostream& out);
 
 /// An aligned table; `colour` marks with ANSI colours what changed since the step reported before.
 [[nodiscard]] std::unique_ptr<Reporter> table_reporter(std::ostream& out, bool colour);

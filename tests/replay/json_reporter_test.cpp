@@ -256,3 +256,40 @@ TEST_CASE("terms of a class that name the same cell are added up", "[replay]") {
   CHECK(answer(R"([[1,"t.0"],[2,"t.1"]])") == R"({"cycle":true,"zero":false,"coefficients":[3],"bounds":null})");
   CHECK(answer(R"([[1,"t.0"],[-1,"t.1"]])") == R"({"cycle":true,"zero":true,"coefficients":[0],"bounds":[]})");
 }
+
+TEST_CASE("chains of cells of maps are written in simplices where that is asked for", "[replay]") {
+  // A torus of one square, beside a triangle that is no map.
+  const std::string script = R"({"op":"polygon","name":"t","sides":4})"
+                             "\n"
+                             R"({"op":"sew","dim":2,"pairs":[["t:0","t:5"],["t:2","t:7"]]})"
+                             "\n"
+                             R"({"op":"class","chain":[[1,"t.1:0"]]})"
+                             "\n"
+                             R"({"op":"class","chain":[[1,"t.1:0"],[1,"t.1:5"]]})"
+                             "\n";
+  const std::string out = report_on(script, replay::json_reporter_in_simplices, with_generators());
+  const std::vector<std::string> lines = lines_of(out);
+  CHECK(Json::parse(lines[3])["class"]["zero"] == true);
+  CHECK(Json::parse(lines[3])["class"]["bounds"] == Json::array());
+  const Json generators = Json::parse(lines.back())["generators"];
+  REQUIRE(generators.size() == 4);
+  CHECK(generators[1]["chain"].size() == 2);  // an edge is cut at its middle
+  CHECK(generators[3]["chain"].size() == 8);  // and a square along eight darts
+  for (const Json& term : generators[3]["chain"]) {
+    CHECK_THAT(term[1].get<std::string>(), Catch::Matchers::StartsWith("t.<0-1-2>:"));
+  }
+  // They are cycles of the same map by simplices.
+  std::string classes;
+  for (const Json& generator : generators) {
+    classes += Json{{"op", "class"}, {"chain", generator["chain"]}}.dump() + "\n";
+  }
+  std::string by_simplices = script.substr(0, script.find("{\"op\":\"class\""));
+  by_simplices.replace(by_simplices.find("\"sides\":4"), 9, "\"sides\":4,\"as\":\"simplices\"");
+  for (const std::string& line : lines_of(report_on(by_simplices + classes, replay::json_reporter))) {
+    const Json found = Json::parse(line);
+    if (found.contains("class")) {
+      CHECK(found["class"]["cycle"] == true);
+      CHECK(found["class"]["zero"] == false);
+    }
+  }
+}

@@ -2,9 +2,11 @@
 /// Maps in engines, sewn at random, beside others by simplices.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
+#include "ops/cells/analogue_chain.hpp"
 #include "ops/maps/orbits.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/groups.hpp"
@@ -51,9 +53,48 @@ class Sewn {
     REQUIRE(live_groups(by_cells_) == live_groups(by_simplices_));
     REQUIRE(by_cells_.euler_characteristic() == by_simplices_.euler_characteristic());
     REQUIRE(by_cells_.first_defect().value_or("") == "");
+    if (sparse::ring_name(by_cells_.ring()) == "Z") {
+      check_subdivisions();
+    }
   }
 
  private:
+  /// The chain in the other engine, by name.
+  [[nodiscard]] CellChain subdivided(const CellChain& chain) const {
+    std::vector<std::pair<Integer, std::string>> terms;
+    for (const auto& [coefficient, cell] : chain.terms) {
+      const auto simplices = ops::in_analogue(by_cells_.structure(), cell);
+      REQUIRE(simplices.has_value());
+      for (const auto& [times, name] : *simplices) {
+        terms.emplace_back(coefficient.numerator() * Integer{times}, name);
+      }
+    }
+    const auto found = by_simplices_.chain(terms);
+    REQUIRE(found.has_value());
+    return *found;
+  }
+  /// Do boundaries of cells, parts of such as are no balls among them, and subdivisions commute?
+  void check_subdivisions() {
+    const ops::Structure& structure = by_cells_.structure();
+    for (CellId cell{0}; cell < structure.cells().size(); ++cell) {
+      if (!structure.is_current(cell) || is_deleted(structure.forest(), cell)) {
+        continue;
+      }
+      CAPTURE(structure.name(cell));
+      const CellChain alone{structure.dimension(cell), {{1, cell}}};
+      const CellChain one = by_simplices_.maps().boundary(subdivided(alone));
+      const CellChain other = subdivided(by_cells_.maps().boundary(alone));
+      REQUIRE(as_map(one) == as_map(other));
+    }
+  }
+  [[nodiscard]] static std::map<CellId, sparse::Rational> as_map(const CellChain& chain) {
+    std::map<CellId, sparse::Rational> terms;
+    for (const auto& [coefficient, cell] : chain.terms) {
+      terms.emplace(cell, coefficient);
+    }
+    return terms;
+  }
+
   Engine by_cells_, by_simplices_;
   int dimension_;
   std::vector<std::string> darts_;

@@ -38,6 +38,7 @@ struct ReplayArguments {
   bool verify = false;
   bool follow = false;
   bool keep_going = false;
+  bool in_simplices = false;
   bool quiet = false;
 };
 

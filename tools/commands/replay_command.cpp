@@ -220,7 +220,8 @@ int run_replay(Arguments& arguments, LivePages& pages, bool& is_superseded) {
   pages.open(arguments, options);
   std::unique_ptr<replay::Reporter> reporter;
   if (arguments.json) {
-    reporter = replay::json_reporter(std::cout);
+    reporter =
+        arguments.in_simplices ? replay::json_reporter_in_simplices(std::cout) : replay::json_reporter(std::cout);
   } else if (!arguments.quiet && !is_standard_output(arguments.html)) {
     reporter = replay::table_reporter(std::cout, isatty(STDOUT_FILENO) == 1);
   }
@@ -315,6 +316,10 @@ void add_replay_command(CLI::App& app, int& status) {
       "or 4 MiB later (the default), or at the end")
       ->needs(log);
   command->add_flag("--no-snapshots", arguments->no_snapshots, "Neither read nor write LOG.snapshot")->needs(log);
+  command
+      ->add_flag("--as-simplices", arguments->in_simplices,
+                 "Write chains of cells of maps in the simplices that the maps stand for")
+      ->needs("--json");
   command->add_flag("--keep-going", arguments->keep_going,
                     "After a step that is refused go on with the next one; exit status 2 at the end");
   command->add_option("--max-line", arguments->longest_line, "Refuse lines of more bytes")
