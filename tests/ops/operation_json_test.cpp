@@ -210,16 +210,16 @@ TEST_CASE("a missing field is named, in every op", "[ops]") {
 
 TEST_CASE("a field of the wrong kind is named, with what it should be and is", "[ops]") {
   const std::vector<std::pair<std::string, std::string>> lines{
-      {R"({"op":"simplex","name":3,"dim":1})", "field \"name\" of \"simplex\" should be a string, but is a number"},
+      {R"({"op":"simplex","name":3,"dim":1})", "field \"name\" of \"simplex\" should be a string, but is 3"},
       {R"({"op":"simplex","name":"t","dim":[1]})", "field \"dim\""},
       {R"({"op":"simplex","name":"t","dim":true})", "a truth value"},
       {R"({"op":"insert","simplex":"a"})", "should be a list of vertex labels, but is a string"},
-      {R"({"op":"insert","simplex":[-1]})", "labels, which are strings or integers from 0 on, but is a number"},
+      {R"({"op":"insert","simplex":[-1]})", "labels, which are strings or integers from 0 on, but is -1"},
       {R"({"op":"insert","simplex":[1.5]})", "labels"},
       {R"({"op":"insert","simplices":["a"]})", "field \"simplices\" of \"insert\" should be a list of vertex labels"},
       {R"({"op":"insert","simplices":{}})", "should be a list of simplices, [[\"a\",\"b\"],...], but is an object"},
       {R"({"op":"insert","simplices":[[null]]})", "labels, which are strings or integers from 0 on, but is null"},
-      {R"({"op":"insert","simplex":[1],"exist_ok":1})", "should be true or false, but is a number"},
+      {R"({"op":"insert","simplex":[1],"exist_ok":1})", "should be true or false, but is 1"},
       {R"({"op":"insert","simplex":[1],"simplices":[[2]]})", "\"simplex\" or a field \"simplices\", one of the two"},
       {R"({"op":"collapse","from":null,"to":1})", "field \"from\" of \"collapse\""},
       {R"({"op":"remove","cells":"t"})", "a list of cells, but is a string"},
@@ -241,7 +241,7 @@ TEST_CASE("a field of the wrong kind is named, with what it should be and is", "
       {R"({"op":"simplex","name":"t","dim":0,"at":[[0]]})", "a point"},
       {R"({"op":"simplex","name":"t","dim":0,"at":[[0,0,0,0]]})", "a point"},
       {R"({"op":"simplex","name":"t","dim":0,"at":[["0",0]]})", "a point of numbers, but is a string"},
-      {R"({"op":"simplex","name":"t","dim":0,"at":7})", "a list of points, but is a number"},
+      {R"({"op":"simplex","name":"t","dim":0,"at":7})", "a list of points, but is 7"},
       {R"({"op":"simploid","name":"t","type":2})", "a list of dimensions"},
       {R"({"op":"simploid","name":"t","type":[2,0]})", "from 1 on"},
       {R"({"op":"simploid","name":"t","type":[2,1],"at":[[0,0]]})", "should have 6 points"},
