@@ -71,6 +71,83 @@ class DepthFirst {
   std::vector<std::pair<Dart, int>> stack_;
 };
 
+/// How a connected map looks from a root: its darts are numbered breadth first, and the images of dart 0, of dart 1,
+/// and so on are what is seen, as far as anybody has looked.
+class Look {
+ public:
+  explicit Look(const GMap& map) : map_{&map}, place_(map.size(), no_dart) {}
+
+  void begin(Dart root) {
+    for (const Dart d : order_) {
+      place_[d] = no_dart;
+    }
+    order_.clear();
+    seen_ = 0;
+    meet(root);
+  }
+  [[nodiscard]] const std::vector<Dart>& order() const { return order_; }
+
+  /// Compares what is seen, image by image. Cost: as far as that is the same.
+  std::strong_ordering compare(Look& other) {
+    for (Dart k = 0; k < map_->size(); ++k) {
+      see(k);
+      other.see(k);
+      for (int i = 0; i <= map_->dimension(); ++i) {
+        const auto order = image(k, i) <=> other.image(k, i);
+        if (order != 0) {
+          return order;
+        }
+      }
+    }
+    return std::strong_ordering::equal;
+  }
+
+ private:
+  [[nodiscard]] Dart image(Dart k, int i) const { return place_[map_->alpha(i, order_[k])]; }
+  /// The images of the darts up to this one have numbers then.
+  void see(Dart k) {
+    for (; seen_ <= k; ++seen_) {
+      for (int i = 0; i <= map_->dimension(); ++i) {
+        if (const Dart next = map_->alpha(i, order_[seen_]); place_[next] == no_dart) {
+          meet(next);
+        }
+      }
+    }
+  }
+  void meet(Dart d) {
+    place_[d] = static_cast<Dart>(order_.size());
+    order_.push_back(d);
+  }
+
+  const GMap* map_;
+  std::vector<Dart> place_, order_;
+  Dart seen_ = 0;  ///< how many darts have images with numbers
+};
+
+/// Darts that automorphisms take to one another, as far as is known.
+class AlikeDarts {
+ public:
+  explicit AlikeDarts(std::size_t darts) : parent_(darts) { std::iota(parent_.begin(), parent_.end(), Dart{0}); }
+
+  /// Whether no smaller dart is known to be alike.
+  [[nodiscard]] bool is_first(Dart d) const { return parent_[d] == d; }
+  void join(Dart a, Dart b) {
+    a = first(a);
+    b = first(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  Dart first(Dart d) {
+    while (parent_[d] != d) {
+      d = parent_[d] = parent_[parent_[d]];
+    }
+    return d;
+  }
+
+  std::vector<Dart> parent_;
+};
+
 }  // namespace
 
 std::vector<Dart> darts_from(const GMap& map, Dart root, IndexSet generators) {
@@ -103,18 +180,24 @@ Dart canonical_root(const GMap& map) {
       })) {
     return 0;
   }
-  DepthFirst search(map);
-  Dart least = 0;
-  std::vector<Dart> order = search.from(0, map.indices());
-  std::vector<Dart> places = search.places();
+  Look least(map), other(map);
+  least.begin(0);
+  AlikeDarts alike(map.size());
   for (Dart d = 1; d < map.size(); ++d) {
-    if (search.compare(d, order, places) < 0) {
-      least = d;
-      order = search.from(d, map.indices());
-      places = search.places();
+    if (!alike.is_first(d)) {
+      continue;  // an automorphism takes one that was looked from to it
+    }
+    other.begin(d);
+    const std::strong_ordering order = other.compare(least);
+    if (order < 0) {
+      std::swap(other, least);
+    } else if (order == 0) {
+      for (Dart k = 0; k < map.size(); ++k) {
+        alike.join(least.order()[k], other.order()[k]);
+      }
     }
   }
-  return least;
+  return least.order().front();
 }
 
 std::optional<std::vector<Dart>> isomorphism(const GMap& from, Dart root, const GMap& to, Dart image) {

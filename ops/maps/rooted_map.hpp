@@ -28,8 +28,10 @@ namespace sesame::ops {
   return restricted_to(map, darts_from(map, root), map.dimension());
 }
 
-/// The root from which a connected map looks least, the smallest such dart: from there isomorphic maps look alike.
-/// Cost: the darts, times the involutions, for each dart that is like the least ones as far as has been seen.
+/// The root from which a connected map looks least, the smallest such dart: from there isomorphic maps look alike. What
+/// is compared are the images of the darts in the order in which a breadth first search numbers them, that takes the
+/// least index first. Cost: the darts times the involutions, times the logarithm of the number of automorphisms; and for
+/// each dart as much of the map as looks from there as from the least one so far, if it is not alike all over.
 [[nodiscard]] Dart canonical_root(const GMap& map);
 
 /// The isomorphism of two connected maps that takes one dart to another, as the image of each dart, or nothing.

@@ -134,11 +134,22 @@ def renumbered(alpha, order):
 def canonical_root(alpha):
     """The dart from which a connected map looks least; of several the one with the least number.
 
-    How it looks are the images of dart 0 under alpha_0, alpha_1, ..., then those of dart 1, and so on.
+    How it looks are the images of dart 0 under alpha_0, alpha_1, ..., then those of dart 1, and so on, when darts are
+    numbered in the order in which these images meet them.
     """
     if len(alpha) == 2:
         return 0  # a circle looks alike from everywhere
-    return min(range(len(alpha[0])), key=lambda d: (list(zip(*renumbered(alpha, walk(alpha, d)))), d))
+
+    def look(root):
+        order, place = [root], {root: 0}
+        for d in order:
+            for images in alpha:
+                if images[d] not in place:
+                    place[images[d]] = len(order)
+                    order.append(images[d])
+        return [place[images[d]] for d in order for images in alpha]
+
+    return min(range(len(alpha[0])), key=lambda d: (look(d), d))
 
 
 # ------------------------------------------------------------------------------------------------ local operations
