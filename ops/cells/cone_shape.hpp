@@ -10,7 +10,7 @@
 
 namespace sesame::ops {
 
-/// What a cell of dimension n >= 3 contributes that is a cone over a connected map whose own cells are balls.
+/// What a cell of dimension n >= 2 contributes that is a cone over a connected map whose own cells are balls.
 ///
 /// The chains of the cell, modulo its boundary, are the augmented chains of the boundary, one degree up. In their place
 /// stand those of a small model S of them, with g from S to them: a generator for each generator s of S, of the same

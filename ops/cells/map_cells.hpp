@@ -45,7 +45,7 @@ struct CellsOfMap {
 };
 
 /// From this dimension on a cell may be no ball, if it is one of the largest dimension of its map.
-inline constexpr int least_cone_dimension = 3;
+inline constexpr int least_cone_dimension = 2;
 
 /// The cells of a map by dimension. Those of the largest need be no balls where `any_on_top` says so.
 /// Errors    refused, naming a dart: a cell whose canonical boundary is no homology sphere. Cost: n^2 times the darts,

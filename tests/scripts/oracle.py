@@ -40,7 +40,7 @@ import gmaps
 from boundaries import Bounded, Hollow, Whole, dimension_of, is_simploid
 from gmaps import MapKind, Seen
 
-LEAST_HOLLOW_DIMENSION = 3  # of cells of maps that may be no balls
+LEAST_HOLLOW_DIMENSION = 2  # of cells of maps that may be no balls
 LARGEST_LISTED_DIMENSION = 62  # of a cell that is known by its boundary
 LARGEST_DIMENSION = 16  # a simplex has 2^(dim+1) - 1 cells; beyond this the oracle refuses
 
