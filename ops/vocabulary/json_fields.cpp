@@ -53,7 +53,7 @@ void Fields::finish() const {
 
 void Fields::wrong(const std::string& field, std::string_view expected, const Json& value) const {
   throw Wrong{fmt::format("field \"{}\" of {} should be {}, but is {}", field, what_, expected,
-                          value.is_number() ? value.dump() : std::string{json_kind(value)})};
+                          value.is_number_integer() ? value.dump() : std::string{json_kind(value)})};
 }
 
 std::string Fields::text(const std::string& field, const Json& value) const {

@@ -258,8 +258,10 @@ TEST_CASE("terms of a class that name the same cell are added up", "[replay]") {
 }
 
 TEST_CASE("chains of cells of maps are written in simplices where that is asked for", "[replay]") {
-  // A torus of one square, beside a triangle that is no map.
-  const std::string script = R"({"op":"polygon","name":"t","sides":4})"
+  // A torus of one square.
+  const std::string script = R"({"sesame":1,"ring":"Z"})"
+                             "\n"
+                             R"({"op":"polygon","name":"t","sides":4})"
                              "\n"
                              R"({"op":"sew","dim":2,"pairs":[["t:0","t:5"],["t:2","t:7"]]})"
                              "\n"
@@ -269,6 +271,7 @@ TEST_CASE("chains of cells of maps are written in simplices where that is asked 
                              "\n";
   const std::string out = report_on(script, replay::json_reporter_in_simplices, with_generators());
   const std::vector<std::string> lines = lines_of(out);
+  REQUIRE(lines.size() == 5);
   CHECK(Json::parse(lines[3])["class"]["zero"] == true);
   CHECK(Json::parse(lines[3])["class"]["bounds"] == Json::array());
   const Json generators = Json::parse(lines.back())["generators"];

@@ -175,7 +175,7 @@ TEST_CASE("a sponge of maps is simplified to one volume, and its groups stay", "
   for (const std::string& ring : test_rings) {
     CAPTURE(ring);
     Engine engine(ring_named(ring));
-    build(engine, {operations.begin(), operations.begin() + static_cast<std::ptrdiff_t>(assembled)});
+    build(engine, Operations(operations.begin(), operations.begin() + static_cast<std::ptrdiff_t>(assembled)));
     REQUIRE(cells_of(engine).back() == 20);
     for (std::size_t k = assembled; k < operations.size(); ++k) {
       const Counts before = cells_of(engine);
