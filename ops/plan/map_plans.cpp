@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -100,9 +99,13 @@ Status plan_by_simplices(const Wanted& wanted, const Structure& structure, const
 TypeId standard_type(const Wanted& wanted, TypeTable& types) {
   const GMap& map = wanted.map;
   const int n = map.dimension();
-  if (wanted.halves != 0 || n < 2 ||
-      !std::ranges::all_of(std::views::iota(Dart{0}, map.size()), [&](Dart d) { return map.is_free(n, d); })) {
+  if (wanted.halves != 0 || n < 2) {
     return none;
+  }
+  for (Dart d = 0; d < map.size(); ++d) {
+    if (!map.is_free(n, d)) {
+      return none;
+    }
   }
   const GMap boundary = map.restricted(n - 1);
   if (const auto order = darts_from(boundary, 0); order.size() != map.size() || !std::ranges::is_sorted(order)) {

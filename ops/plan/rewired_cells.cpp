@@ -339,8 +339,7 @@ Status RewiredCells::check_alone(int i, const OldCell& old) const {
 Status RewiredCells::finish() {
   std::erase_if(taken_, [&](CellId cell) { return kept_.contains(cell); });
   std::ranges::sort(taken_);
-  const auto [first, last] = std::ranges::unique(taken_);
-  taken_.erase(first, last);
+  taken_.erase(std::unique(taken_.begin(), taken_.end()), taken_.end());
   for (const CellId cell : taken_) {
     for (const CellId coface : cofaces(structure_, cell)) {
       if (!std::ranges::binary_search(taken_, coface)) {

@@ -217,7 +217,7 @@ std::size_t different_edges(const Solids& solids) {
     }
   }
   std::ranges::sort(edges);
-  return edges.size() - static_cast<std::size_t>(std::ranges::unique(edges).size());
+  return static_cast<std::size_t>(std::unique(edges.begin(), edges.end()) - edges.begin());
 }
 
 void add_remarks(const Solids& solids, const std::vector<std::size_t>& cells, std::vector<std::string>& remarks) {
