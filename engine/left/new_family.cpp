@@ -71,7 +71,7 @@ void append_family(ops::FamilyId id, const Structure& structure, FrozenMaps<R>& 
     return;
   }
   PairTable pairs = append_pairs(id, structure, big, rewriter);
-  if (family.kind == ops::FamilyKind::product) {
+  if (family.kind != ops::FamilyKind::simplicial_product) {
     big.append_family(std::make_unique<ProductMaps<R>>(ring, structure, id, std::move(pairs), frozen));
   } else {
     big.append_family(std::make_unique<SimplicialProductMaps<R>>(ring, structure, id, std::move(pairs), frozen));

@@ -5,13 +5,13 @@ namespace sesame::engine {
 template <Ring R>
 void ProductMaps<R>::add_F(CellId cell, const Element& factor, RawTerms<R, GeneratorId>& out) const {
   const ops::LazyKey key = this->key(cell);
-  this->add_F_of_pair(key.left.cell, key.right.cell, factor, out);
+  this->add_F_of_pair(key.left.cell, key.right.cell, signed_factor(factor, key), out);
 }
 
 template <Ring R>
 void ProductMaps<R>::add_K(CellId cell, const Element& factor, RawTerms<R, CellId>& out) const {
   const ops::LazyKey key = this->key(cell);
-  this->add_K_of_pair(key.left.cell, key.right.cell, factor, out);
+  this->add_K_of_pair(key.left.cell, key.right.cell, signed_factor(factor, key), out);
 }
 
 template <Ring R>
@@ -28,6 +28,7 @@ void ProductMaps<R>::add_K_at(CellId cell, std::span<const CellId> at, const Ele
   const auto& left = factors_.homotopy(key.left.cell);
   const Terms<R, CellId>& right = factors_.homotopy(key.right.cell).K;
   const Element sign = ring_.from(structure_.dimension(key.left.cell) % 2 == 0 ? 1 : -1);
+  const Element of_cell = signed_factor(factor, key);
   for (const CellId other : at) {
     const ops::LazyKey& over = this->key(other);
     const Element of_left = this->coefficient_at(left.GF, over.left.cell);
@@ -36,7 +37,7 @@ void ProductMaps<R>::add_K_at(CellId cell, std::span<const CellId> at, const Ele
     if (over.right.cell == key.right.cell) {
       sum = ring_.add(sum, this->coefficient_at(left.K, over.left.cell));
     }
-    out.push_back({other, ring_.multiply(factor, sum)});
+    out.push_back({other, ring_.multiply(signed_factor(of_cell, over), sum)});
   }
 }
 
@@ -47,8 +48,10 @@ void ProductMaps<R>::add_pairs(const Terms<R, CellId>& left, const Terms<R, Cell
   for (const auto& [a, coefficient_a] : left) {
     const Element scaled = ring_.multiply(factor, coefficient_a);
     for (const auto& [b, coefficient_b] : right) {
-      const CellId cell = structure_.lazy().cell(this->id_, ops::LazyPart::pair, values.plain(a), values.plain(b));
-      out.push_back({cell, ring_.multiply(scaled, coefficient_b)});
+      const ops::Incidence pair =
+          structure_.lazy().face(this->id_, ops::LazyPart::pair, values.plain(a), values.plain(b));
+      const Element product = ring_.multiply(scaled, coefficient_b);
+      out.push_back({pair.node, sign_of(pair) < 0 ? ring_.negate(product) : product});
     }
   }
 }

@@ -78,7 +78,7 @@ void Cofaces::add_of_lazy(const LazyKey& key, CellId cell, Candidates& out) cons
     }
     return;
   }
-  if (family.kind == FamilyKind::product) {
+  if (family.kind != FamilyKind::simplicial_product) {
     for (const CellId coface : of(key.left.cell)) {
       out.push_back(lazy_.cell(key.family, LazyPart::pair, structure_.values().plain(coface), key.right));
     }

@@ -258,7 +258,8 @@ bool DartStore::is_sound(const Made& map, const CellStore& nodes, const TypeTabl
         continue;
       }
       const CellId node = map.node + offset;
-      if (offset >= nodes.size() || map.node >= nodes.size() - offset || nodes.dimension(node) != dimension ||
+      if (offset >= UINT32_MAX - std::uint32_t{map.node} || !nodes.contains(node) ||
+          nodes.dimension(node) != dimension ||
           (!is_cone(nodes.type(node).type) && dart >= (map.is_by_simplices ? 1 : types.darts(nodes.type_id(node))))) {
         return false;
       }
@@ -314,7 +315,7 @@ void DartStore::load(sparse::ArchiveReader& from, const CellStore& nodes, const 
     const auto& [dimension, i, dart] = place;
     const bool is_sound =
         dimension <= largest_map_dimension && i <= dimension && dart < darts(static_cast<int>(dimension)) &&
-        seen.offset < nodes.size() && nodes.dimension(CellId{seen.offset}) == static_cast<int>(i) &&
+        nodes.contains(CellId{seen.offset}) && nodes.dimension(CellId{seen.offset}) == static_cast<int>(i) &&
         (is_cone(nodes.type(CellId{seen.offset}).type) || seen.dart < types.darts(nodes.type_id(CellId{seen.offset})));
     if (from.check(is_sound, "a dart sees a cell")) {
       sees_.emplace(place, seen);

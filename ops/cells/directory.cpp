@@ -166,9 +166,14 @@ OrderId Directory::order_of_own_name(CellId node) const {
     case LazyPart::pair:
       break;
   }
-  return lazy_.family(lazy->key.family).kind == FamilyKind::product
-             ? maps_.product(none, left, named_value(lazy->key.right.cell)).order
-             : same_order;
+  switch (lazy_.family(lazy->key.family).kind) {
+    case FamilyKind::product:
+      return maps_.product(none, left, named_value(lazy->key.right.cell)).order;
+    case FamilyKind::map_product:
+      return lazy_.face(lazy->key.family, LazyPart::pair, left, named_value(lazy->key.right.cell)).order;
+    default:
+      return same_order;
+  }
 }
 
 bool Directory::is_prefix_taken(std::string_view prefix) const {

@@ -15,6 +15,7 @@
 #include "ops/cells/journal.hpp"
 #include "ops/cells/lazy_family.hpp"
 #include "ops/cells/plan.hpp"
+#include "ops/cells/product_types.hpp"
 #include "ops/cells/values.hpp"
 #include "sparse/archive.hpp"
 
@@ -35,7 +36,8 @@ class LazyCells final : public FaceSource {
         forest_{forest},
         values_{values},
         bodies_{bodies},
-        journal_{journal} {}
+        journal_{journal},
+        products_{types} {}
 
   // ---- families
   [[nodiscard]] FamilyId families() const { return static_cast<FamilyId>(families_.size()); }
@@ -67,6 +69,10 @@ class LazyCells final : public FaceSource {
   [[nodiscard]] CellId cell(FamilyId family, LazyPart part, const Value& left, const Value& right = {}) const {
     return face(family, part, left, right).node;
   }
+  /// A cell of a product of maps as it is seen from the dart that the two values and a word of that many steps make:
+  /// see ProductDarts. `face` takes the word 0, from where the cell has the orientation of a tensor product.
+  /// Cost: the same.
+  [[nodiscard]] Incidence pair_seen(FamilyId family, const Value& left, const Value& right, std::uint32_t word) const;
   [[nodiscard]] std::span<const CellId> faces(CellId lazy) const override { return expanded(lazy).faces; }
   [[nodiscard]] std::span<const OrderId> orders(CellId lazy) const override { return expanded(lazy).orders; }
   /// Makes all lazy cells of the object: for looking at the whole of it. Cost: the cells of all families.
@@ -92,7 +98,9 @@ class LazyCells final : public FaceSource {
 
  private:
   const LazyCell& expanded(CellId lazy) const;
+  [[nodiscard]] CellId node_of(const LazyKey& key, TypeId type) const;
   [[nodiscard]] std::vector<Incidence> faces_of(const LazyKey& key) const;
+  [[nodiscard]] std::vector<Incidence> faces_of_pair_of_maps(const LazyKey& key) const;
   void make_all_of(FamilyId id) const;
   [[nodiscard]] int compare_age(CellId a, CellId b) const;
   void load_family(sparse::ArchiveReader& from, std::uint32_t most_nested);
@@ -107,6 +115,7 @@ class LazyCells final : public FaceSource {
   const Values& values_;
   const Bodies& bodies_;
   Journal& journal_;
+  ProductTypes products_;
   std::deque<LazyFamily> families_;
   mutable std::deque<LazyCell> lazy_cells_;
   mutable std::unordered_map<LazyKey, CellId, LazyKeyHash> index_;

@@ -14,6 +14,7 @@ enum class FamilyKind : std::uint8_t {
   product,             ///< cells are pairs of cells
   simplicial_product,  ///< n-simplices are pairs of values of dimension n without a common collapsed direction
   cone,                ///< the cells of some bodies, and v*c for each of them
+  map_product,         ///< cells are pairs of cells of maps, and cells of maps: see ProductShape
 };
 enum class LazyPart : std::uint8_t {
   pair,   ///< of a product

@@ -55,12 +55,19 @@ struct AbstractChange {
   std::vector<CellId> excluded;  ///< simplices that are taken away
 };
 
+/// What the darts of a factor see, by dimension and dart: values in normal form, or none where that is gone. Of a chain
+/// of maps these are the darts of each level.
+struct FactorDarts {
+  std::vector<std::vector<Value>> seen;
+};
+
 /// A map that the new cells are made for. See DartStore.
 struct NewMap {
-  GMap map;  ///< without darts: a chain of maps, whose darts of each level see cells
-  std::shared_ptr<const DartCells> cells;
+  GMap map;                                ///< without darts: a chain of maps, whose darts of each level see cells
+  std::shared_ptr<const DartCells> cells;  ///< of a product null: those are known when its family is made
   bool is_by_simplices = false;
-  Dart halves = 0;  ///< as in DartStore
+  Dart halves = 0;                                                          ///< as in DartStore
+  std::shared_ptr<const std::pair<FactorDarts, FactorDarts>> factors = {};  ///< of a product, else null
 };
 
 /// Maps that become maps of one dimension more. The offsets of cells are nodes, those of new cells their ids.

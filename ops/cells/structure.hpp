@@ -135,6 +135,7 @@ class Structure {
   void count(CellId c, int change);
   [[nodiscard]] bool has_sound_bodies() const;
   [[nodiscard]] bool has_sound_families() const;
+  [[nodiscard]] bool has_sound_factors(const LazyFamily& family) const;
   [[nodiscard]] bool has_sound_count(const LazyFamily& family) const;
   [[nodiscard]] bool has_sound_counts() const;
 

@@ -185,12 +185,32 @@ bool Structure::has_sound_families() const {
   return true;
 }
 
+/// Whether all cells of the factors of a product of maps can be multiplied.
+bool Structure::has_sound_factors(const LazyFamily& family) const {
+  for (const BodyId body : family.bodies) {
+    for (const CellId cell : lazy_.cells_of(body)) {
+      const TypeInfo& type = cells_.type(cell);
+      bool is_sound = ProductTypes::is_factor(type);
+      for (std::uint32_t k = 0; is_sound && type.dimension > 1 && k < type.faces.size(); ++k) {
+        is_sound = !values_.face_of_cell(cell, k).is_degenerate();
+      }
+      if (!is_sound) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 /// Whether a family has as many cells as the bodies that it is made of say.
 bool Structure::has_sound_count(const LazyFamily& family) const {
   const bool needs_simplices =
       family.kind == FamilyKind::simplicial_product || (family.kind == FamilyKind::cone && !family.by_edges);
   if (needs_simplices && !std::all_of(family.bodies.begin(), family.bodies.end(),
                                       [this](BodyId body) { return bodies_.has_only_simplices(body); })) {
+    return false;
+  }
+  if (family.kind == FamilyKind::map_product && !has_sound_factors(family)) {
     return false;
   }
   std::vector<std::uint64_t> expected;

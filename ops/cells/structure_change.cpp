@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ops/cells/product_darts.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::ops {
@@ -16,10 +17,11 @@ void Structure::apply(const Plan& plan) {
   BodyId new_body = none;
   if (plan.new_body || plan.family) {
     note(EventKind::body, bodies_.size());
-    const bool has_others =
-        plan.map ? !plan.map->is_by_simplices : std::ranges::any_of(plan.cells, [this](const auto& c) {
-          return !is_simploid(types().info(c.type).type);
-        });
+    const bool has_others = plan.map      ? !plan.map->is_by_simplices
+                            : plan.family ? plan.family->kind == FamilyKind::map_product
+                                          : std::ranges::any_of(plan.cells, [this](const auto& c) {
+                                              return !is_simploid(types().info(c.type).type);
+                                            });
     new_body = bodies_.add({plan.abstract.has_value(), true, has_others});
   }
   const Instant made = instant_of(forest_.links(), lazy_.families());
@@ -70,12 +72,21 @@ void Structure::apply(const Plan& plan) {
 
 void Structure::change_darts(const Plan& plan, CellId first) {
   if (plan.map) {
-    note(EventKind::darts, darts_.events());
     const std::uint32_t name = directory_.names().number_of(plan.new_body.value());  // that of the body may be older
-    if (plan.map->map.size() == 0) {
-      darts_.add_chain(name, first, plan.map->cells);
+    const bool has_levels = plan.map->map.size() == 0;
+    std::shared_ptr<const DartCells> cells = plan.map->cells;
+    CellId node = first;
+    if (const auto& factors = plan.map->factors) {
+      const FamilyId family = lazy_.families() - 1;
+      cells = std::make_shared<const DartCells>(
+          cells_of_product_darts(factors->first, factors->second, has_levels, family, lazy_, maps()));
+      node = 0;  // they are nodes
+    }
+    note(EventKind::darts, darts_.events());
+    if (has_levels) {
+      darts_.add_chain(name, node, std::move(cells));
     } else {
-      darts_.add(name, plan.map->map, first, plan.map->cells, plan.map->is_by_simplices, plan.map->halves);
+      darts_.add(name, plan.map->map, node, std::move(cells), plan.map->is_by_simplices, plan.map->halves);
     }
   }
   if (!plan.extended.empty()) {
@@ -123,7 +134,7 @@ void Structure::note_orders(const Plan& plan, CellId first) {
   }
   if (plan.family) {
     for (const BodyId body : plan.family->bodies) {
-      if (!bodies_.kind(body).keeps_orders) {
+      if (!bodies_.kind(body).keeps_orders || plan.family->kind == FamilyKind::map_product) {
         lower(bodies_.size() - 1);
       }
     }

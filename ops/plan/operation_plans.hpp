@@ -21,7 +21,9 @@ Status plan_complex(const MakeComplex& operation, const Structure& structure, co
 Status plan_cone(const MakeCone& operation, const Structure& structure, const Limits& limits, Plan& plan);
 Status plan_suspension(const MakeSuspension& operation, const Structure& structure, const Limits& limits, Plan& plan);
 // product.cpp
-Status plan_product(const MakeProduct& operation, const Structure& structure, Plan& plan);
+Status plan_product(const MakeProduct& operation, const Structure& structure, const Limits& limits, Plan& plan);
+// map_product_plan.cpp: of bodies with cells of maps. Looks at these, and adds the darts, if the factors have some.
+Status plan_map_product(const NewFamily& family, const Structure& structure, const Limits& limits, Plan& plan);
 // map_plans.cpp
 Status plan_map(const MakeGMap& operation, const Structure& structure, const Limits& limits, Plan& plan);
 Status plan_map(const MakeMap& operation, const Structure& structure, const Limits& limits, Plan& plan);

@@ -87,7 +87,7 @@ Status Planner::plan(const MakeSuspension& operation, Plan& plan) {
 }
 
 Status Planner::plan(const MakeProduct& operation, Plan& plan) {
-  return plan_product(operation, structure_, cleared(plan));
+  return plan_product(operation, structure_, limits_, cleared(plan));
 }
 
 Status Planner::plan(const Identify& operation, Plan& plan) {

@@ -47,7 +47,7 @@ std::uint64_t simplices_of_product(BodyId left, BodyId right, const Structure& s
 
 }  // namespace
 
-Status plan_product(const MakeProduct& operation, const Structure& structure, Plan& plan) {
+Status plan_product(const MakeProduct& operation, const Structure& structure, const Limits& limits, Plan& plan) {
   if (Status s = check_new_prefix(operation.name, structure); !s) {
     return s;
   }
@@ -56,19 +56,23 @@ Status plan_product(const MakeProduct& operation, const Structure& structure, Pl
   if (!left || !right) {
     return left ? right.error() : left.error();
   }
-  for (const BodyId body : {*left, *right}) {
-    if (Status s = check_simploids(body, "a product", structure); !s) {
-      return s;
-    }
-  }
+  const auto has_others = [&](BodyId body) { return structure.bodies().kind(body).has_others; };
+  const bool is_of_maps = has_others(*left) || has_others(*right);
   if (operation.simplicial) {
+    for (const BodyId body : {*left, *right}) {
+      if (Status s = check_simploids(body, "a simplicial product", structure); !s) {
+        return s;
+      }
+    }
     for (const auto& [body, name] : {std::pair{*left, operation.left}, std::pair{*right, operation.right}}) {
       if (Status s = check_triangulable(body, name, structure); !s) {
         return s;
       }
     }
   }
-  const FamilyKind kind = operation.simplicial ? FamilyKind::simplicial_product : FamilyKind::product;
+  const FamilyKind kind = operation.simplicial ? FamilyKind::simplicial_product
+                          : is_of_maps         ? FamilyKind::map_product
+                                               : FamilyKind::product;
   NewFamily product{kind, operation.name, {*left, *right}, false, {}, 0};
   const Counts lefts = structure.bodies().counts(*left);
   const Counts rights = structure.bodies().counts(*right);
@@ -82,6 +86,11 @@ Status plan_product(const MakeProduct& operation, const Structure& structure, Pl
   }
   if (!operation.simplicial) {
     product.simploids = total(product.counts) - simplices_of_product(*left, *right, structure);
+  }
+  if (is_of_maps) {
+    if (Status s = plan_map_product(product, structure, limits, plan); !s) {
+      return s;
+    }
   }
   plan.new_body = operation.name;
   plan.family = std::move(product);

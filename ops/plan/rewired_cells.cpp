@@ -9,7 +9,6 @@
 #include "ops/cells/cofaces.hpp"
 #include "ops/cells/cone_parts.hpp"
 #include "ops/cells/map_cells.hpp"
-#include "ops/cells/name_text.hpp"
 #include "ops/maps/rooted_map.hpp"
 #include "ops/plan/cone_cells.hpp"
 #include "ops/plan/new_cells.hpp"
@@ -138,7 +137,7 @@ Status RewiredCells::add_old_cell(int i, Dart d) {
   if (Status s = check_seen(i, old); !s) {
     return s;
   }
-  const Dart naming = dart_called(structure_.name(old.cell), i);
+  const Dart naming = naming_.of(structure_.forest().oldest(old.cell), i, map_.dimension());
   old.naming = std::ranges::binary_search(old.darts, naming) ? naming : no_dart;
   old_.push_back(std::move(old));
   return Done{};
@@ -165,18 +164,6 @@ Status RewiredCells::check_seen(int i, const OldCell& old) const {
     }
   }
   return Done{};
-}
-
-/// Of maps of this dimension, or no_dart.
-Dart RewiredCells::dart_called(const std::string& name, int i) const {
-  const auto split = split_dart(name);
-  const DartStore::Made* map =
-      map_named(structure_, split ? std::string_view{name}.substr(0, split->length) : std::string_view{name});
-  if (map == nullptr || map->dimension != map_.dimension() || (split && split->dimension != i)) {
-    return no_dart;
-  }
-  const Dart dart = split ? dart_of_text(*map, split->dart) : 0;
-  return dart == no_dart ? no_dart : map->first + dart;
 }
 
 Status RewiredCells::add_cell(int i, Dart d) {
@@ -321,7 +308,7 @@ Status RewiredCells::make_cone(const CellBoundary& boundary, const std::vector<D
 Status RewiredCells::check_alone(int i, const OldCell& old) const {
   bool is_alone = true;
   structure_.forest().for_each_member(old.cell, [&](CellId node) {
-    const Dart dart = dart_called(structure_.directory().own_name(node), i);
+    const Dart dart = naming_.of(node, i, map_.dimension());
     if (dart == no_dart) {
       is_alone = false;
     } else if (!old_of_.contains(dart) && !structure_.darts().taken_out_with(map_.dimension(), dart)) {

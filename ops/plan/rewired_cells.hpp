@@ -11,6 +11,7 @@
 
 #include "ops/maps/cell_boundary.hpp"
 #include "ops/plan/cone_cells.hpp"
+#include "ops/plan/naming_darts.hpp"
 #include "ops/plan/rewired_map.hpp"
 #include "sparse/result.hpp"
 
@@ -27,7 +28,7 @@ class RewiredCells {
   /// `name(i, dart)`: that of a new cell after a dart.
   RewiredCells(const RewiredMap& map, const Structure& structure, std::function<std::string(int, Dart)> name,
                Plan& plan)
-      : map_{map}, structure_{structure}, name_{std::move(name)}, plan_{plan} {}
+      : map_{map}, structure_{structure}, naming_{structure}, name_{std::move(name)}, plan_{plan} {}
 
   /// New cells, what darts see newly, and deletions, into the plan.
   /// Errors    refused, naming a dart: a new cell is no ball, and should be one; cells have been split, or glued to
@@ -68,12 +69,12 @@ class RewiredCells {
   [[nodiscard]] SeenFace face_seen_after(int i, Dart d) const;
   [[nodiscard]] std::vector<Value> faces_of(CellId cell) const;
   [[nodiscard]] SeenCell face_at(const std::vector<Value>& faces, TypeId type, Dart place) const;
-  [[nodiscard]] Dart dart_called(const std::string& name, int i) const;
   void see(int i, Dart d, CellId cell, Dart place);
   [[nodiscard]] std::string text(Dart d) const;
 
   const RewiredMap& map_;
   const Structure& structure_;
+  NamingDarts naming_;
   std::function<std::string(int, Dart)> name_;
   Plan& plan_;
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "ops/cells/name_text.hpp"
 #include "ops/plan/cone_cells.hpp"
+#include "ops/plan/naming_darts.hpp"
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/sewing.hpp"
@@ -24,7 +24,7 @@ namespace {
 class UnsewingPlanner {
  public:
   UnsewingPlanner(const Structure& structure, Plan& plan)
-      : structure_{structure}, store_{structure.darts()}, plan_{plan} {}
+      : structure_{structure}, store_{structure.darts()}, naming_{structure}, plan_{plan} {}
 
   Status run(const Unsew& operation) {
     for (const std::string& name : operation.darts) {
@@ -207,28 +207,18 @@ class UnsewingPlanner {
 
   /// Whether a node was made for a dart that sees another one by now, or is there no more.
   [[nodiscard]] bool is_left_behind(int i, CellId node) const {
-    const std::string own = structure_.directory().own_name(node);
-    const auto split = split_dart(own);
-    const DartStore::Made* map =
-        map_named(structure_, split ? std::string_view{own}.substr(0, split->length) : std::string_view{own});
-    const Dart dart = map == nullptr ? no_dart : split ? dart_of_text(*map, split->dart) : 0;
-    if (dart == no_dart || (split && split->dimension != i)) {
+    const Dart dart = naming_.of(node, i, dimension_);
+    if (dart == no_dart) {
       return false;
     }
-    const auto sees = seen_from_dart(structure_, *map, i, map->first + dart);
-    return (sees && sees->cell != node) || store_.taken_out_with(map->dimension, map->first + dart);
+    const auto sees = seen_from_dart(structure_, store_.map_of(dimension_, dart), i, dart);
+    return (sees && sees->cell != node) || store_.taken_out_with(dimension_, dart);
   }
 
   /// The dart that the cell is called by, or any of these.
   [[nodiscard]] Dart naming_dart(int i, CellId cell, const std::vector<Dart>& darts) const {
-    const std::string called = structure_.name(cell);
-    for (const Dart d : darts) {
-      if (called == cell_name(i, d) ||  // the face of a polygon is called as that is
-          called == structure_.directory().names()[store_.map_of(dimension_, d).name].text) {
-        return d;
-      }
-    }
-    return darts[0];
+    const Dart naming = naming_.of(structure_.forest().oldest(cell), i, dimension_);
+    return std::ranges::binary_search(darts, naming) ? naming : darts[0];
   }
   [[nodiscard]] std::string cell_name(int i, Dart d) const {
     const DartStore::Made& map = store_.map_of(dimension_, d);
@@ -376,6 +366,7 @@ class UnsewingPlanner {
 
   const Structure& structure_;
   const DartStore& store_;
+  NamingDarts naming_;
   Plan& plan_;
   int dimension_ = 0;
   std::set<Dart> unsewn_;

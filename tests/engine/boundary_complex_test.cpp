@@ -137,7 +137,7 @@ TEST_CASE("cells that are known by equal boundaries are glued, face by face") {
   carry_out(engine, R"({"op":"cone","apex":"x","over":"p"})");
   CHECK(live_groups(engine) == Groups{{2, {}}, {1, {}}, {1, {}}});
   CHECK(says(why_refused(engine, R"({"op":"product","name":"y","left":"k","right":"p"})"),
-             "cells that are no simploids"));
+             "is known by its boundary: a product is one of"));
 }
 
 TEST_CASE("a split leaves the boundary of every cell a cycle") {

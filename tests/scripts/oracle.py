@@ -37,6 +37,7 @@ sys.dont_write_bytecode = True
 import boundaries
 import chains
 import gmaps
+import products
 from boundaries import Bounded, Hollow, Whole, dimension_of, is_simploid
 from gmaps import MapKind, Seen
 
@@ -487,7 +488,11 @@ class State:
         self.orders = {}  # frozenset of labels -> tuple of them; a simplex is a name as well: its frozenset
         self.standard = {}  # name of a simplex or simploid -> its type
         self.cones = {}  # apex -> Cone
-        self.products = {}  # name -> (simplicial, left table, right table), tables as those of cones
+        # name -> (simplicial, left table, right table, shapes), tables as those of cones; shapes: None, or of cells of maps
+        # {canonical name: its shape}
+        self.products = {}
+        self.levels = {}  # name of a chain of maps by cells -> the numbers of darts of its levels
+        self.made_for = {}  # name of a cell of a product of maps -> (dimension, the least dart that saw it then)
         self.abstract = set()  # numbers of abstract bodies, of their roots
         self.maps = {}  # name -> MadeMap, in the order in which they were made
         self.alpha = {}  # dart, as (name of its map, number) -> the tuple of its images
@@ -509,6 +514,8 @@ class State:
         other.standard = dict(self.standard)
         other.cones = dict(self.cones)
         other.products = dict(self.products)
+        other.levels = dict(self.levels)
+        other.made_for = dict(self.made_for)
         other.abstract = set(self.abstract)
         other.maps = dict(self.maps)
         other.alpha = dict(self.alpha)
@@ -608,7 +615,7 @@ class State:
         return Reading(f"{apex}*{found[0]}", cone_shape(found[1], cone.simplicial))
 
     def pair_reading(self, product, inside):
-        simplicial, *tables = self.products[product]
+        simplicial, *tables, shapes = self.products[product]
 
         def part(text, table):
             found = self.read_in(text, table)
@@ -629,6 +636,10 @@ class State:
             if not right or (simplicial and type_of(left[1]) != type_of(right[1])):
                 continue
             (a, mine, _), (b, other, _) = left, right
+            key = f"{product}.({a}|{b})"
+            if shapes is not None:
+                seen = products.shape_of_pair(mine, other)
+                return Reading(key, fill(seen, inverse(shapes[key])) if seen else None)
             if not simplicial:
                 return Reading(f"{product}.({a}|{b})", mine + other)
             pairs = list(zip(sum(mine, ()), sum(other, ())))
@@ -1378,7 +1389,10 @@ def op_product(state, step, _prime):
     state.check_prefix(name)
     bodies = [state.find_body(step["left"]), state.find_body(step["right"])]
     if not state.mapped.isdisjoint(bodies):
-        raise ScriptError("there is no product of maps by their cells")
+        if kind == "simplicial":
+            raise ScriptError("there is no simplicial product of cells of maps")
+        product_of_maps(state, name, bodies)
+        return
     first, second = map(state.cells_of_body, bodies)
     if kind == "simplicial":
         if not state.disordered.isdisjoint(bodies):
@@ -1416,7 +1430,141 @@ def op_product(state, step, _prime):
                 state.check_free(alias)
                 cell = state.plain(numbers[key])
                 state.names[alias] = cell if kind == "simplicial" else (cell[0], pair[0][1] + pair[1][1])
-    state.products[name] = (kind == "simplicial", *tables)
+    state.products[name] = (kind == "simplicial", *tables, None)
+
+
+def product_of_maps(state, name, bodies):
+    """The product of bodies with cells of maps: a map again, where both have darts."""
+    first, second = map(state.cells_of_body, bodies)
+    for c in first + second:
+        kind = state.cells[c].kind
+        if not isinstance(kind, MapKind) and kind not in ((), (1,)):
+            raise ScriptError(f'"{state.cells[c].name}" is no cell of a map that is a ball')
+        if isinstance(kind, MapKind) and any(map(is_degenerate, state.faces(c))):
+            raise ScriptError(f'"{state.cells[c].name}" has a degenerate face')
+    factors = [darts_of_factor(state, body) for body in bodies]
+    aliases = {c: {} for c in first + second}
+    for alias, value in state.names.items():
+        if value and value[0] in aliases and not is_degenerate(value) and isinstance(alias, str):
+            aliases[value[0]][alias] = value[1]
+    tables = [{key: (state.cells[value[0]].name, value[1]) for key, value in state.names.items()
+               if value and value[0] in set(side)} for side in (first, second)]
+    cells = dict(state.cells)
+    for alias, value in state.names.items():
+        if value and value[0] in aliases:
+            state.names[alias] = None
+    for c in aliases:
+        del state.cells[c]
+    state.consumed.update(bodies)
+    body = state.new_body(name)
+    state.mapped.add(body)
+    numbers, shapes = {}, {}
+    pairs = sorted(itertools.product(first, second), key=lambda pair: pair)
+    numbers.update((pair, state.created + n) for n, pair in enumerate(pairs))
+
+    def face_at(pair, side, dart):
+        cell = cells[pair[side]]
+        if isinstance(cell.kind, MapKind):
+            return face_at_dart(cell.kind, cell.faces, dart)
+        return cell.faces[dart]
+
+    for a, b in pairs:
+        kinds = cells[a].kind, cells[b].kind
+        kind, _ = products.kind_of_pair(*kinds)
+        faces = []
+        if kind != ():
+            for left, right, word in products.faces_of_pair(*kinds, functools.partial(face_at, (a, b)), roots_of_faces):
+                over = a if left[0] is None else left[0], b if right[0] is None else right[0]
+                faces.append((numbers[over], products.shape_of_pair(left[1], right[1], word)))
+        key = f"{name}.({cells[a].name}|{cells[b].name})"
+        number = state.add(key, kind, faces, body)
+        shapes[key] = products.shape_of_pair(aliases[a][cells[a].name], aliases[b][cells[b].name])
+        for (one, mine), (other, theirs) in itertools.product(aliases[a].items(), aliases[b].items()):
+            alias = f"{name}.({one}|{other})"
+            if alias != key:
+                state.check_free(alias)
+            state.names[alias] = number, products.shape_of_pair(mine, theirs)
+    state.products[name] = (False, *tables, shapes)
+    if factors[0] and factors[1] and factors[0].alpha is None and factors[1].alpha is None:
+        add_levels_of_product(state, name, numbers, factors)
+    elif factors[0] and factors[1] and factors[0].alpha and factors[1].alpha:
+        add_darts_of_product(state, name, numbers, factors)
+
+
+# seen: by dimension what each dart sees, a value, or None where that is gone. alpha: lists of images; None of a chain.
+Factor = collections.namedtuple("Factor", "seen alpha")
+
+
+def darts_of_factor(state, body):
+    """Those of the maps of a body, or of its chains of maps, one after the other; None where it has none, or several kinds."""
+
+    def seen(name, i, text):
+        value = state.names.get(dart_cell_name(name, i, text))
+        return value if value and not is_degenerate(value) else None
+
+    def is_here(name, dimension, texts):
+        cells = (seen(name, i, text) for i in range(dimension + 1) for text in texts(i))
+        cell = next((value[0] for value in cells if value), None)
+        return cell is not None and state.body_root(state.cells[cell].body) == body
+
+    maps = [name for name, made in state.maps.items()
+            if made.glued is None and is_here(name, made.dimension, lambda _, made=made: made.texts)]
+    levels = [name for name, sizes in state.levels.items() if is_here(name, len(sizes) - 1, lambda i, s=sizes: range(s[i]))]
+    if bool(maps) == bool(levels) or len({state.maps[name].dimension for name in maps}) > 1:
+        return None
+    if levels:
+        largest = max(len(state.levels[name]) for name in levels)
+        return Factor([[seen(name, i, d) for name in levels if i < len(state.levels[name])
+                        for d in range(state.levels[name][i])] for i in range(largest)], None)
+    n = state.maps[maps[0]].dimension
+    darts = [(name, k) for name in maps for k in range(len(state.maps[name].texts))]
+    number = {d: k for k, d in enumerate(darts)}
+    alpha = [[number.get(state.alpha[d][i], number[d]) for d in darts] for i in range(n + 1)]
+    return Factor([[seen(name, i, state.maps[name].texts[k]) for name, k in darts] for i in range(n + 1)], alpha)
+
+
+def pair_at(numbers, left, right, word):
+    """What a dart of a product sees, of what darts of the factors see."""
+    if left is None or right is None:
+        return None
+    return numbers[left[0], right[0]], products.shape_of_pair(left[1], right[1], word)
+
+
+def add_darts_of_product(state, name, numbers, factors):
+    darts, alpha = products.product(factors[0].alpha, factors[1].alpha)
+    for i in range(len(alpha)):
+        for k in range(len(darts)):
+            state.check_free(dart_cell_name(name, i, k))
+    keys = {}  # of the cells made
+    for key, value in state.names.items():
+        if isinstance(key, str) and key.startswith(name + ".(") and value:
+            keys.setdefault(value[0], []).append(key)
+    state.alpha.update({(name, d): tuple((name, images[d]) for images in alpha) for d in range(len(darts))})
+    for i in range(len(alpha)):
+        for k, (d, e, word) in enumerate(darts):
+            a = sum(word[:i])
+            value = pair_at(numbers, factors[0].seen[a][d], factors[1].seen[i - a][e], word[:i])
+            if value is not None:
+                state.names[dart_cell_name(name, i, k)] = value
+                for key in keys[value[0]]:
+                    state.made_for.setdefault(key, (i, (name, k)))
+    state.maps[name] = MadeMap(len(alpha) - 1, tuple(map(str, range(len(darts)))), None)
+
+
+def add_levels_of_product(state, name, numbers, factors):
+    left, right = (factor.seen for factor in factors)
+    sizes = []
+    for n in range(len(left) + len(right) - 1):
+        k = 0
+        for a in range(max(0, n - len(right) + 1), min(n, len(left) - 1) + 1):
+            for d, e, word in products.darts(len(left[a]), a, len(right[n - a]), n - a):
+                state.check_free(dart_cell_name(name, n, k))
+                value = pair_at(numbers, left[a][d], right[n - a][e], word)
+                if value is not None:
+                    state.names[dart_cell_name(name, n, k)] = value
+                k += 1
+        sizes.append(k)
+    state.levels[name] = tuple(sizes)
 
 
 # ------------------------------------------------------------------------------------------------ maps
@@ -1641,6 +1789,7 @@ def add_cells_of_levels(state, name, levels, body, called, order_of=lambda i, ce
             for d, place in cell.darts.items():
                 state.names[dart_cell_name(name, i, d)] = number, gmaps.shape_from(cell.kind, place)
     state.mapped.add(body)
+    state.levels[name] = tuple(level.size for level in levels)
 
 
 def op_incidence(state, step, _prime):
@@ -1848,22 +1997,29 @@ def split_cells(state, i, before, free, below, rank):
         if any(seen_by(state, i, d)[0] != whole[0] for d in darts):
             raise ScriptError("other steps have split what is unsewn")
         names = {dart_cell_name(d[0], i, dart_text(state, d)): d for d in darts}
+        others = set()
         called = state.cells[whole[0]].name
         above = {seen_by(state, i + 1, d)[0] for d in darts}
         if any(c not in above and not state.is_hollow(c) and any(face[0] == whole[0] for face in cell.faces)
                for c, cell in state.cells.items()):
             raise ScriptError(f'"{called}" is a face of what is no cell of its map')
+        for name, (dimension, d) in state.made_for.items():  # cells of products are called in two ways
+            is_name = dimension == i and state.names[name] and state.names[name][0] == whole[0]
+            if is_name and (d in darts or seen_by(state, i, d)[0] != whole[0]):
+                others.add(name)
         # A polygon gives its face one more name.
         names.update((d[0], d) for d in darts if i == 2 and d[1] == 0 and d[0] in state.names)
         if is_degenerate(whole) or any(value and value[0] == whole[0] and not is_degenerate(value) and key not in names
-                                       for key, value in state.names.items()):
+                                       and key not in others for key, value in state.names.items()):
             raise ScriptError(f'"{called}" is glued to other cells, and not only by sewing')
         parts = []
         for d in sorted(darts, key=lambda d: (rank[d[0]], d[1])):
             if not any(d in part for part in parts):
                 parts.append(orbit_of(state.alpha, d, i))
+        naming = names.get(called, state.made_for.get(called, (i, None))[1])
+        naming = naming if naming in darts else min(darts, key=lambda d: (rank[d[0]], d[1]))
         for part in parts:
-            if names[called] not in part:
+            if naming not in part:
                 add_part(state, i, whole[0], sorted(part, key=lambda d: (rank[d[0]], d[1])), names, copies)
     return copies
 

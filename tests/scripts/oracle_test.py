@@ -543,10 +543,11 @@ def solid(name, kind):
 
 
 def groups_of_analogue(state):
-    """(betti, torsion) of the simplicial analogue of all maps as they are sewn now."""
+    """(betti, torsion) of the simplicial analogue of all maps as they are sewn now, but for factors of products."""
     total = oracle.Oracle()
-    for n in {made.dimension for made in state.maps.values()}:
-        darts = [d for d in state.alpha if state.maps[d[0]].dimension == n]
+    consumed = {name for name in state.maps if state.names.get(f"{name}.0:{state.maps[name].texts[0]}", name) is None}
+    for n in {made.dimension for name, made in state.maps.items() if name not in consumed}:
+        darts = [d for d in state.alpha if state.maps[d[0]].dimension == n and d[0] not in consumed]
         number = {d: k for k, d in enumerate(darts)}
         alpha = [[number[state.alpha[d][i]] for d in darts] for i in range(n + 1)]
         total.apply({"op": "gmap", "name": f"m{n}", "alpha": alpha, "as": "simplices"})
@@ -585,18 +586,56 @@ class MapsTest(unittest.TestCase):
         for seed in range(16):
             writer = random_script.WriterOfMaps(seed, "Z")
             writer.weights = {"polygon": 4, "solid": 1, "surface": 1, "closed_surface": 2, "small_map": 1, "nmap": 2,
-                              "sew": 10, "unsew": 3, "extend": 2, "undo": 1}
-            writer.of_maps = writer.weights  # no chains of maps
+                              "sew": 10, "unsew": 3, "extend": 2, "undo": 1, "map_product": 3}
+            writer.of_maps = writer.weights  # no chains of maps, but in products
             writer.write(20)
             twin = oracle.Oracle()
             for step in writer.lines[1:]:
                 report = twin.apply(step)
                 self.assertIsNone(twin.state.broken_law())
-                if len(twin.state.alpha) < 150:
+                has_darts = not twin.state.levels and all(name in twin.state.maps for name in twin.state.products)
+                if len(twin.state.alpha) < 150 and has_darts:
                     self.assertEqual(without_zeros(report["betti"], report["torsion"]), groups_of_analogue(twin.state), seed)
                     compared[step["op"]] += 1
                     compared["hollow"] += any(map(twin.state.is_hollow, twin.state.alive()))
-        self.assertTrue(all(compared[op] > 3 for op in ("polygon", "sew", "unsew", "extend", "hollow")), compared)
+        operations = ("polygon", "sew", "unsew", "extend", "hollow", "product")
+        self.assertTrue(all(compared[op] > 3 for op in operations), compared)
+
+    def test_products_of_maps_are_what_kunneth_says_and_maps_again(self):
+        compared = collections.Counter()
+        for seed in range(30):
+            writer = random_script.WriterOfMaps(seed, "Z")
+            writer.weights = {"polygon": 3, "closed_surface": 2, "small_map": 2, "nmap": 2, "chain": 1, "sew": 8, "map_product": 4}
+            writer.of_maps = writer.weights
+            writer.write(14)
+            twin = oracle.Oracle()
+            for step in writer.lines[1:]:
+                before = twin.state
+                twin.apply(step)
+                if step["op"] != "product":
+                    continue
+                state = twin.state
+                self.assertIsNone(state.broken_law())
+                sides = [before.cells_of_body(before.find_body(step[side])) for side in ("left", "right")]
+                groups = homology_of(state, state.cells_of_body(state.find_body(step["name"])))
+                self.assertEqual(without_zeros(*groups), kunneth(*(homology_of(before, side) for side in sides)), seed)
+                if step["name"] in state.maps:
+                    name, made = step["name"], state.maps[step["name"]]
+                    for k in range(0, len(made.texts), 5):
+                        for i in range(1, made.dimension + 1):
+                            value = state.value(f"{name}.{i}:{k}")
+                            self.assertEqual(state.face(value, 0, 0), state.value(f"{name}.{i - 1}:{k}"))
+                compared["with darts" if step["name"] in state.maps else "without"] += 1
+        self.assertTrue(all(compared[kind] > 3 for kind in ("with darts", "without")), compared)
+
+    def test_products_are_refused_of_what_is_no_ball_and_of_mixed_cells(self):
+        torus = "gmap", {"name": "T", "alpha": [[1, 0, 3, 2, 5, 4, 7, 6], [7, 2, 1, 4, 3, 6, 5, 0],
+                                                [5, 4, 7, 6, 1, 0, 3, 2], [0, 1, 2, 3, 4, 5, 6, 7]]}
+        self.refuses(torus, polygon("p", 3), ("product", {"name": "P", "left": "T", "right": "p"}))
+        self.refuses(polygon("p", 3), simplex("t", 2), product("p", "t", "simploidal"))
+        self.refuses(polygon("p", 3), polygon("q", 3), product("p", "q", "simplicial"))
+        self.refuses(polygon("p", 3), polygon("q", 3), squash("q.1:0", 0), product("p", "q", "simploidal"))
+        self.assertEqual(found(run(polygon("p", 3), simplex("e", 1), product("p", "e", "simploidal"))), ([6, 9, 5, 1], [1], []))
 
     def test_cells_that_are_no_balls_are_refused(self):
         square = [[1, 0, 3, 2, 5, 4, 7, 6], [7, 2, 1, 4, 3, 6, 5, 0]]

@@ -850,10 +850,10 @@ class WriterOfMaps(WriterOfAll):
     """Maps are made and sewn, unsewn and extended, beside all that others do."""
 
     of_maps = {"polygon": 8, "solid": 3, "surface": 2, "closed_surface": 4, "small_map": 2, "nmap": 2, "chain": 3,
-               "incidence": 3, "sew": 22, "unsew": 8, "extend": 5}
+               "incidence": 3, "sew": 22, "unsew": 8, "extend": 5, "map_product": 4}
     weights = {**WriterOfAll.weights, "product": 1, "simploid": 1, "loops": 0, "moore": 0, "simplex": 2, "cw": 1, **of_maps}
     growing = (*WriterOfAll.growing, "cw", "polygon", "solid", "surface", "closed_surface", "small_map", "nmap", "chain",
-               "incidence")
+               "incidence", "map_product")
     last_surface = None
 
     def write(self, steps):
@@ -982,6 +982,38 @@ class WriterOfMaps(WriterOfAll):
             self.random.shuffle(below)
         return self.make({"op": "incidence", "name": self.fresh("g"),
                           "cells": [{"id": ident, **({"faces": below} if below else {})} for ident, below in listed]})
+
+    def map_product(self):
+        """Of two bodies with cells of maps, or of one and a circle or a segment that is made for it."""
+        state = self.oracle.state
+        if self.random.random() < 0.5:
+            size, closed = self.random.choice([1, 1, 2, 3]), self.random.random() < 0.5
+            pairs = [d ^ 1 for d in range(2 * size)]
+            turns = gmaps.polygon(size)[1]
+            if not closed:
+                turns[0], turns[-1] = 0, 2 * size - 1
+            step = {"op": "gmap", "name": self.fresh("g"), "alpha": [pairs, turns]}
+            if self.random.random() < 0.2:  # with levels
+                vertices = [(d + 1) // 2 % size if closed else (d + 1) // 2 for d in range(2 * size)]
+                levels = [{"darts": size if closed else size + 1}, {"alpha": [pairs], "sigma": vertices}]
+                step = {"op": "chain_of_maps", "name": step["name"], "levels": levels}
+            self.attempt(step)
+        state = self.oracle.state
+        sizes = {}
+        for name in self.usable_bodies():
+            body = state.find_body(name)
+            if body in state.mapped or len(state.cells_of_body(body)) < 4:
+                factor = oracle.darts_of_factor(state, body)
+                sizes[name] = max(len(factor.seen[-1]), 1) if factor else 1, len(state.cells_of_body(body))
+        pairs = [(left, right) for left, (darts, cells) in sizes.items() for right, (others, more) in sizes.items()
+                 if darts * others <= 160 and 0 < cells * more <= 60]
+        if not pairs:
+            return False
+        left, right = self.random.choice(pairs)
+        names = [sum(1 for value in state.names.values()
+                     if value and state.body_root(state.cells[value[0]].body) == state.find_body(name)) for name in (left, right)]
+        return names[0] * names[1] <= 3000 and self.attempt(
+            {"op": "product", "name": self.fresh("P"), "left": left, "right": right})
 
     def dart_text(self, dart):
         return f"{dart[0]}:{oracle.dart_text(self.oracle.state, dart)}"

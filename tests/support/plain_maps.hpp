@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ops/maps/cell_surgery.hpp"
+#include "ops/maps/map_product.hpp"
 #include "ops/maps/orbits.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/groups.hpp"
@@ -29,15 +30,14 @@ class PlainMaps {
   Engine& engine() { return engine_; }
   void make(const std::string& name, const GMap& map) {
     (void)apply(make_map(name, map)).value();
-    const auto first = static_cast<Dart>(names_.size());
-    for (std::size_t i = 0; i < alpha_.size(); ++i) {
-      for (const Dart image : map.involutions()[i]) {
-        alpha_[i].push_back(first + image);
-      }
-    }
-    for (Dart d = 0; d < map.size(); ++d) {
-      names_.push_back(dart_name(name, d));
-    }
+    add(name, map);
+  }
+  /// The product of two maps that are made for it.
+  void make_product(const std::string& name, const GMap& left, const GMap& right) {
+    (void)apply(make_map(name + "l", left)).value();
+    (void)apply(make_map(name + "r", right)).value();
+    (void)apply(ops::MakeProduct{name, name + "l", name + "r"}).value();
+    add(name, ops::product(left, right));
   }
   /// Whether something has happened.
   bool step(Random& random) {
@@ -118,6 +118,18 @@ class PlainMaps {
   }
 
  private:
+  void add(const std::string& name, const GMap& map) {
+    const auto first = static_cast<Dart>(names_.size());
+    for (std::size_t i = 0; i < alpha_.size(); ++i) {
+      for (const Dart image : map.involutions()[i]) {
+        alpha_[i].push_back(first + image);
+      }
+    }
+    for (Dart d = 0; d < map.size(); ++d) {
+      names_.push_back(dart_name(name, d));
+    }
+  }
+
   [[nodiscard]] std::string cell_of(int i, Dart d) const {
     std::string name = names_[d];
     return name.replace(name.find(':'), 1, "." + std::to_string(i) + ":");
