@@ -14,6 +14,8 @@ using namespace sesame::tests;
 
 namespace {
 
+using Lines = std::vector<std::string>;
+
 GMap ring_of(Dart edges) { return ops::polygon(edges).restricted(1); }
 GMap segment_map() { return *GMap::make({{1, 0}, {0, 1}}); }
 
@@ -156,9 +158,10 @@ TEST_CASE("maps that are products are sewn, unsewn and changed locally as others
 
 TEST_CASE("what is glued in a factor is glued in the product", "[engine][maps][product]") {
   Engine engine(ring_named("Z"));
-  build(engine, {R"({"op":"polygon","name":"a","sides":4})", R"({"op":"polygon","name":"b","sides":4})",
-                 R"({"op":"sew","dim":2,"pairs":[["a:0","b:1"]]})", R"({"op":"gmap","name":"s","alpha":[[1,0],[0,1]]})",
-                 R"({"op":"product","name":"P","left":"a","right":"s"})"});
+  build(engine,
+        Lines{R"({"op":"polygon","name":"a","sides":4})", R"({"op":"polygon","name":"b","sides":4})",
+              R"({"op":"sew","dim":2,"pairs":[["a:0","b:1"]]})", R"({"op":"gmap","name":"s","alpha":[[1,0],[0,1]]})",
+              R"({"op":"product","name":"P","left":"a","right":"s"})"});
   CHECK(counts(engine) == std::vector<std::uint64_t>{12, 20, 11, 2});
   // The 16 darts of a and b, a's first, times the 2 of s, times three words; the first one ends with a step to the
   // left.
@@ -174,7 +177,7 @@ TEST_CASE("what is glued in a factor is glued in the product", "[engine][maps][p
 
 TEST_CASE("products of maps are undone, and factors are there again", "[engine][maps][product]") {
   Engine engine(ring_named("Z"));
-  build(engine, {R"({"op":"polygon","name":"a","sides":3})", R"({"op":"gmap","name":"s","alpha":[[1,0],[0,1]]})"});
+  build(engine, Lines{R"({"op":"polygon","name":"a","sides":3})", R"({"op":"gmap","name":"s","alpha":[[1,0],[0,1]]})"});
   const std::string before = dump(engine);
   const std::string product = R"({"op":"product","name":"P","left":"a","right":"s"})";
   carry_out(engine, product);
@@ -191,11 +194,12 @@ TEST_CASE("products of maps are undone, and factors are there again", "[engine][
 
 TEST_CASE("chains of maps have products, whose levels name their cells", "[engine][maps][product]") {
   Engine engine(ring_named("Z"));
-  build(engine,
-        {R"({"op":"chain_of_maps","name":"t","levels":[{"darts":3},{"alpha":[[1,0,3,2,5,4]],"sigma":[0,1,1,2,2,0]},)"
-         R"({"alpha":[[1,0,3,2,5,4],[5,2,1,4,3,0]],"sigma":[0,1,2,3,4,5]}]})",
-         R"({"op":"chain_of_maps","name":"e","levels":[{"darts":2},{"alpha":[[1,0]],"sigma":[0,1]}]})",
-         R"({"op":"product","name":"P","left":"t","right":"e"})"});
+  build(
+      engine,
+      Lines{R"({"op":"chain_of_maps","name":"t","levels":[{"darts":3},{"alpha":[[1,0,3,2,5,4]],"sigma":[0,1,1,2,2,0]},)"
+            R"({"alpha":[[1,0,3,2,5,4],[5,2,1,4,3,0]],"sigma":[0,1,2,3,4,5]}]})",
+            R"({"op":"chain_of_maps","name":"e","levels":[{"darts":2},{"alpha":[[1,0]],"sigma":[0,1]}]})",
+            R"({"op":"product","name":"P","left":"t","right":"e"})"});
   CHECK(counts(engine) == std::vector<std::uint64_t>{6, 9, 5, 1});
   // Level 2 has three times twelve darts of the squares, and then those of the two triangles.
   CHECK(engine.structure().lookup("P.2:0") == engine.structure().lookup("P.(t.1:0|e.1:0)"));
@@ -210,16 +214,15 @@ TEST_CASE("chains of maps have products, whose levels name their cells", "[engin
 
 TEST_CASE("a product of a map and of what has no darts is one by cells", "[engine][maps][product]") {
   Engine engine(ring_named("Z"));
-  build(engine, {R"({"op":"polygon","name":"a","sides":5})", R"({"op":"simplex","name":"e","dim":1})",
-                 R"({"op":"product","name":"P","left":"a","right":"e"})"});
+  build(engine, Lines{R"({"op":"polygon","name":"a","sides":5})", R"({"op":"simplex","name":"e","dim":1})",
+                      R"({"op":"product","name":"P","left":"a","right":"e"})"});
   CHECK(counts(engine) == std::vector<std::uint64_t>{10, 15, 7, 1});
   CHECK_FALSE(engine.structure().lookup("P.1:0").has_value());
   CHECK(engine.structure().denoted("P.(a|e)")->node == engine.structure().denoted("P.(a|e.1-0)")->node);
   CHECK(engine.structure().denoted("P.(a|e)")->order != engine.structure().denoted("P.(a|e.1-0)")->order);
-  carry_out(engine, R"({"op":"identify","pairs":[["P.(a|e.0)","P.(a|e.1)"]]
-})");
+  carry_out(engine, ops::Identify{{{"P.(a|e.0)", "P.(a|e.1)"}}});
   CHECK(counts(engine) == std::vector<std::uint64_t>{5, 10, 6, 1});
-CHECK(engine.first_defect().value_or("") == "");
+  CHECK(engine.first_defect().value_or("") == "");
 }
 
 TEST_CASE("what cannot be multiplied is refused by name", "[engine][maps][product]") {
