@@ -1,10 +1,12 @@
 #include "ops/cells/dart_store.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <unordered_map>
 #include <utility>
 
+#include "ops/cells/dart_simplices.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::ops {
@@ -83,6 +85,15 @@ void DartStore::extend(std::span<const Extension> extensions) {
   for (const Extension& each : extensions) {
     new_first.emplace(each.map, std::exchange(next, next + maps_[each.map].count));
   }
+  const auto below = static_cast<std::uint32_t>(n);
+  for (auto at = sees_.lower_bound({below, 0, 0}); at != sees_.end() && at->first[0] == below; ++at) {
+    const auto [dimension, index, dart] = at->first;
+    const std::uint32_t owner = number_of_map(n, dart);
+    if (maps_[owner].is_by_simplices && new_first.contains(owner)) {  // its simplices are those of the new map, too
+      const auto now = static_cast<std::uint32_t>(seen_index(n + 1, numbers_of_seen(n, static_cast<int>(index))));
+      sees_.emplace(Place{below + 1, now, new_first.at(owner) + (dart - maps_[owner].first)}, at->second);
+    }
+  }
   for (const auto& [number, cells] : extensions) {
     const Made old = maps_[number];
     for (Dart d = old.first; d < old.first + old.count; ++d) {
@@ -99,7 +110,7 @@ void DartStore::extend(std::span<const Extension> extensions) {
                            static_cast<std::uint32_t>(*with));
       }
     }
-    note_map({old.name, n + 1, new_first.at(number), old.count, 0, cells, false, old.halves});
+    note_map({old.name, n + 1, new_first.at(number), old.count, 0, cells, old.is_by_simplices, old.halves});
   }
 }
 
@@ -128,6 +139,9 @@ DartCells::Seen DartStore::seen(const Made& map, int i, Dart dart) const {
       return at->second;
     }
   }
+  if (map.is_by_simplices && i > map.dimension) {
+    return {UINT32_MAX, 0};
+  }
   const auto [offset, of_type] = map.cells->of[static_cast<std::size_t>(i)][dart - map.first];
   return {offset == UINT32_MAX ? offset : std::uint32_t{map.node + offset}, of_type};
 }
@@ -136,7 +150,7 @@ void DartStore::see(int dimension, int i, Dart dart, const DartCells::Seen& node
   const Place place{static_cast<std::uint32_t>(dimension), static_cast<std::uint32_t>(i), dart};
   const auto [at, is_new] = sees_.try_emplace(place, node);
   saw_.push_back(is_new ? std::nullopt : std::optional{std::exchange(at->second, node)});
-  events_.push_back({What::seen, static_cast<std::int8_t>(dimension), static_cast<std::int8_t>(i), dart, 0});
+  events_.push_back({What::seen, static_cast<std::int8_t>(dimension), 0, dart, static_cast<Dart>(i)});
 }
 
 std::optional<int> DartStore::taken_out_with(int dimension, Dart dart) const {
@@ -162,7 +176,7 @@ void DartStore::undo_last_event() {
     return;
   }
   if (last.what == What::seen) {
-    const Place place{static_cast<std::uint32_t>(last.dimension), static_cast<std::uint32_t>(last.index), last.a};
+    const Place place{static_cast<std::uint32_t>(last.dimension), last.b, last.a};
     if (saw_.back()) {
       sees_[place] = *saw_.back();
     } else {
@@ -179,6 +193,9 @@ void DartStore::undo_last_event() {
   if (!map.has_levels()) {
     const auto dimension = static_cast<std::uint32_t>(map.dimension);
     taken_out_.erase(taken_out_.lower_bound({dimension, map.first}), taken_out_.lower_bound({dimension + 1, 0}));
+    for (auto at = sees_.lower_bound({dimension, 0, 0}); at != sees_.end() && at->first[0] == dimension;) {
+      at = at->first[2] >= map.first ? sees_.erase(at) : std::next(at);  // those of a map that was extended
+    }
     Dimension& of = by_dimension_[static_cast<std::size_t>(map.dimension)];
     for (auto& alpha : of.alpha) {
       alpha.truncate(map.first);
@@ -313,10 +330,17 @@ void DartStore::load(sparse::ArchiveReader& from, const CellStore& nodes, const 
   }
   from.get_map<Place, DartCells::Seen>([&](const Place& place, const DartCells::Seen& seen) {
     const auto& [dimension, i, dart] = place;
-    const bool is_sound =
-        dimension <= largest_map_dimension && i <= dimension && dart < darts(static_cast<int>(dimension)) &&
-        nodes.contains(CellId{seen.offset}) && nodes.dimension(CellId{seen.offset}) == static_cast<int>(i) &&
-        (is_cone(nodes.type(CellId{seen.offset}).type) || seen.dart < types.darts(nodes.type_id(CellId{seen.offset})));
+    const CellId node{seen.offset};
+    bool is_sound =
+        dimension <= largest_map_dimension && dart < darts(static_cast<int>(dimension)) && nodes.contains(node);
+    if (is_sound && map_of(static_cast<int>(dimension), dart).is_by_simplices) {
+      const int n = static_cast<int>(dimension), index = static_cast<int>(i);
+      is_sound = std::int64_t{i} < n + (std::int64_t{2} << n) && seen.dart == 0 &&
+                 nodes.dimension(node) + 1 == std::popcount(numbers_of_seen(n, index));
+    } else if (is_sound) {
+      is_sound = i <= dimension && nodes.dimension(node) == static_cast<int>(i) &&
+                 (is_cone(nodes.type(node).type) || seen.dart < types.darts(nodes.type_id(node)));
+    }
     if (from.check(is_sound, "a dart sees a cell")) {
       sees_.emplace(place, seen);
     }

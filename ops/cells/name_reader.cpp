@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "ops/cells/dart_simplices.hpp"
+
 namespace sesame::ops {
 
 std::optional<Value> NameReader::read() { return read({0, text_.size()}); }
@@ -89,6 +91,11 @@ std::optional<Value> NameReader::read_standard(Part part) {
 /// m.1:3, a cell of a map as a dart sees it; that from which it has its own name is one that was given.
 std::optional<Value> NameReader::read_seen(Part part) {
   const auto split = split_dart(text(part));
+  if (const auto simplex =
+          structure_.darts().has_seen_others() ? simplex_named(structure_, text(part)) : std::nullopt) {
+    const int index = seen_index(simplex->map->dimension, simplex->numbers);
+    return find(part) ? seen_from_dart(structure_, *simplex->map, index, simplex->dart) : std::nullopt;
+  }
   if (!split) {  // the face of a polygon is called as that is
     const DartStore::Made* polygon = map_named(structure_, text(part));
     const CellId face = polygon != nullptr ? structure_.directory().names()[polygon->name].cell : CellId{none};

@@ -13,6 +13,7 @@
 #include "ops/maps/orbits.hpp"
 #include "ops/maps/rooted_map.hpp"
 #include "ops/plan/cone_cells.hpp"
+#include "ops/plan/extended_simplices.hpp"
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/sewing.hpp"
@@ -27,7 +28,7 @@ class ExtensionPlanner {
   ExtensionPlanner(const Structure& structure, Plan& plan)
       : structure_{structure}, store_{structure.darts()}, plan_{plan} {}
 
-  Status run(const Extend& operation) {
+  Status run(const Extend& operation, const Limits& limits) {
     for (const std::string& name : operation.maps) {
       if (Status s = add_map(name); !s) {
         return s;
@@ -40,6 +41,10 @@ class ExtensionPlanner {
     if (Status s = gather(); !s) {
       return s;
     }
+    if (are_by_simplices_) {
+      return extend_simplices(gathered_, structure_, limits, plan_);
+    }
+    places_.assign(darts_.size(), 0);
     if (Status s = check_names(); !s) {
       return s;
     }
@@ -67,21 +72,22 @@ class ExtensionPlanner {
                                               "extended: make it with one level more",
                                               name)};
     }
-    if (map->is_by_simplices) {
-      return Error{Errc::refused,
-                   fmt::format("\"{}\" is a map by simplices, which cannot be extended: make it with one "
-                               "involution more, the identity",
-                               name)};
-    }
     if (!maps_.empty() && map->dimension != dimension_) {
       return Error{Errc::refused, fmt::format("\"{}\" has dimension {}, and the maps before it {}: extend maps of one "
                                               "dimension",
                                               name, map->dimension, dimension_)};
     }
+    if (!maps_.empty() && map->is_by_simplices != are_by_simplices_) {
+      return Error{Errc::refused, fmt::format("\"{}\" is a map by {}, and those before it are by {}: extend them one "
+                                              "after the other",
+                                              name, map->is_by_simplices ? "simplices" : "cells",
+                                              map->is_by_simplices ? "cells" : "simplices")};
+    }
     if (map->dimension == largest_map_dimension) {
       return Error{Errc::refused, fmt::format("\"{}\" has dimension {}, the largest", name, map->dimension)};
     }
     dimension_ = map->dimension;
+    are_by_simplices_ = map->is_by_simplices;
     maps_.insert(store_.number_of_map(dimension_, map->first));
     return Done{};
   }
@@ -129,7 +135,6 @@ class ExtensionPlanner {
     Result<GMap> map = GMap::make(std::move(alpha));
     sparse::expects(map.has_value(), "maps that are sewn are a map");
     map_ = std::move(*map);
-    places_.assign(darts_.size(), 0);
     return Done{};
   }
 
@@ -298,10 +303,12 @@ class ExtensionPlanner {
   const Structure& structure_;
   const DartStore& store_;
   Plan& plan_;
-  int dimension_ = 0;
-  std::set<std::uint32_t> maps_;          // numbers
-  std::vector<Dart> darts_;               // of these, one map after the other
-  GMap map_;                              // whose darts are places in that list
+  GatheredMaps gathered_;
+  int& dimension_ = gathered_.dimension;
+  std::set<std::uint32_t>& maps_ = gathered_.maps;
+  std::vector<Dart>& darts_ = gathered_.darts;
+  GMap& map_ = gathered_.map;
+  bool are_by_simplices_ = false;
   std::vector<Dart> places_;              // per such place: which dart of the type of the new cell
   std::vector<std::uint32_t> new_cells_;  // per component: its cell, among the new ones
   std::set<BodyId> bodies_;
@@ -310,7 +317,7 @@ class ExtensionPlanner {
 }  // namespace
 
 Status plan_extension(const Extend& operation, const Structure& structure, const Limits& limits, Plan& plan) {
-  if (Status s = ExtensionPlanner(structure, plan).run(operation); !s) {
+  if (Status s = ExtensionPlanner(structure, plan).run(operation, limits); !s) {
     return s;
   }
   return check_room(static_cast<std::int64_t>(plan.cells.size()), structure, limits);

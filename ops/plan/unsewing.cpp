@@ -14,6 +14,7 @@
 #include "ops/plan/new_cells.hpp"
 #include "ops/plan/operation_plans.hpp"
 #include "ops/plan/sewing.hpp"
+#include "ops/plan/unsewn_simplices.hpp"
 #include "sparse/contract.hpp"
 
 namespace sesame::ops {
@@ -66,12 +67,10 @@ class UnsewingPlanner {
                                               name, named->dimension, dimension_)};
     }
     dimension_ = named->dimension;
-    const DartStore::Made& map = store_.map_of(dimension_, named->dart);
-    if (map.is_by_simplices) {
-      return Error{Errc::refused,
-                   fmt::format("\"{}\" is a dart of a map by simplices, which cannot be unsewn: undo the "
-                               "sewing instead",
-                               name)};
+    if (store_.map_of(dimension_, named->dart).is_by_simplices) {
+      return Error{Errc::refused, fmt::format("\"{}\" is a dart of a map by simplices, those before it are of maps by "
+                                              "cells: unsew them one after the other",
+                                              name)};
     }
     if (index != dimension_) {
       return Error{Errc::refused, fmt::format("to unsew \"{}\" in dimension {} would open cells of its map, which has "
@@ -379,6 +378,9 @@ class UnsewingPlanner {
 }  // namespace
 
 Status plan_unsewing(const Unsew& operation, const Structure& structure, const Limits& limits, Plan& plan) {
+  if (unsews_simplices(operation, structure)) {
+    return plan_unsewn_simplices(operation, structure, limits, plan);
+  }
   if (Status s = UnsewingPlanner(structure, plan).run(operation); !s) {
     return s;
   }
