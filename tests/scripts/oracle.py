@@ -1961,12 +1961,15 @@ def op_unsew(state, step, _prime):
     n = step_dimension(step)
     if not isinstance(step["darts"], list):
         raise ScriptError("darts must be a list of darts")
+    if step["darts"] and state.maps[read_dart(state, step["darts"][0])[0]].glued is not None:
+        unsew_simplices(state, n, step["darts"])
+        return
     free = set()
     for text in step["darts"]:
         dart = read_dart(state, text)
         made = state.maps[dart[0]]
         if made.glued is not None or made.dimension != n:
-            raise ScriptError("only maps by cells are unsewn, in their own dimension")
+            raise ScriptError("maps by cells are unsewn in their own dimension only")
         if state.alpha[dart][n] == dart:
             raise ScriptError(f'"{text}" is free')
         free |= {e for d in reached(state, n, dart) for e in (d, state.alpha[d][n])}
@@ -2089,8 +2092,8 @@ def op_extend(state, step, _prime):
     for name in step["maps"]:
         if not isinstance(name, str) or name not in state.maps:
             raise ScriptError(f"there is no map {json.dumps(name)}")
-        if state.maps[name].glued is not None:
-            raise ScriptError(f'"{name}" is a map by simplices')
+        if (state.maps[name].glued is None) != (state.maps[step["maps"][0]].glued is None):
+            raise ScriptError("maps by cells and by simplices cannot be extended in one step")
         chosen.append(name)
     n = state.maps[chosen[0]].dimension
     if any(state.maps[name].dimension != n for name in chosen) or n == gmaps.LARGEST_MAP_DIMENSION:
@@ -2101,6 +2104,9 @@ def op_extend(state, step, _prime):
     darts = [(name, k) for name in chosen for k in range(len(state.maps[name].texts))]
     number = {d: k for k, d in enumerate(darts)}
     alpha = [[number[state.alpha[d][i]] for d in darts] for i in range(n + 1)] + [list(range(len(darts)))]
+    if state.maps[chosen[0]].glued is not None:
+        extend_simplices(state, alpha, chosen, darts)
+        return
     if any(image == d for images in alpha[:-1] for d, image in enumerate(images)):
         raise ScriptError("what is extended is open")
     components = gmaps.orbits(alpha, range(n + 1))
@@ -2152,6 +2158,165 @@ def extend_over(state, alpha, component, darts):
         if state.reading(called[place]) is None or place == 0:
             state.names[called[place]] = new, whole(kind)
         state.places[darts[d]] = boundary, place
+
+
+# ------------------------------------------------------------------------------------------------ maps by simplices
+
+
+def simplex_name(state, numbers, dart):
+    return f"{dart[0]}.<{'-'.join(map(str, numbers))}>:{dart_text(state, dart)}"
+
+
+def simplex_seen(state, numbers, dart):
+    """The simplex of a dart with some numbers, as a face of the largest one."""
+    largest = range(state.maps[dart[0]].dimension + 1)
+    value = state.value(simplex_name(state, largest, dart))
+    for i in reversed(largest):
+        if i not in numbers:
+            value = state.face(value, 0, i)
+    return value
+
+
+def orbit_without(alpha, dart, numbers):
+    """The darts of a simplex with some numbers."""
+    found, pending = {dart}, [dart]
+    while pending:
+        d = pending.pop()
+        for j, e in enumerate(alpha[d]):
+            if j not in numbers and e not in found:
+                found.add(e)
+                pending.append(e)
+    return found
+
+
+def seen_by_all(state, numbers, darts):
+    """The simplex that some darts see, which is glued to nothing else."""
+    seen = {simplex_seen(state, numbers, d) for d in darts}
+    if len(seen) > 1 or any(value != state.plain(value[0]) for value in seen):
+        raise ScriptError("other steps have split, squashed or turned what is unsewn")
+    number = seen.pop()[0]
+    names = {simplex_name(state, numbers, d) for d in darts}
+    if any(value and value[0] == number and not is_degenerate(value) and key not in names
+           for key, value in state.names.items()):
+        raise ScriptError("what is unsewn is glued to other cells, and not only by sewing")
+    return number
+
+
+def unsew_simplices(state, i, texts):
+    sewn = set()
+    n = state.maps[read_dart(state, texts[0])[0]].dimension
+    for text in texts:
+        dart = read_dart(state, text)
+        made = state.maps[dart[0]]
+        if made.glued is None or made.dimension != n or i > n:
+            raise ScriptError("such darts are not unsewn in one step, or not in this dimension")
+        if state.alpha[dart][i] == dart:
+            raise ScriptError(f'"{text}" is free')
+        sewn |= {e for d in reached(state, i, dart) for e in (d, state.alpha[d][i])}
+    before = dict(state.alpha)
+    for d in sewn:
+        state.alpha[d] = (*state.alpha[d][:i], d, *state.alpha[d][i + 1:])
+    rank = {name: k for k, name in enumerate(state.maps)}
+    sets = [numbers for size in range(1, n + 2) for numbers in itertools.combinations(range(n + 1), size)]
+    sets.sort(key=lambda numbers: (len(numbers), sum(1 << k for k in numbers)))
+    wholes = {}  # (numbers, dart) -> what it sees, until faces are moved
+    copies = {}  # (numbers, dart) -> the number of the copy that it sees instead
+    for numbers in (numbers for numbers in sets if i not in numbers):
+        for dart in sorted(sewn, key=lambda d: (rank[d[0]], d[1])):
+            if (numbers, dart) in wholes:
+                continue
+            darts = sorted(orbit_without(before, dart, numbers), key=lambda d: (rank[d[0]], d[1]))
+            wholes.update(((numbers, d), None) for d in darts)
+            parts = []
+            for d in darts:
+                if not any(d in part for part in parts):
+                    parts.append(orbit_without(state.alpha, d, numbers))
+            if len(parts) > 1:
+                split_simplex(state, numbers, darts, parts, before, copies)
+    above = [(numbers, d, k) for face, d in copies for k in set(range(n + 1)) - {*face}
+             for numbers in [tuple(sorted((*face, k)))] if (numbers, d) not in copies]
+    seen = {(numbers, d): seen_by_all(state, numbers, orbit_without(before, d, numbers)) for numbers, d, _ in above}
+    for numbers, d, k in above:
+        cell = seen[numbers, d]
+        faces = list(state.faces(cell))
+        faces[numbers.index(k)] = state.plain(copies[tuple(x for x in numbers if x != k), d])
+        state.cells[cell] = state.cells[cell]._replace(faces=tuple(faces))
+    point_names_at_copies(state, copies)
+    problem = state.broken_law()
+    if problem:
+        raise ScriptError(f"other steps have split what is unsewn: {problem}")
+
+
+def split_simplex(state, numbers, darts, parts, before, copies):
+    """Each part of a simplex gets a copy, but that which has the dart by which the simplex is called. Names are those
+    that they were, until all is done."""
+    whole = seen_by_all(state, numbers, darts)
+    own = state.cells[whole]
+    beside = {simplex_seen(state, (*numbers, k), d)[0]
+              for d in darts for k in set(range(len(before[d]))) - {*numbers}}
+    if any(c not in beside and any(face[0] == whole for face in cell.faces) for c, cell in state.cells.items()):
+        raise ScriptError(f'"{own.name}" is a face of what is no simplex of its map')
+    for part in parts:
+        least = next(d for d in darts if d in part)
+        called = simplex_name(state, numbers, least)
+        if own.name in {simplex_name(state, numbers, d) for d in part}:
+            called = own.name
+        else:
+            if called not in state.names:
+                state.check_free(called)
+            faces = [state.plain(copies[below, least]) if (below, least) in copies else face
+                     for below, face in zip((numbers[:k] + numbers[k + 1:] for k in range(len(numbers))), own.faces)]
+            copies.update(((numbers, d), state.created) for d in part)
+            state.cells[state.created] = Cell(called, own.kind, tuple(faces), own.body)
+            state.created += 1
+        missing = {*range(len(before[least]))} - {*numbers}
+        if len(missing) == 1:
+            index = min(missing)
+            for d in part:
+                made = state.maps[d[0]]
+                state.maps[d[0]] = made._replace(glued={**made.glued, (index, d[1]): called})
+
+
+def point_names_at_copies(state, copies):
+    for (numbers, d), copy in copies.items():
+        name = simplex_name(state, numbers, d)
+        if name in state.names or state.cells[copy].name == name:
+            state.names[name] = state.plain(copy)
+            for apex, cone in state.cones.items():
+                table = {key: of for key, of in cone.table.items() if key != name}
+                state.cones[apex] = cone._replace(table=table)
+
+
+def extend_simplices(state, alpha, chosen, darts):
+    """The cones over the components of maps: their simplices with one number more, and the apexes alone."""
+    n = len(alpha) - 1
+    new = [entry for entry in gmaps.analogue(alpha) if n in entry[0]]
+    called = {(numbers, least): simplex_name(state, numbers, darts[least]) for numbers, least, _, _ in new}
+    for name in called.values():
+        state.check_free(name)
+    glued = {name: {} for name in chosen}
+    seen = {}
+    for numbers, least, orbit, below in new:
+        values = {simplex_seen(state, numbers[:-1], darts[d]) for d in orbit if below}
+        if len(values) > 1:
+            raise ScriptError("other steps have split what is extended")
+        seen[numbers, least] = [*values]
+    bodies = [state.cells[value[0]].body for values in seen.values() for value in values]
+    for body in bodies:
+        state.merge_bodies(bodies[0], body)
+    for numbers, least, orbit, below in new:
+        faces = [state.plain(state.find(called[face])) for face in below[:-1]] + seen[numbers, least]
+        state.add(called[numbers, least], (len(numbers) - 1,) if below else (), faces, state.body_root(bodies[0]))
+        missing = set(range(n)) - set(numbers)
+        for d in orbit:
+            if len(missing) == 1:
+                glued[darts[d][0]][min(missing), darts[d][1]] = called[numbers, least]
+            elif not missing:
+                glued[darts[d][0]][n, darts[d][1]] = simplex_name(state, range(n), darts[d])
+    for d in darts:
+        state.alpha[d] = (*state.alpha[d], d)
+    for name in chosen:  # a new map of the same name
+        state.maps[name] = state.maps.pop(name)._replace(dimension=n, glued=glued[name])
 
 
 def label_key(label):
