@@ -14,8 +14,9 @@ import gmaps
 # faces: (coefficient, kind) for each.
 Bounded = collections.namedtuple("Bounded", "dimension faces")
 # faces: kinds. generators: (degree, terms) for each; a term is (coefficient, slot, k): with k None it is the face with
-# that number, else the generator k of that; with slot None the generator k of the cell itself.
-Hollow = collections.namedtuple("Hollow", "dimension faces generators")
+# that number, else the generator k of that; with slot None the generator k of the cell itself. incidences: (slot, which
+# dart of that it is, slot of one dimension less, which dart of that it is) for each face of each face.
+Hollow = collections.namedtuple("Hollow", "dimension faces generators incidences")
 # The shape of a value.
 Whole = collections.namedtuple("Whole", "kind")
 # A cell of a canonical boundary, as its least dart sees it. indices: {dart: which dart of the kind it is}.
@@ -56,7 +57,7 @@ def slots_of(boundary, is_ball):
 def hollow(boundary, is_ball):
     """The kind of the cone over a map, all cells of which are balls."""
     slots = slots_of(boundary, is_ball)
-    generators = [(0, ())]
+    generators, incidences = [(0, ())], []
     for number, slot in enumerate(slots):
         terms = [(1, number, None)]
         if slot.dimension == 0:
@@ -68,10 +69,11 @@ def hollow(boundary, is_ball):
                 dart = next(d for d, k in slot.indices.items() if k == index)
                 face, place = next((n, other.indices[dart]) for n, other in enumerate(slots)
                                    if other.dimension == slot.dimension - 1 and dart in other.indices)
+                incidences.append((number, index, face, place))
                 below[face] += sign_of_dart(slot.kind, index) * sign_of_dart(slots[face].kind, place)
             terms += [(-n, None, face + 1) for face, n in below.items() if n]
         generators.append((slot.dimension + 1, tuple(terms)))
-    return Hollow(len(boundary), tuple(slot.kind for slot in slots), tuple(generators))
+    return Hollow(len(boundary), tuple(slot.kind for slot in slots), tuple(generators), tuple(incidences))
 
 
 def coned_generators(kind, signs, apex, base):

@@ -152,39 +152,6 @@ def canonical_root(alpha):
     return min(range(len(alpha[0])), key=lambda d: (look(d), d))
 
 
-# ------------------------------------------------------------------------------------------------ local operations
-
-
-def without_cell(images, i, start, towards):
-    """Takes the i-cell of a dart out; `towards` is 1 for a removal and -1 for a contraction.
-
-    images[d] is the list of images of dart d. Returns (the darts that go, {dart: its new image under alpha_i}), or why
-    that cannot be.
-    """
-    n = len(images[start]) - 1
-    if not 0 <= i + towards <= n:
-        return f"cells of dimension {i} stay"
-    cell, pending = {start}, [start]
-    while pending:
-        d = pending.pop()
-        for k, e in enumerate(images[d]):
-            if k != i and e not in cell:
-                cell.add(e)
-                pending.append(e)
-    near, far = i + towards, i + 2 * towards
-    if 0 <= far <= n and any(images[images[d][near]][far] != images[images[d][far]][near] for d in cell):
-        return f"alpha_{near} and alpha_{far} do not commute on it"
-    outside = {images[d][i]: d for d in cell if images[d][i] not in cell}
-    if not outside:
-        return "nothing would be left"
-    changed = {}
-    for d, at in outside.items():
-        while at in cell:
-            at = images[images[at][near]][i]
-        changed[d] = at
-    return cell, changed
-
-
 # ------------------------------------------------------------------------------------------------ kinds of cells
 
 

@@ -8,8 +8,8 @@ Replays a script and prints one JSON object a step with the keys step, op, cells
 of the effective complexes. It shares no idea with the engine: a step copies the whole state, and homology is computed
 from scratch with a Smith form on Python's integers. Where both agree, they agree for different reasons.
 
-Covered: simplex, simploid, complex, incidence, gmap, map, polygon, chain_of_maps, cone, suspend, identify, sew, unsew, extend, degenerate,
-deidentify, product, insert, collapse, remove, replace, expect, class, undo, note.
+Covered: simplex, simploid, complex, incidence, gmap, map, polygon, chain_of_maps, cone, suspend, identify, sew, unsew, extend, remove_cell,
+contract_cell, insert_cell, split_cell, degenerate, deidentify, product, insert, collapse, remove, replace, expect, class, undo, note.
 Exit status as `sesame replay`: 0 done, 1 wrong usage or unreadable file, 2 the script is wrong, 3 an expect failed.
 
 A *value* is a cell with its vertices in some order, or a degenerate cell: a pair (y, shape). The shape has one entry for
@@ -37,6 +37,7 @@ sys.dont_write_bytecode = True
 import boundaries
 import chains
 import gmaps
+import local_operations
 import products
 from boundaries import Bounded, Hollow, Whole, dimension_of, is_simploid
 from gmaps import MapKind, Seen
@@ -411,6 +412,12 @@ def broken_law(kind, faces, faces_of):
         breaks = is_no_cycle((None, whole(kind)), lambda c: itself[c] if c in itself else faces_of(c))
         return "that its boundary is a cycle" if breaks else None
     if isinstance(kind, Hollow):
+        for number, index, other, place in kind.incidences:
+            cell, shape = faces[number]
+            value = cell, fill(gmaps.shape_from(kind.faces[number], index), shape)
+            sees = faces[other][0], fill(gmaps.shape_from(kind.faces[other], place), faces[other][1])
+            if face_of(value, *face_slots(kind.faces[number])[0], faces_of) != sees:
+                return f"that what a dart sees in dimension {dimension_of(kind.faces[other])} is a face of what it sees above"
         breaks = any(is_no_cycle(Generator("new", kind, faces, k), faces_of) for k in range(len(kind.generators)))
         return "that boundaries of its generators are cycles" if breaks else None
     return next((what for one, two, what in double_faces(kind, faces, faces_of) if one != two), None)
@@ -1180,7 +1187,7 @@ def cone_by_boundary(state, value, made, cone_of, tip):
     if isinstance(kind, Hollow):
         faces += [(tip, ()), value]
         generators = tuple(boundaries.coned_generators(kind, signs, len(faces) - 2, len(faces) - 1))
-        return Hollow(kind.dimension + 1, tuple(type_of(face[1]) for face in faces), generators), faces
+        return Hollow(kind.dimension + 1, tuple(type_of(face[1]) for face in faces), generators, ()), faces
     terms = []
     for sign, face, coned_face, (i, j) in zip(signs, faces, own, face_slots(kind)):
         if not is_degenerate(coned_face):
@@ -1728,6 +1735,292 @@ def add_simplices_of_map(state, name, alpha, texts, body):
     return glued
 
 
+# ------------------------------------------------------------------------------------------------ local operations on cells
+
+# An i-cell of some darts as it was: its number, the darts, and whether it stays.
+OldCell = collections.namedtuple("OldCell", "number darts stays")
+
+
+def dart_by_cells(state, text):
+    dart = read_dart(state, text)
+    if state.maps[dart[0]].glued is not None:
+        raise ScriptError(f'"{text}" is a dart of a map by simplices')
+    return dart
+
+
+def read_cell_of_map(state, text, name):
+    """(dimension, dart). The face of a polygon has the name of that."""
+    if not isinstance(text, str) or (name is not None and not isinstance(name, str)):
+        raise ScriptError("a cell and a map must be strings")
+    if text in state.maps and text in state.names:
+        called, i, dart = text, 2, "0"
+    else:
+        base, _, dart = text.rpartition(":")
+        called, _, number = base.rpartition(".")
+        if not number.isdigit() or str(int(number)) != number:
+            raise ScriptError(f'no cell of a map is called "{text}"')
+        i = int(number)
+    if name is not None and name != called:
+        raise ScriptError(f'"{text}" is no cell of "{name}"')
+    found = dart_by_cells(state, f"{called}:{dart}")
+    if i > state.maps[called].dimension:
+        raise ScriptError(f'"{called}" has no cells of dimension {i}')
+    return i, found
+
+
+def darts_around(state, dimension):
+    """The maps of one dimension that have darts of their own."""
+    return {d: images for d, images in state.alpha.items() if len(images) == dimension + 1}
+
+
+def op_remove_cell(state, step, _prime):
+    fields(step, ("cell",), ("map",))
+    take_cell_out(state, step, 1)
+
+
+def op_contract_cell(state, step, _prime):
+    fields(step, ("cell",), ("map",))
+    take_cell_out(state, step, -1)
+
+
+def take_cell_out(state, step, towards):
+    i, dart = read_cell_of_map(state, step["cell"], step.get("map"))
+    images = darts_around(state, len(state.alpha[dart]) - 1)
+    rewire(state, i, local_operations.without_cell(images, i, dart, towards))
+
+
+def op_insert_cell(state, step, _prime):
+    put_cell_in(state, step, 1)
+
+
+def op_split_cell(state, step, _prime):
+    put_cell_in(state, step, -1)
+
+
+def put_cell_in(state, step, towards):
+    fields(step, ("name", "dim", "darts"), ("at",))
+    name, i = check_name(step["name"], "name"), step_dimension(step)
+    if not isinstance(step["darts"], list) or not step["darts"]:
+        raise ScriptError("darts must be a list of darts, not empty")
+    if "at" in step:
+        check_point(step["at"], "at")
+    darts = [dart_by_cells(state, text) for text in step["darts"]]
+    n = state.maps[darts[0][0]].dimension
+    if any(state.maps[d[0]].dimension != n for d in darts):
+        raise ScriptError("the darts are of maps of several dimensions")
+    body = state.new_body(name)
+    surgery = local_operations.with_cell(darts_around(state, n), i, darts, towards, name)
+    made = sorted(d for d in ({} if isinstance(surgery, str) else surgery[1]) if d not in state.alpha)
+    for d in made:
+        for k in range(n + 1):
+            state.check_free(dart_cell_name(name, k, d[1]))
+    state.maps[name] = MadeMap(n, tuple(str(k) for k in range(len(made))), None)
+    before = state.created
+    rewire(state, i, surgery, body)
+    if "at" in step and not (before in state.cells and state.dim(before) == 0):
+        raise ScriptError("no vertex is new, so none can have a position")
+
+
+def rewire(state, i, surgery, body=None):
+    """Darts go, come, or have other images under alpha_i. The cells that they belong to are looked at again, and what they
+    are is worked out from the map as it is then; `body` is one to which the new cells belong, too."""
+    if isinstance(surgery, str):
+        raise ScriptError(surgery)
+    gone, changed = surgery
+    rewiring = Rewiring(state, i, gone, changed)
+    for q in range(rewiring.n + 1):
+        rewiring.look_at(q)
+    rewiring.finish(body)
+
+
+class Rewiring:
+    """Cells are gone through by dimension. One stays if its darts see the same boundary and faces as before, though some may be
+    others; all others that are looked at go, and there are new ones in their place."""
+
+    def __init__(self, state, i, gone, changed):
+        self.state, self.i, self.gone, self.changed = state, i, gone, changed
+        self.n = len(next(iter(changed.values()))) - 1
+        self.before = darts_around(state, self.n)
+        self.after = {d: images for d, images in {**self.before, **changed}.items() if d not in gone}
+        self.rank = {name: k for k, name in enumerate(state.maps)}
+        self.sees_others = set()  # darts, in the dimension below
+        self.sees = []  # of each dimension {dart: value} where cells were looked at
+        self.new, self.bodies, self.taken, self.kept = [], [], set(), set()
+
+    def order(self, d):
+        return self.rank[d[0]], d[1]
+
+    def sees_now(self, q, d):
+        return self.sees[q][d] if d in self.sees[q] else seen_by(self.state, q, d)
+
+    def look_at(self, q):
+        others = {d for d in self.changed if q != self.i or d not in self.before}
+        looked_at = sorted(self.gone | others | self.sees_others, key=self.order)
+        old = {}  # dart -> OldCell, of all darts of those
+        in_order = []
+        for d in looked_at:
+            if d in self.before and d not in old:
+                cell = self.old_cell(q, d)
+                in_order.append(cell)
+                old.update(dict.fromkeys(cell.darts, cell))
+        self.sees.append({})
+        for d in looked_at:
+            if d not in self.gone and d not in self.sees[q]:
+                part = sorted(orbit_of(self.after, d, q), key=self.order)
+                candidates = [cell for cell in in_order if not cell.stays and cell.darts & set(part)]
+                candidates.sort(key=lambda cell: -len(cell.darts & set(part)))
+                if not any(self.keep(q, part, cell) for cell in candidates):
+                    self.make(q, part)
+        self.sees_others = {d for d, value in self.sees[q].items()
+                            if d not in old or seen_by(self.state, q, d) != value}
+        for cell in in_order:
+            self.bodies.append(self.state.cells[cell.number].body)
+            if cell.stays:
+                self.kept.add(cell.number)
+            else:
+                self.check_alone(q, cell)
+                self.taken.add(cell.number)
+
+    def old_cell(self, q, start):
+        """It must be as its darts say."""
+        darts = orbit_of(self.before, start, q)
+        number = seen_by(self.state, q, start)[0]
+        for d in darts:
+            value = seen_by(self.state, q, d)
+            is_whole = value[0] == number and not is_degenerate(value)
+            if is_whole and q > 0 and not self.state.is_hollow(number):
+                is_whole = self.state.face(value, *first_face(value)) == seen_by(self.state, q - 1, d)
+            if not is_whole:
+                raise ScriptError(f"a cell of dimension {q} has been split, or is degenerate")
+        return OldCell(number, frozenset(darts), [])
+
+    def boundary_of(self, q, part):
+        """The cell of some darts: gmaps.CellOfMap, with darts as they are here; or None."""
+        place = {d: k for k, d in enumerate(part)}
+        alpha = [[place[d] if k == q else place[self.after[d][k]] for d in part] for k in range(self.n + 1)]
+        return gmaps.cell_of(alpha, q, 0, is_ball)
+
+    def keep(self, q, part, cell):
+        state, name = self.state, state_name(self.state, q, cell)
+        if state.is_hollow(cell.number) or (name in cell.darts and name not in self.gone and name not in part):
+            return False
+        own = self.boundary_of(q, part)
+        if own is None:
+            return False
+        first = next(k for k, d in enumerate(part) if d in cell.darts)
+        value = seen_by(state, q, part[first])
+        if isinstance(own.kind, MapKind):
+            kind = gmaps.kind_from(own.kind, own.darts[first])
+            places = {k: gmaps.order_from(own.kind, own.darts[first]).index(place) for k, place in own.darts.items()}
+        else:
+            kind, places = own.kind, {k: int(place != own.darts[first]) for k, place in own.darts.items()}
+        if kind != (value[1].kind if isinstance(value[1], Seen) else type_of(value[1])):
+            return False
+        sees = {d: (cell.number, fill(gmaps.shape_from(kind, places[k]), value[1])) for k, d in enumerate(part)}
+        for d, seen in sees.items():
+            if d in cell.darts and seen != seen_by(state, q, d):
+                return False
+            if q > 0 and state.face(seen, *first_face(seen)) != self.sees_now(q - 1, d):
+                return False
+        cell.stays.append(True)
+        self.sees[q].update(sees)
+        return True
+
+    def make(self, q, part):
+        own = self.boundary_of(q, part)
+        number = self.state.created
+        self.state.created += 1
+        if own is None:
+            self.make_hollow(q, part, number)
+            return
+        root = part[own.root]
+        at = {place: part[k] for k, place in sorted(own.darts.items(), reverse=True)}
+        faces = [self.sees_now(q - 1, at[place]) for place in roots_of_faces(own.kind)] if q > 0 else []
+        if any(type_of(value[1]) != (face.kind if isinstance(face, Seen) else face)
+               for value, face in zip(faces, kinds_of_faces(own.kind))):
+            raise ScriptError("a face has been split")
+        self.add(number, q, root, own.kind, faces)
+        for k, place in own.darts.items():
+            self.sees[q][part[k]] = number, gmaps.shape_from(own.kind, place)
+
+    def add(self, number, q, root, kind, faces):
+        texts = self.state.maps[root[0]].texts
+        self.state.cells[number] = Cell(dart_cell_name(root[0], q, texts[root[1]]), kind, tuple(faces), None)
+        self.new.append((number, q, root))
+
+    def make_hollow(self, q, part, number):
+        if q < self.n or q < LEAST_HOLLOW_DIMENSION:
+            raise ScriptError(f"a cell of dimension {q} would be no ball")
+        place = {d: k for k, d in enumerate(part)}
+        alpha = [[place[self.after[d][k]] for d in part] for k in range(self.n)]
+        order = gmaps.walk(alpha, gmaps.canonical_root(alpha))
+        boundary = gmaps.renumbered(alpha, order)
+        slots = boundaries.slots_of(boundary, is_ball)
+        faces = [self.sees_now(slot.dimension, part[order[slot.root]]) for slot in slots]
+        kind = boundaries.hollow(boundary, is_ball)
+        if tuple(type_of(face[1]) for face in faces) != kind.faces:
+            raise ScriptError("a cell below the new one has been split")
+        self.add(number, q, part[order[0]], kind, faces)
+        for k, d in enumerate(order):
+            self.sees[q][part[d]] = number, whole(kind)
+            self.state.places[part[d]] = boundary, k
+
+    def check_alone(self, q, cell):
+        """Whether all that the cell is called by are darts of it, or such as see others by now."""
+        for name, value in self.state.names.items():
+            if value and value[0] == cell.number and not is_degenerate(value):
+                d = dart_of_name(self.state, q, name)
+                if d is None or (d in self.state.alpha and d not in cell.darts):
+                    raise ScriptError(f'a cell of dimension {q} is "{name}", too')
+
+    def finish(self, body):
+        state = self.state
+        taken = self.taken - self.kept
+        new = {number for number, _, _ in self.new}
+        for c in state.alive():
+            if c not in taken and any(face[0] in taken for face in state.faces(c)):
+                raise ScriptError(f'"{state.cells[c].name}" would lose a face')
+        all_bodies = [*self.bodies, *([] if body is None else [body])]
+        for other in all_bodies:
+            state.merge_bodies(all_bodies[0], other)
+        for number in new:
+            state.cells[number] = state.cells[number]._replace(body=state.body_root(all_bodies[0]))
+        take_away(state, taken)
+        state.alpha.update(self.after)
+        for d in self.gone:
+            del state.alpha[d]
+        for q, sees in enumerate(self.sees):
+            for d, value in sees.items():
+                state.names[dart_cell_name(d[0], q, dart_text(state, d))] = value
+        problem = state.broken_law()
+        if problem:
+            raise ScriptError(f"other steps have split what is changed: {problem}")
+
+
+def first_face(value):
+    """The number of the face that dart 0 of a value belongs to, as face_of takes it."""
+    return face_slots(type_of(value[1]))[0]
+
+
+def kinds_of_faces(kind):
+    return [face for _, face in gmaps.faces_of_kind(kind)[0]] if isinstance(kind, MapKind) else [()] * 2 * len(kind)
+
+
+def dart_of_name(state, q, name):
+    """The dart after which a name calls a q-cell, or None; perhaps one that went."""
+    if name in state.maps and q == 2:
+        return name, 0
+    base, _, text = name.rpartition(":") if isinstance(name, str) else ("", "", "")
+    called, _, number = base.rpartition(".")
+    if called not in state.maps or number != str(q) or text not in state.maps[called].texts:
+        return None
+    return called, state.maps[called].texts.index(text)
+
+
+def state_name(state, q, cell):
+    return dart_of_name(state, q, state.cells[cell.number].name)
+
+
 # ------------------------------------------------------------------------------------------------ levels of darts
 
 
@@ -1864,7 +2157,10 @@ def read_dart(state, text):
     name, _, dart = text.rpartition(":")
     if name not in state.maps or dart not in state.maps[name].texts:
         raise ScriptError(f'there is no dart "{text}"')
-    return name, state.maps[name].texts.index(dart)
+    found = name, state.maps[name].texts.index(dart)
+    if found not in state.alpha:
+        raise ScriptError(f'"{text}" went with a cell')
+    return found
 
 
 def dart_text(state, dart):
@@ -1916,6 +2212,8 @@ def op_sew(state, step, _prime):
             raise ScriptError("a dart cannot be sewn to itself")
         if (made[0].glued is None) != (made[1].glued is None):
             raise ScriptError("maps by cells and by simplices cannot be sewn")
+        if made[0].glued is None and i < made[0].dimension:
+            raise ScriptError("maps by cells are sewn in their own dimension only")
         sew_orbits(state, i, one, other, sewn)
         if made[0].dimension > 0:
             orbit = [one] if made[0].glued is None else reached(state, i, one)
@@ -2101,7 +2399,9 @@ def op_extend(state, step, _prime):
     while met := {e[0] for (name, _), images in state.alpha.items() if name in chosen for e in images} - {*chosen}:
         chosen += met
     chosen = [name for name in state.maps if name in chosen]
-    darts = [(name, k) for name in chosen for k in range(len(state.maps[name].texts))]
+    darts = [(name, k) for name in chosen for k in range(len(state.maps[name].texts)) if (name, k) in state.alpha]
+    if not darts:
+        raise ScriptError("no dart is left")
     number = {d: k for k, d in enumerate(darts)}
     alpha = [[number[state.alpha[d][i]] for d in darts] for i in range(n + 1)] + [list(range(len(darts)))]
     if state.maps[chosen[0]].glued is not None:
@@ -2752,6 +3052,10 @@ OPERATIONS = {
     "sew": op_sew,
     "unsew": op_unsew,
     "extend": op_extend,
+    "remove_cell": op_remove_cell,
+    "contract_cell": op_contract_cell,
+    "insert_cell": op_insert_cell,
+    "split_cell": op_split_cell,
     "degenerate": op_degenerate,
     "deidentify": op_deidentify,
     "product": op_product,

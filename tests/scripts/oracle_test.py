@@ -583,10 +583,10 @@ class MapsTest(unittest.TestCase):
 
     def test_maps_by_cells_have_the_groups_of_their_simplicial_analogues_after_every_step(self):
         compared = collections.Counter()
-        for seed in range(16):
+        for seed in range(24):
             writer = random_script.WriterOfMaps(seed, "Z")
-            writer.weights = {"polygon": 4, "solid": 1, "surface": 1, "closed_surface": 2, "small_map": 1, "nmap": 2,
-                              "sew": 10, "unsew": 3, "extend": 2, "undo": 1, "map_product": 3}
+            writer.weights = {"polygon": 4, "solid": 1, "surface": 1, "closed_surface": 2, "closed_solid": 1, "small_map": 1, "nmap": 2,
+                              "sew": 10, "unsew": 3, "extend": 2, "undo": 1, "map_product": 2, "take_cell_out": 6, "put_cell_in": 6}
             writer.of_maps = writer.weights  # no chains of maps, but in products
             writer.write(20)
             twin = oracle.Oracle()
@@ -598,8 +598,8 @@ class MapsTest(unittest.TestCase):
                     self.assertEqual(without_zeros(report["betti"], report["torsion"]), groups_of_analogue(twin.state), seed)
                     compared[step["op"]] += 1
                     compared["hollow"] += any(map(twin.state.is_hollow, twin.state.alive()))
-        operations = ("polygon", "sew", "unsew", "extend", "hollow", "product")
-        self.assertTrue(all(compared[op] > 3 for op in operations), compared)
+        self.assertTrue(all(compared[op] > 3 for op in ("polygon", "sew", "unsew", "extend", "hollow", "product", "remove_cell",
+                                                        "contract_cell", "insert_cell", "split_cell")), compared)
 
     def test_products_of_maps_are_what_kunneth_says_and_maps_again(self):
         compared = collections.Counter()
@@ -636,6 +636,41 @@ class MapsTest(unittest.TestCase):
         self.refuses(polygon("p", 3), polygon("q", 3), product("p", "q", "simplicial"))
         self.refuses(polygon("p", 3), polygon("q", 3), squash("q.1:0", 0), product("p", "q", "simploidal"))
         self.assertEqual(found(run(polygon("p", 3), simplex("e", 1), product("p", "e", "simploidal"))), ([6, 9, 5, 1], [1], []))
+
+    def test_what_is_put_into_a_map_can_be_taken_out_again(self):
+        ways = collections.Counter()
+        for seed in range(160):
+            writer = random_script.WriterOfMaps(seed, "Z")
+            writer.weights = writer.of_maps = {"sew": 1}
+            writer.random.choice([writer.polygon, writer.solid, writer.closed_surface, writer.closed_solid])()
+            writer.write(1)
+            before = writer.oracle.state
+            if not writer.put_cell_in():
+                continue
+            step = writer.lines[-1]
+            inverse = "remove_cell" if step["op"] == "insert_cell" else "contract_cell"
+            dimension = before.maps[step["darts"][0].split(":")[0]].dimension
+            ways[step["op"], step["dim"] if inverse == "remove_cell" else dimension - step["dim"]] += 1
+            writer.oracle.apply({"op": inverse, "cell": f'{step["name"]}.{step["dim"]}:0'})
+            self.assertEqual(writer.oracle.state.alpha, before.alpha, step)
+        self.assertTrue(all(ways[op, i] > 2 for op in ("insert_cell", "split_cell") for i in range(3)), ways)
+
+    def test_an_edge_that_is_removed_makes_two_faces_one_or_opens_what_it_lies_in(self):
+        two = [polygon("p", 4), polygon("q", 3), sew(2, ("p:0", "q:0"))]
+        one = run(*two, ("remove_cell", {"cell": "p.1:1"}))
+        self.assertEqual(found(one), ([5, 5, 1], [1], []))
+        self.assertEqual([one.state.cells[c].name for c in one.state.alive()][-1], "p.2:2")
+        self.assertEqual(one.state.alpha["p", 7][1], ("q", 5))
+        self.assertEqual(one.state.find("q.2:2"), one.state.find("p.2:7"))
+        self.assertEqual(found(run(*two, ("contract_cell", {"cell": "p.1:1"}))), ([5, 5, 2], [2], []))  # no face has another side
+        self.assertEqual(found(run(solid("s", "cube"), ("contract_cell", {"cell": "s.1:1"}))), ([7, 11, 6, 1], [1], []))
+        self.assertEqual(found(run(*two, ("remove_cell", {"cell": "p.1:2"}))), ([5, 5, 2], [1], []))  # a face is open
+        self.refuses(*two, ("remove_cell", {"cell": "p.0:1"}))  # three edges meet there
+        self.refuses(*two, ("remove_cell", {"cell": "p.1:1"}), sew(2, ("p:0", "p:3")))
+        self.refuses(*two, glue(("p.1:2", "q.1:2")), ("contract_cell", {"cell": "p.1:2"}))
+        torus = polygon("t", 4), sew(2, ("t:0", "t:5")), sew(2, ("t:2", "t:7"))
+        self.assertEqual(found(run(*torus, ("contract_cell", {"cell": "t.1:0"})))[1:], ([1, 0, 1], []))
+
 
     def test_cells_that_are_no_balls_are_refused(self):
         square = [[1, 0, 3, 2, 5, 4, 7, 6], [7, 2, 1, 4, 3, 6, 5, 0]]

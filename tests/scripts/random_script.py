@@ -14,8 +14,8 @@ tear: a random complex is glued from simploids and torn apart again, cell by cel
 steps than asked for.
 abstract: simplices on labelled vertices are inserted and replaced, any two vertices are collapsed, and now and then a body is
 changed by one of the other operations.
-maps: polygons, solids and other maps by their cells, few by their simplices, are sewn, unsewn and extended; in most scripts all other
-operations come between. Some maps have cells that are no balls.
+maps: polygons, solids and other maps by their cells, few by their simplices, are sewn, unsewn and extended, and cells of
+them removed, contracted, inserted and split; in most scripts all other operations come between. Some maps have cells that are no balls.
 boundaries: complexes of cells that are known by their boundaries, and all other operations.
 What is legal, the oracle knows. With --illegal the last step is wrong, and only that one.
 The same options give the same script.
@@ -29,6 +29,7 @@ import sys
 sys.dont_write_bytecode = True
 import boundaries
 import gmaps
+import local_operations
 import oracle
 import split_plans
 
@@ -849,11 +850,11 @@ def map_of_faces(faces):
 class WriterOfMaps(WriterOfAll):
     """Maps are made and sewn, unsewn and extended, beside all that others do."""
 
-    of_maps = {"polygon": 8, "solid": 3, "surface": 2, "closed_surface": 4, "small_map": 2, "nmap": 2, "chain": 3,
-               "incidence": 3, "sew": 22, "unsew": 8, "extend": 5, "map_product": 4}
+    of_maps = {"polygon": 8, "solid": 3, "surface": 2, "closed_surface": 4, "closed_solid": 1, "small_map": 2, "nmap": 2, "chain": 3,
+               "incidence": 3, "sew": 22, "unsew": 8, "extend": 5, "map_product": 4, "take_cell_out": 10, "put_cell_in": 10}
     weights = {**WriterOfAll.weights, "product": 1, "simploid": 1, "loops": 0, "moore": 0, "simplex": 2, "cw": 1, **of_maps}
-    growing = (*WriterOfAll.growing, "cw", "polygon", "solid", "surface", "closed_surface", "small_map", "nmap", "chain",
-               "incidence", "map_product")
+    growing = (*WriterOfAll.growing, "cw", "polygon", "solid", "surface", "closed_surface", "closed_solid", "small_map", "nmap",
+               "chain", "incidence", "map_product", "put_cell_in")
     last_surface = None
 
     def write(self, steps):
@@ -903,6 +904,17 @@ class WriterOfMaps(WriterOfAll):
         if self.random.random() < 0.7:
             alpha = [*alpha, list(range(len(alpha[0])))]
         return self.attempt({"op": "gmap", "name": self.fresh("u"), "alpha": alpha})
+
+    def closed_solid(self):
+        """Two solids, or cells over surfaces without boundary, sewn to one another along all faces: dimension 3, no free darts."""
+        if self.last_surface is None or self.random.random() < 0.5:
+            alpha = map_of_faces(SOLIDS[self.random.choice(["tetrahedron", "pyramid"])])
+        else:
+            alpha = self.last_surface[:3]
+        size = len(alpha[0])
+        alpha = [[*images, *(size + d for d in images)] for images in alpha]
+        return self.attempt({"op": "gmap", "name": self.fresh("o"),
+                             "alpha": [*alpha, [*range(size, 2 * size), *range(size)]]})
 
     def small_map(self):
         """Dimension 0 or 1: points, which may be in pairs, paths and circles. By cells no edge may lack an end."""
@@ -1051,10 +1063,77 @@ class WriterOfMaps(WriterOfAll):
         self.random.shuffle(names)
         return any(self.attempt({"op": "extend", "maps": [name]}) for name in names[:6])
 
+    def dart_by_cells(self):
+        """Any, and the dimension of its map; or None."""
+        state = self.oracle.state
+        darts = [d for d in state.alpha if state.maps[d[0]].glued is None]
+        if not darts:
+            return None
+        dart = self.random.choice(darts)
+        if self.random.random() < 0.5:  # largest maps are made of many darts, and sewn ones
+            n = self.random.choice(sorted({state.maps[d[0]].dimension for d in darts}))
+            dart = self.random.choice([d for d in darts if state.maps[d[0]].dimension == n])
+        return dart, state.maps[dart[0]].dimension
+
+    def take_cell_out(self):
+        """A removal or a contraction."""
+        for _ in range(8):
+            found = self.dart_by_cells()
+            if not found:
+                return False
+            dart, n = found
+            op, i = self.random.choice([("remove_cell", self.random.randint(0, n)), ("contract_cell", self.random.randint(0, n))])
+            step = {"op": op, "cell": oracle.dart_cell_name(dart[0], i, oracle.dart_text(self.oracle.state, dart))}
+            if i == 2 and dart[1] == 0 and dart[0] in self.oracle.state.names and self.random.random() < 0.5:
+                step["cell"] = dart[0]
+            if self.random.random() < 0.1:
+                step["map"] = dart[0]
+            if self.attempt(step):
+                return True
+        return False
+
+    def put_cell_in(self):
+        """An insertion or a split: with one dart, two of a cell, or a path."""
+        for _ in range(8):
+            found = self.dart_by_cells()
+            if not found:
+                return False
+            dart, n = found
+            low = self.random.choice([0, 1, 1, 2, 2])
+            op, i, order = self.random.choice([("insert_cell", low, range(n + 1)), ("split_cell", n - low, range(n, -1, -1))])
+            darts = [dart]
+            if low == 1 and n > 0 and self.random.random() < 0.7:
+                images = self.oracle.state.alpha
+                darts.append(self.random.choice(local_operations.reached(images, order[:2], dart)))
+            elif low == 2 and n > 2:
+                darts = self.closed_path(dart, order)
+            step = {"op": op, "name": self.fresh("k"), "dim": max(i, 0), "darts": [self.dart_text(d) for d in darts]}
+            if self.random.random() < 0.1:
+                step["at"] = [1, 2.5]
+            if self.attempt(step):
+                return True
+        return False
+
+    def closed_path(self, start, order):
+        """Edge after edge, without a dart that was met, until one ends where the first begins; or around a face."""
+        images, path = self.oracle.state.alpha, [start]
+        around_face = self.random.random() < 0.3
+        while len(path) < 8:
+            end = images[path[-1]][order[0]]
+            vertex = local_operations.reached(images, order[1:3], end)
+            if start in vertex and (not around_face or start == images[end][order[1]]):
+                break
+            path.append(images[end][order[1]] if around_face else self.random.choice(vertex))
+        return path
+
     def wrong_steps(self):
         state = self.oracle.state
         steps = super().wrong_steps() + [
             {"op": "polygon", "name": "fresh", "sides": 0},
+            {"op": "remove_cell", "cell": "nobody.1:0"},
+            {"op": "contract_cell", "cell": "nobody"},
+            {"op": "insert_cell", "name": "fresh", "dim": 1, "darts": []},
+            {"op": "split_cell", "name": "fresh", "dim": 1, "darts": ["nobody:0"]},
             {"op": "gmap", "name": "fresh", "alpha": [[1, 0], [0]]},
             {"op": "gmap", "name": "fresh", "alpha": [[0]] * 2},
             {"op": "gmap", "name": "fresh", "alpha": []},
@@ -1079,6 +1158,11 @@ class WriterOfMaps(WriterOfAll):
             steps.append({"op": "sew", "dim": n, "pairs": [[dart, dart]]})
             steps.append({"op": "sew", "dim": n + 1, "pairs": [[dart, dart]]})
             steps.append({"op": "unsew", "dim": n + 1, "darts": [dart]})
+            steps.append({"op": "insert_cell", "name": "fresh", "dim": n, "darts": [dart]})
+            steps.append({"op": "split_cell", "name": "fresh", "dim": 0, "darts": [dart]})
+            for i in range(n + 2):
+                cell = oracle.dart_cell_name(d[0], i, oracle.dart_text(state, d))
+                steps += [{"op": op, "cell": cell} for op in ("remove_cell", "contract_cell")]
             steps.append({"op": "polygon", "name": d[0], "sides": 2})
             if state.alpha[d][n] == d:
                 steps.append({"op": "unsew", "dim": n, "darts": [dart]})
