@@ -1524,7 +1524,9 @@ def darts_of_factor(state, body):
         return Factor([[seen(name, i, d) for name in levels if i < len(state.levels[name])
                         for d in range(state.levels[name][i])] for i in range(largest)], None)
     n = state.maps[maps[0]].dimension
-    darts = [(name, k) for name in maps for k in range(len(state.maps[name].texts))]
+    darts = [(name, k) for name in maps for k in range(len(state.maps[name].texts)) if (name, k) in state.alpha]
+    if not darts:
+        return None
     number = {d: k for k, d in enumerate(darts)}
     alpha = [[number.get(state.alpha[d][i], number[d]) for d in darts] for i in range(n + 1)]
     return Factor([[seen(name, i, state.maps[name].texts[k]) for name, k in darts] for i in range(n + 1)], alpha)
