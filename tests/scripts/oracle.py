@@ -2299,6 +2299,9 @@ def split_cells(state, i, before, free, below, rank):
         whole = seen_by(state, i, dart)
         if any(seen_by(state, i, d)[0] != whole[0] for d in darts):
             raise ScriptError("other steps have split what is unsewn")
+        for above in (seen_by(state, i + 1, d) for d in darts):
+            if is_degenerate(above) or (not state.is_hollow(above[0]) and state.face(above, *first_face(above))[0] != whole[0]):
+                raise ScriptError("other steps have split what is unsewn, or it is degenerate")
         names = {dart_cell_name(d[0], i, dart_text(state, d)): d for d in darts}
         others = set()
         called = state.cells[whole[0]].name

@@ -8,7 +8,7 @@ basic: simplex, simploid, complex, cone, suspend, identify, expect, class, undo 
 twisted ones (torsion), simploids of mixed types up to dimension 3, cones over bodies and over lists, classes of
 boundaries, cycles and other chains.
 all: cones over simploids, degenerate cells, products of both kinds, remove, replace, deidentify as well (cells cut off or torn out,
-cells split along their links, gluings taken back), in any order and on top of each other. --weight makes a step more
+cells split along their links, gluings taken back), and in most scripts maps, in any order and on top of each other. --weight makes a step more
 or less frequent (0: never); a wrong NAME is answered with the names that there are.
 tear: a random complex is glued from simploids and torn apart again, cell by cell, to isolated ones. It may need more
 steps than asked for.
@@ -534,10 +534,10 @@ class WriterOfAll(Writer):
         return self.attempt({"op": "deidentify", "split": split})
 
     def tears_hollow_cells(self, split):
-        """Whether incidences move that are in the boundaries of cells that are no balls: to those the copies would have to
-        go as well, and they have other faces in the program."""
+        """Whether incidences move that are in the boundaries of cones over cells that are no balls: these have other faces in
+        the program, which does not know what they are attached along but by their boundaries."""
         state = self.oracle.state
-        hollow = set(state.closure(filter(state.is_hollow, state.alive())))
+        hollow = set(state.closure(c for c in state.alive() if state.is_hollow(c) and not state.cells[c].kind.incidences))
         moved = [name for entry in split for name, _ in entry["moves"] if name in state.names]
         return any(state.is_hollow(state.find(entry["cell"])) for entry in split) or any(
             state.find(name) in hollow for name in moved)
@@ -1176,7 +1176,20 @@ class WriterOfMaps(WriterOfAll):
         return steps
 
 
-WRITERS = {"basic": Writer, "all": WriterOfAll, "tear": WriterOfTearing, "nest": WriterOfNests,
+class WriterOfEverything(WriterOfMaps):
+    """All operations; in some scripts no maps, as these are no factors of products."""
+
+    weights = {**WriterOfAll.weights, "cw": 1, "polygon": 2, "solid": 1, "surface": 1, "closed_surface": 1, "closed_solid": 1,
+               "small_map": 1, "nmap": 1, "chain": 1, "incidence": 1, "sew": 7, "unsew": 3, "extend": 2, "take_cell_out": 4,
+               "put_cell_in": 4}
+
+    def write(self, steps):
+        if self.random.random() < 0.4:
+            self.weights = {name: weight for name, weight in self.weights.items() if name in WriterOfAll.weights}
+        WriterOfAll.write(self, steps)
+
+
+WRITERS = {"basic": Writer, "all": WriterOfEverything, "tear": WriterOfTearing, "nest": WriterOfNests,
            "abstract": WriterOfAbstract, "maps": WriterOfMaps, "boundaries": WriterOfBoundaries}
 
 
