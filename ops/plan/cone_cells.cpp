@@ -40,6 +40,52 @@ CellId left_of_new_cells(CellId first, const Structure& structure, const Plan& p
   return left;
 }
 
+Status check_faces_seen(int n, const std::function<Result<Value>(int)>& sees, const std::string& dart,
+                        const Structure& structure, const Plan& plan) {
+  for (int q = 1; q < n; ++q) {
+    const Result<Value> above = sees(q);
+    const Result<Value> below = above ? sees(q - 1) : above;
+    if (!below) {
+      return below.error();
+    }
+    if (is_new(above->cell, plan) || structure.values().face(*above, 0) == *below) {
+      continue;  // new cells are made of what is seen
+    }
+    return Error{Errc::refused,
+                 fmt::format("what {} belongs to has been split, and not by unsewing: it sees \"{}\", "
+                             "which is no face there of \"{}\"; undo that first",
+                             dart, is_new(below->cell, plan) ? "a new cell" : structure.name(below->cell),
+                             structure.name(above->cell))};
+  }
+  return Done{};
+}
+
+Status check_no_cone_above(CellId cell, std::unordered_set<CellId>& known, const Structure& structure) {
+  std::vector<CellId> pending;
+  if (known.insert(cell).second) {
+    pending.push_back(cell);
+  }
+  while (!pending.empty()) {
+    const CellId at = pending.back();
+    pending.pop_back();
+    const CellType& type = structure.cells().type(at).type;
+    if (is_cone(type) || is_cone_part(type)) {
+      const std::string whole = structure.name(is_cone(type) ? at : whole_of_part(structure, at));
+      return Error{
+          Errc::refused,
+          fmt::format("faces of \"{}\" cannot move to copies: it belongs to \"{}\", which is no ball, and whose "
+                      "darts would see other faces than the cell has; unsew that first, or remove it",
+                      structure.name(cell), whole)};
+    }
+    for (const CellId coface : cofaces(structure, at)) {
+      if (known.insert(coface).second) {
+        pending.push_back(coface);
+      }
+    }
+  }
+  return Done{};
+}
+
 Status check_cofaces(CellId cell, const std::unordered_set<CellId>& known, std::string_view what,
                      const Structure& structure) {
   for (const CellId coface : cofaces(structure, cell)) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -64,6 +65,15 @@ Status add_cone_cell(const ConeShape& shape, const std::string& name, const Stru
 
 /// A cell that is left in the boundary of the boundary of some new cell, from one of them on; or none.
 [[nodiscard]] CellId left_of_new_cells(CellId first, const Structure& structure, const Plan& plan);
+
+/// Does a dart, called `dart`, see faces of what it sees above, in all dimensions below n? A split moves incidences,
+/// but not what darts see. `sees(q)`: what it sees in dimension q. Errors: those of `sees`; refused, naming two cells.
+Status check_faces_seen(int n, const std::function<Result<Value>(int)>& sees, const std::string& dart,
+                        const Structure& structure, const Plan& plan);
+
+/// Errors: refused, when a cell is below one that is no ball, or is one, naming both: darts of that would see another
+/// face than the cell has when it has lost one to a copy. `known` has been looked at, and gets what is. Cost: its star.
+Status check_no_cone_above(CellId cell, std::unordered_set<CellId>& known, const Structure& structure);
 
 /// Errors: refused, when a cell has a coface besides some and the generators of cells that are no balls.
 Status check_cofaces(CellId cell, const std::unordered_set<CellId>& known, std::string_view what,

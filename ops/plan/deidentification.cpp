@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <unordered_set>
 
 #include "ops/cells/cofaces.hpp"
 #include "ops/plan/cone_cells.hpp"
@@ -22,6 +23,22 @@ void make_room_for_one(std::vector<T>& list) {
   if (list.size() == list.capacity()) {
     list.reserve(2 * list.size() + 16);
   }
+}
+
+/// Boundaries of cells that are no balls may go on being cycles when something below them is split; but then those are
+/// attached otherwise than their darts say.
+Status check_cones(const std::vector<Move>& moves, const Structure& structure) {
+  const auto parts = structure.bodies().parts();
+  if (std::ranges::all_of(parts, [](std::uint64_t count) { return count == 0; })) {
+    return Done{};
+  }
+  std::unordered_set<CellId> known;
+  for (const Move& move : moves) {
+    if (Status s = check_no_cone_above(move.cell, known, structure); !s) {
+      return s;
+    }
+  }
+  return Done{};
 }
 
 std::uint64_t hash_of(CellId c) { return sparse::spread_bits(c); }
@@ -50,6 +67,9 @@ Status SplitPlanner::plan(const Deidentify& operation, const Limits& limits, Pla
         return s;
       }
     }
+  }
+  if (Status s = check_cones(plan.moves, structure_); !s) {
+    return s;
   }
   add_cofaces();
   for (const CellId c : cells_) {

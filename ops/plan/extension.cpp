@@ -257,6 +257,12 @@ class ExtensionPlanner {
                                "it: make it \"as\":\"simplices\", with one involution more",
                                name(first))};
     }
+    for (const Dart d : dart_at) {
+      const auto sees = [&](int q) { return seen_now(dimension_, q, darts_[d], structure_); };
+      if (Status s = check_faces_seen(dimension_ + 1, sees, sparse::quoted(name(d)), structure_, plan_); !s) {
+        return s;
+      }
+    }
     const std::string name_of_cell = cell_name(dart_at[0]);
     const auto face_at = [&](int q, Dart place) -> Result<SeenFace> {
       const Result<Value> value = seen_now(dimension_, q, darts_[dart_at[place]], structure_);

@@ -93,14 +93,19 @@ RewiredCells::SeenCell RewiredCells::seen_after(int i, Dart d) const {
   return at != level.end() ? at->second : *seen_before(i, d);
 }
 
-/// The same of a cell that is no cone, as a face of a new one.
+/// Of a cell that is no cone, and may be a new one.
+Value RewiredCells::value_of(const SeenCell& seen) const {
+  const bool is_new = seen.cell >= plan_.first && !is_asked_for(seen.cell);
+  const TypeId type = is_new ? plan_.cells[seen.cell - plan_.first].type : structure_.cells().type_id(seen.cell);
+  const OrderId order = structure_.maps().order_at(type, seen.place);
+  return {seen.cell, structure_.maps().seen_through(order, type), 0, order};
+}
+
+/// What a dart will see, as a face of a new cell.
 SeenFace RewiredCells::face_seen_after(int i, Dart d) const {
-  const auto [cell, place, is_degenerate] = seen_after(i, d);
-  const bool is_new = cell >= plan_.first && !is_asked_for(cell);
-  const TypeId type = is_new ? plan_.cells[cell - plan_.first].type : structure_.cells().type_id(cell);
-  const OrderId order = structure_.maps().order_at(type, place);
-  const TypeId seen = structure_.maps().seen_through(order, type);
-  return {is_new ? Incidence{cell, order} : structure_.values().incidence_of({cell, seen, 0, order}), seen};
+  const Value value = value_of(seen_after(i, d));
+  const bool is_new = value.cell >= plan_.first && !is_asked_for(value.cell);
+  return {is_new ? Incidence{value.cell, value.order} : structure_.values().incidence_of(value), value.type};
 }
 
 std::vector<Value> RewiredCells::faces_of(CellId cell) const {
@@ -286,6 +291,17 @@ Status RewiredCells::make_cone(const CellBoundary& boundary, const std::vector<D
   }
   const ConeShape* shape = structure_.types().cone_over(restricted_to(boundary.map, order, n - 1));
   sparse::expects(shape != nullptr, "the cells below have been made, or kept, as balls");
+  for (const Dart d : darts) {
+    const auto sees = [&](int q) -> Result<Value> {
+      const Seen& level = levels_[static_cast<std::size_t>(q)];
+      const auto at = level.find(d);
+      const Result<SeenCell> seen = at != level.end() ? Result<SeenCell>{at->second} : seen_before(q, d);
+      return seen ? Result<Value>{value_of(*seen)} : seen.error();
+    };
+    if (Status s = check_faces_seen(n, sees, text(d), structure_, plan_); !s) {
+      return s;
+    }
+  }
   const auto face_at = [&](int q, Dart place) -> Result<SeenFace> { return face_seen_after(q, dart_at[place]); };
   const auto first_new = static_cast<CellId>(plan_.first + plan_.cells.size());
   if (Status s = add_cone_cell(*shape, name_(n, dart_at[0]), structure_, face_at, plan_); !s) {
@@ -311,7 +327,8 @@ Status RewiredCells::check_alone(int i, const OldCell& old) const {
     const Dart dart = naming_.of(node, i, map_.dimension());
     if (dart == no_dart) {
       is_alone = false;
-    } else if (!old_of_.contains(dart) && !structure_.darts().taken_out_with(map_.dimension(), dart)) {
+    } else if (!std::ranges::binary_search(old.darts, dart) &&
+               !structure_.darts().taken_out_with(map_.dimension(), dart)) {
       const Result<SeenCell> value = seen_before(i, dart);
       is_alone = is_alone && (!value || value->cell != old.cell);
     }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "ops/cells/cofaces.hpp"
 #include "ops/maps/map_conversions.hpp"
 #include "tests/support/engines.hpp"
 #include "tests/support/groups.hpp"
@@ -244,4 +245,62 @@ TEST_CASE("there is no cell over a sphere whose edges were folded when they were
                  R"({"op":"degenerate","cell":"p.1:2","along":0})",
                  R"({"op":"sew","dim":2,"pairs":[["p:0","p:1"],["p:2","p:3"]]})"});
   CHECK(tells(why_not(engine, ops::Extend{{"p"}}), "has a cell that is no ball"));
+}
+
+namespace {
+
+/// The split of a vertex that takes all edges which end there to its copy.
+ops::Deidentify split_off(const Engine& engine, const std::string& vertex) {
+  const ops::Structure& structure = engine.structure();
+  const ops::CellId cell = *structure.lookup(vertex);
+  ops::Deidentify::Split split{vertex, "x", {}};
+  for (const ops::CellId edge : ops::cofaces(structure, cell)) {
+    for (std::uint32_t k = 0; structure.dimension(edge) == 1 && k < 2; ++k) {
+      if (structure.values().face_of_cell(edge, k).cell == cell) {
+        split.moves.emplace_back(structure.name(edge), k);
+      }
+    }
+  }
+  return {{split}};
+}
+
+}  // namespace
+
+TEST_CASE("what lies in the boundary of a cell that is no ball is split only where that loses nothing") {
+  Engine engine(ring_named("Z"));
+  carry_out(engine, make_map("m", torus_of_nine().extended()));
+  const std::string why = why_not(engine, split_off(engine, "m.0:0"));
+  CHECK((tells(why, R"("m.1:)") && tells(why, R"(it belongs to "m.3:0", which is no ball)")));
+  CHECK(tells(
+      why_not(engine, operation(R"({"op":"deidentify","split":[{"cell":"m.2:0","as":"x","moves":[["m.3:0",0]]}]})")),
+      R"(belongs to "m.3:0")"));
+  build(engine, {R"({"op":"simplex","name":"e","dim":1})", R"({"op":"identify","pairs":[["e.0","m.0:0"]]})",
+                 R"({"op":"deidentify","split":[{"cell":"m.0:0","as":"x","moves":[["e",1]]}]})"});
+  CHECK(engine.homology().betti == std::vector<std::int64_t>{2, 0, 0, 0});
+  carry_out(engine, R"({"op":"remove","cells":["m.3:0"]})");
+  carry_out(engine, split_off(engine, "m.0:8"));  // now nothing depends on it
+  CHECK(engine.first_defect().value_or("") == "");
+}
+
+TEST_CASE("no cell is made over darts that see other cells than these have as faces") {
+  Engine engine(ring_named("Z"));
+  carry_out(engine, make_map("t", torus_of_nine()));
+  carry_out(engine, split_off(engine, "t.0:0"));
+  CHECK(tells(why_not(engine, ops::Extend{{"t"}}), R"(it sees "t.0:0", which is no face there of "t.1:)"));
+  Engine cube(ring_named("Z"));
+  carry_out(cube, make_map("c", map_of_faces(cube_faces())));
+  carry_out(cube, split_off(cube, "c.0:0"));
+  carry_out(cube, ops::Extend{{"c"}});  // a ball is what its faces say
+  std::string far;                      // a face without that vertex
+  for (ops::Dart d = 0; far.empty(); d += 8) {
+    bool has_it = false;
+    for (ops::Dart k = d; k < d + 8; ++k) {
+      has_it = has_it || cube.structure().lookup("c.0:" + std::to_string(k)) == cube.structure().lookup("c.0:0");
+    }
+    far = has_it ? "" : "c.2:" + std::to_string(d);
+  }
+  CHECK(tells(why_not(cube, ops::RemoveCell{far}), R"(it sees "c.0:0", which is no face there of "c.1:)"));
+  carry_out(cube, R"({"op":"remove","cells":["c.0:0"]})");  // which is nobody's face by now
+  CHECK(tells(why_not(cube, ops::RemoveCell{far}), "was removed"));
+  CHECK(cube.first_defect().value_or("") == "");
 }

@@ -409,3 +409,14 @@ TEST_CASE("what is left of a map after removals is extended") {
   CHECK(counts_of(workspace) == std::vector<std::uint64_t>{7, 9, 4, 1});
   CHECK(groups_of(workspace.structure()) == std::vector<std::string>{"Z"});
 }
+
+TEST_CASE("cells of a map that are glued to each other, and not by sewing, are not replaced") {
+  Workspace workspace;
+  do_all(workspace,
+         {R"({"op":"polygon","name":"p","sides":3})", R"({"op":"polygon","name":"q","sides":3})",
+          R"({"op":"sew","dim":2,"pairs":[["p:0","q:0"]]})", R"({"op":"identify","pairs":[["p.2:0","q.2:0"]]})"});
+  CHECK(counts_of(workspace) == std::vector<std::uint64_t>{3, 3, 1});
+  CHECK(has_part(refusal(workspace, R"({"op":"remove_cell","cell":"p.1:0"})"), "is glued to other cells"));
+  CHECK(has_part(refusal(workspace, R"({"op":"insert_cell","name":"k","dim":1,"darts":["q:2","q:5"]})"),
+                 "is glued to other cells"));
+}
