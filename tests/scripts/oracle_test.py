@@ -545,7 +545,8 @@ def solid(name, kind):
 def groups_of_analogue(state):
     """(betti, torsion) of the simplicial analogue of all maps as they are sewn now, but for factors of products."""
     total = oracle.Oracle()
-    consumed = {name for name in state.maps if state.names.get(f"{name}.0:{state.maps[name].texts[0]}", name) is None}
+    consumed = {name for name, made in state.maps.items()
+                if all(state.names.get(f"{name}.0:{text}", name) is None for k, text in enumerate(made.texts) if (name, k) in state.alpha)}
     for n in {made.dimension for name, made in state.maps.items() if name not in consumed}:
         darts = [d for d in state.alpha if state.maps[d[0]].dimension == n and d[0] not in consumed]
         number = {d: k for k, d in enumerate(darts)}
