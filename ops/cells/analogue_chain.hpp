@@ -18,7 +18,7 @@ using AnalogueChain = std::vector<std::pair<int, std::string>>;
 /// its simplices numbered 0 to i, each with the sign of its darts. A cell of a dimension n that is no ball is a cone,
 /// whose generators are n * z over the chains z that its ConeShape says. Subdividing commutes with boundaries, so
 /// cycles are cycles of the analogue, of the same class, and bound there what they bound.
-/// Nothing of what is no cell of a map with darts, or one whose darts have been removed.
+/// Nothing of what is no cell of a map with darts, of a cell of a product, or of one whose darts have been removed.
 /// Cost: n times the darts of the cell, for a cell that is called by a dart which is there; else the darts of all maps.
 [[nodiscard]] std::optional<AnalogueChain> in_analogue(const Structure& structure, CellId cell);
 
