@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -101,10 +102,17 @@ class DartStore {
   void save(sparse::ArchiveWriter& to) const;
   /// Names are not looked at.
   void load(sparse::ArchiveReader& from, const CellStore& nodes, const TypeTable& types);
-  /// The same maps with the same darts, of whose cells another store has become; to begin with. `name(number)`: of a
-  /// name there; `seen(map, i, dart)`: the node of a cell and which dart of it that is, or nothing.
-  template <class Name, class Seen>
-  void begin_with(const DartStore& other, Name&& name, Seen&& seen);
+  /// How the maps of another store are taken over, of whose cells others have become.
+  struct Renewed {
+    std::function<std::uint32_t(std::uint32_t)> name;  ///< of a name there, here
+    std::function<DartCells::Seen(const Made&, int, Dart)>
+        seen;  ///< the node of a cell and which dart of it, or nothing
+    std::function<bool(const Made&, int, Dart)> is_called_after;  ///< is a cell of dimension i called after this dart?
+  };
+  /// The maps of another store, to begin with, as far as there is something left of them: a dart that sees a cell which
+  /// is there, or after which one is called, in the map itself or in one that is sewn to it. Darts are numbered anew.
+  /// Cost: the darts of the other one, times the dimension.
+  void begin_with(const DartStore& other, const Renewed& renewed);
 
  private:
   struct Dimension {
@@ -120,6 +128,7 @@ class DartStore {
   using Place = std::array<std::uint32_t, 3>;      ///< dimension, dimension of the cell, dart
   using DartPlace = std::array<std::uint32_t, 2>;  ///< dimension, dart
   void join(const Event& event, bool are_sewn);
+  [[nodiscard]] std::vector<bool> maps_left(const Renewed& renewed) const;
   void note_map(Made map);
   void list_map(std::uint32_t number);
   [[nodiscard]] bool is_sound(const Made& map, const CellStore& nodes, const TypeTable& types) const;
@@ -132,33 +141,6 @@ class DartStore {
   std::vector<std::optional<DartCells::Seen>> saw_;  ///< before, per event of that kind
   std::map<DartPlace, std::uint32_t> taken_out_;     ///< the dimension of the cell
 };
-
-template <class Name, class Seen>
-void DartStore::begin_with(const DartStore& other, Name&& name, Seen&& seen) {
-  for (const Made& old : other.maps_) {
-    auto cells = std::make_shared<DartCells>();
-    for (std::size_t i = 0; i < old.cells->of.size(); ++i) {
-      cells->of.emplace_back();
-      for (Dart d = 0; d < old.cells->of[i].size(); ++d) {
-        cells->of.back().push_back(seen(old, static_cast<int>(i), old.first + d));
-      }
-    }
-    by_name_.emplace_back(name(old.name), maps());
-    maps_.push_back({by_name_.back().first, old.dimension, old.first, old.count, 0, std::move(cells),
-                     old.is_by_simplices, old.halves});
-    list_map(maps() - 1);
-  }
-  taken_out_ = other.taken_out_;
-  std::ranges::sort(by_name_);
-  for (std::size_t n = 0; n < by_dimension_.size(); ++n) {
-    for (const auto& images : other.by_dimension_[n].alpha) {
-      auto& alpha = by_dimension_[n].alpha.emplace_back();
-      for (std::size_t d = 0; d < images.size(); ++d) {
-        alpha.push_back(images[d]);
-      }
-    }
-  }
-}
 
 /// "3", or "3'" of an n-map: what a dart of a map is called after its name, and which one it is, or no_dart. A chain of
 /// maps has no such darts.

@@ -1,4 +1,6 @@
 // A structure that begins with the present object of another one.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <unordered_map>
@@ -171,7 +173,7 @@ void Structure::Renewal::take_name_of(CellId old) {
   }
 }
 
-/// Maps keep their darts, and their names as far as they are still names of bodies or cells.
+/// Maps of which something is left keep their names, as far as they are still names of bodies or cells.
 void Structure::Renewal::take_darts() {
   const auto name = [&](std::uint32_t number) {
     const std::string& text = from_.directory_.names()[number].text;
@@ -182,17 +184,27 @@ void Structure::Renewal::take_darts() {
     to_.directory_.add(text, none, none);
     return to_.directory_.names().size() - 1;
   };
-  to_.darts_.begin_with(from_.darts_, name, [&](const DartStore::Made& map, int i, Dart dart) {
-    const auto seen = seen_from_dart(from_, map, i, dart);
-    const Value value = seen ? from_.values_.normal_form(*seen) : Value{};
-    const bool is_there = seen && !value.is_degenerate() && cells_.contains(value.cell);
+  const auto is_cell = [&](const std::string& text) {
+    const std::uint32_t number = to_.directory_.names().number_of(text);
+    return number != none && to_.directory_.names()[number].cell != none;
+  };
+  const auto is_called_after = [&](const DartStore::Made& map, int i, Dart local) {
+    const std::string& text = from_.directory_.names()[map.name].text;
+    const bool is_face = i == 2 && local == 0 && is_cell(text);  // of a polygon
+    return is_face || (!map.has_levels() && is_cell(fmt::format("{}.{}:{}", text, i, dart_text(map, local))));
+  };
+  const auto seen = [&](const DartStore::Made& map, int i, Dart dart) {
+    const auto saw = seen_from_dart(from_, map, i, dart);
+    const Value value = saw ? from_.values_.normal_form(*saw) : Value{};
+    const bool is_there = saw && !value.is_degenerate() && cells_.contains(value.cell);
     if (!is_there) {
       return DartCells::Seen{UINT32_MAX, 0};
     }
     const bool is_cone = ops::is_cone(from_.cells().type(value.cell).type);
     return DartCells::Seen{cells_.at(value.cell),
                            is_cone ? from_.darts_.seen(map, i, dart).dart : from_.maps().dart_of(value.order)};
-  });
+  };
+  to_.darts_.begin_with(from_.darts_, {name, seen, is_called_after});
 }
 
 /// Vertices that are there, by the labels that they are called by.

@@ -62,3 +62,26 @@ TEST_CASE("an engine with a log in memory forgets no cells", "[engine][renewal]"
   }
   CHECK(engine.structure().cells().size() == 9000);
 }
+
+TEST_CASE("an engine that forgets cells has no darts of maps that are gone", "[engine][renewal]") {
+  Engine engine(sparse::Integers{}, {}, {}, forgetful_history(10));
+  const auto line = [](const std::string& name, const std::string& op, const std::string& rest) {
+    return R"({"op":")" + op + R"(",)" + rest.substr(0, rest.find('%')) + name + rest.substr(rest.find('%') + 1) + "}";
+  };
+  carry_out(engine, R"({"op":"polygon","name":"p","sides":3})");
+  ops::Dart most = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const std::string name = "m" + std::to_string(k);
+    carry_out(engine, line(name, "polygon", R"("name":"%","sides":4)"));
+    carry_out(engine, line(name, "remove", R"("cofaces":true,"cells":["%.0:0"])"));
+    carry_out(engine, line(name, "remove", R"("cofaces":true,"cells":["%.0:3"])"));
+    carry_out(engine, line(name, "remove", R"("cofaces":true,"cells":["%.0:5"])"));
+    carry_out(engine, line(name, "remove", R"("cofaces":true,"cells":["%.0:1"])"));
+    carry_out(engine, line("k" + name, "insert_cell", R"("dim":1,"darts":["p:2"],"name":"%")"));
+    carry_out(engine, line("k" + name, "remove_cell", R"("cell":"%.1:0")"));
+    most = std::max(most, engine.structure().darts().darts(2));
+  }
+  CHECK(most < 6000);  // of 36000
+  CHECK(engine.structure().darts().maps() < 1000);
+  CHECK(engine.homology().betti == std::vector<std::int64_t>{1, 0, 0});
+}

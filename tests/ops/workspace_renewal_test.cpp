@@ -128,3 +128,57 @@ TEST_CASE("abstract complexes go on in a workspace that begins with the object o
     check_is_same(next, workspace);
   }
 }
+
+TEST_CASE("a workspace that begins with an object has the darts of maps of which something is left") {
+  Workspace workspace;
+  for (const char* line :
+       {R"({"op":"polygon","name":"p","sides":4})", R"({"op":"polygon","name":"q","sides":4})",
+        R"({"op":"polygon","name":"r","sides":5})", R"({"op":"polygon","name":"s","sides":3})",
+        R"({"op":"sew","dim":2,"pairs":[["p:0","q:0"]]})", R"({"op":"remove","cells":["q.2:2"]})",
+        R"({"op":"remove","cells":["r.0:0","r.0:2","r.0:4","r.0:6","r.0:8"],"cofaces":true})",
+        R"({"op":"chain_of_maps","name":"h","levels":[{"darts":2},{"alpha":[[1,0]],"sigma":[0,1]}]})",
+        R"({"op":"remove","cells":["h.0:0","h.0:1"],"cofaces":true})",
+        R"({"op":"gmap","name":"c","alpha":[[1,0,3,2],[3,2,1,0],[3,2,1,0]]})", R"({"op":"extend","maps":["c"]})"}) {
+    CAPTURE(line);
+    REQUIRE(do_step(workspace, operation(line)));
+  }
+  for (int k = 0; k < 30; ++k) {  // with a vertex that is called after a new dart
+    const std::string name = "k" + std::to_string(k);
+    REQUIRE(do_step(workspace, operation(R"({"op":"insert_cell","name":")" + name + R"(","dim":1,"darts":["s:2"]})")));
+    REQUIRE(do_step(workspace, operation(R"({"op":"remove_cell","cell":")" + name + R"(.1:0"})")));
+  }
+  REQUIRE(workspace.structure().darts().darts(2) == 8 + 8 + 10 + 6 + 4 + 30 * 4);
+  Workspace next;
+  next.begin_with(workspace);
+  check_is_same(next, workspace);
+  check_is_sound(next);
+  const ops::DartStore& darts = next.structure().darts();
+  CHECK(darts.darts(2) == 8 + 8 + 6);
+  CHECK(darts.darts(3) == 4);
+  CHECK(darts.maps() == 4);
+  CHECK_FALSE(do_step(next, operation(R"({"op":"sew","dim":2,"pairs":[["r:0","p:4"]]})")));
+  CHECK_FALSE(do_step(next, operation(R"({"op":"sew","dim":2,"pairs":[["q:0","p:4"]]})")));  // which is sewn
+  REQUIRE(do_step(next, operation(R"({"op":"sew","dim":2,"pairs":[["s:0","p:5"]]})")));
+  REQUIRE(do_step(next, operation(R"({"op":"insert_cell","name":"z","dim":1,"darts":["s:2"]})")));
+  check_is_sound(next);
+}
+
+TEST_CASE("a map stays when a cell is called after a dart of it that is gone") {
+  Workspace workspace;
+  for (const char* line :
+       {R"({"op":"polygon","name":"p","sides":3})", R"({"op":"insert_cell","name":"k","dim":0,"darts":["p:1"]})",
+        R"({"op":"insert_cell","name":"l","dim":1,"darts":["p:1","p:4"]})", R"({"op":"remove_cell","cell":"l.1:0"})"}) {
+    CAPTURE(line);
+    REQUIRE(do_step(workspace, operation(line)));
+  }
+  const ops::DartStore& before = workspace.structure().darts();
+  Workspace next;
+  next.begin_with(workspace);
+  const ops::DartStore& after = next.structure().darts();
+  CHECK(after.darts(2) == before.darts(2) - 4);  // without those of l
+  check_is_same(next, workspace);
+  for (Workspace* each : {&workspace, &next}) {
+    REQUIRE(do_step(*each, operation(R"({"op":"remove_cell","cell":"k.0:0"})")));
+  }
+  check_is_same(next, workspace);
+}
