@@ -60,7 +60,7 @@ TEST_CASE("a product of maps has the groups of Künneth's formula, and of its si
              right = map_of_balls(random, random.in(0, 2), random.one_in(2));
   const GMap map = ops::product(left, right);
   CAPTURE(ops::to_text(ops::Operation{make_map("l", left)}), ops::to_text(ops::Operation{make_map("r", right)}));
-  for (const std::string& name : {"Z", "Z/2", "Z/3"}) {
+  for (const std::string& name : Lines{"Z", "Z/2", "Z/3"}) {
     CAPTURE(name);
     const AnyRing ring = ring_named(name);
     Engine engine(ring);
@@ -117,6 +117,27 @@ TEST_CASE("darts of a product see its cells, with the orientation that they give
     }
   }
   CHECK(counts(engine) == std::vector<std::uint64_t>{6, 12, 8, 2});
+}
+
+TEST_CASE("a product of a cell that is not its own mirror image may be oriented the other way",
+          "[engine][maps][product]") {
+  const GMap one = *GMap::make({{1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14},
+                                {1, 0, 11, 4, 3, 6, 5, 8, 7, 10, 9, 2, 13, 12, 15, 14},
+                                {3, 2, 1, 0, 7, 6, 5, 4, 15, 14, 13, 12, 11, 10, 9, 8}});
+  const GMap other = *GMap::make({{1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14},
+                                  {1, 0, 13, 4, 3, 6, 5, 8, 7, 10, 9, 12, 11, 2, 15, 14},
+                                  {3, 2, 1, 0, 7, 6, 5, 4, 13, 12, 15, 14, 9, 8, 11, 10}});
+  const bool is_left = GENERATE(false, true);
+  const GMap solid = (is_left ? other : one).extended();
+  Engine engine(ring_named("Z"));
+  carry_out(engine, make_map("l", is_left ? solid : segment_map()));
+  carry_out(engine, make_map("r", is_left ? segment_map() : solid));
+  carry_out(engine, ops::MakeProduct{"P", "l", "r"});
+  const ops::Structure& structure = engine.structure();
+  const auto pair = structure.denoted(is_left ? "P.(l.3:0|r.1:0)" : "P.(l.1:0|r.3:0)").value();
+  CHECK(structure.maps().sign(pair.order) == -1);
+  CHECK(engine.first_defect().value_or("") == "");
+  CHECK(live_groups(engine).size() == 1);
 }
 
 TEST_CASE("spaces that are products of maps", "[engine][maps][product]") {
