@@ -1050,12 +1050,16 @@ class WriterOfMaps(WriterOfAll):
 
     def unsew(self):
         state = self.oracle.state
-        sewn = [d for d, images in state.alpha.items() if images[-1] != d and state.maps[d[0]].glued is None]
+        sewn = [(d, i) for d, images in state.alpha.items() for i, image in enumerate(images)
+                if image != d and (i == len(images) - 1 or state.maps[d[0]].glued is not None)]
         if not sewn:
             return False
-        chosen = self.random.choices(sewn, k=self.random.choice([1, 1, 1, 2]))
-        n = state.maps[chosen[0][0]].dimension
-        return self.attempt({"op": "unsew", "dim": n, "darts": [self.dart_text(d) for d in chosen]})
+        first, i = self.random.choice(sewn)
+        if self.random.random() < 0.4:  # of a map by simplices, if there is one
+            first, i = self.random.choice([(d, j) for d, j in sewn if state.maps[d[0]].glued is not None] or [(first, i)])
+        also = [d for d, j in sewn if j == i and (state.maps[d[0]].glued is None) == (state.maps[first[0]].glued is None)]
+        chosen = [first, *self.random.choices(also, k=self.random.choice([0, 0, 0, 1]))]
+        return self.attempt({"op": "unsew", "dim": i, "darts": [self.dart_text(d) for d in chosen]})
 
     def extend(self):
         """Any map; those that bound nothing are rare."""
@@ -1171,7 +1175,6 @@ class WriterOfMaps(WriterOfAll):
             if state.maps[d[0]].glued is None:
                 steps.append({"op": "simplex", "name": oracle.dart_cell_name(d[0], 0, "0"), "dim": 0})
             else:
-                steps.append({"op": "extend", "maps": [d[0]]})
                 steps.append({"op": "simplex", "name": f"{d[0]}.<0>:0", "dim": 0})
         return steps
 
