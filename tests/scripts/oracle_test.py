@@ -798,6 +798,27 @@ class MapsTest(unittest.TestCase):
         self.refuses(polygon("p", 3), polygon("q", 3), sew(2, ("p:0", "q:1")), glue(("p.1:2", "q.1:2")), unsew(2, "p:0"))
         self.refuses(polygon("p", 3), sew(2, ("p:2", "p:5")), squash("p.1:0", 0), unsew(2, "p:2"))
 
+    def test_maps_by_simplices_are_unsewn_and_extended(self):
+        def piece(name):
+            return "polygon", {"name": name, "sides": 3, "as": "simplices"}
+
+        apart = run(piece("p"), piece("q"))
+        for dim, *pair in ((2, "p:0", "q:1"), (2, "p:0", "p:3")):
+            twin = run(piece("p"), piece("q"), sew(dim, pair), unsew(dim, pair[1]))
+            self.assertEqual(found(twin), found(apart))
+            self.assertEqual({c.name for c in twin.state.cells.values()}, {c.name for c in apart.state.cells.values()})
+        steps = [piece("p"), piece("q"), sew(2, ("p:0", "q:1")), ("extend", {"maps": ["q"]})]
+        steps += [sew(3, ("p:0", "q:1")), unsew(3, "q:2"), unsew(1, "p:1"), unsew(2, "q:0"), unsew(0, "q:3")]
+        for count in range(3, len(steps) + 1):
+            twin = run(*steps[:count])
+            self.assertIsNone(twin.state.broken_law())
+            self.assertEqual(without_zeros(*found(twin)[1:]), groups_of_analogue(twin.state))
+        self.assertEqual(found(run(*steps[:4]))[0], [12, 33, 34, 12])
+        self.refuses(piece("p"), unsew(2, "p:0"))
+        self.refuses(piece("p"), unsew(3, "p:0"))
+        self.refuses(*steps[:3], glue(("p.<0>:0", "q.<0>:3")), unsew(2, "p:0"))
+        self.refuses(piece("p"), polygon("r", 3), ("extend", {"maps": ["p", "r"]}))
+
     def test_a_polygon_keeps_its_name_when_it_is_a_face_of_a_solid(self):
         pillows = [step for name in "pq" for step in (polygon(name, 2), sew(2, (f"{name}:0", f"{name}:3")),
                                                       ("extend", {"maps": [name]}))]
