@@ -23,7 +23,8 @@ namespace {
 struct Wanted {
   const std::string& name;
   const GMap& map;
-  Dart halves;         ///< of an n-map, as in DartStore
+  Dart halves;  ///< of an n-map, as in DartStore
+  bool is_polygon;
   std::size_t points;  ///< that are given for its vertices
 
   [[nodiscard]] std::string dart(Dart d) const {
@@ -43,7 +44,7 @@ Status check_points(const Wanted& wanted) {
 
 /// Are the names of all cells of a map free, from whichever dart?
 Status check_names(const Wanted& wanted, const Structure& structure) {
-  const auto& [name, map, halves, points] = wanted;
+  const auto& [name, map, halves, is_polygon, points] = wanted;
   if (Status s = check_new_name(name, structure); !s) {
     return s;
   }
@@ -94,8 +95,8 @@ Status plan_by_simplices(const Wanted& wanted, const Structure& structure, const
   return Done{};
 }
 
-/// The type over which a map is one standard cell, so that all maps like it share what is known of its faces and their
-/// names; or none. That of a cell whose darts are numbered as its type has them.
+/// The type over which a map is one standard cell, so that all maps like it share what is known of its faces; or none.
+/// That of a cell whose darts are numbered as its type has them.
 TypeId standard_type(const Wanted& wanted, TypeTable& types) {
   const GMap& map = wanted.map;
   const int n = map.dimension();
@@ -123,6 +124,13 @@ Status plan_by_cells(const Wanted& wanted, const Structure& structure, const Lim
     }
     write_standard(wanted.name, type, structure, plan);
     plan.map = {wanted.map, standard.darts};
+    if (!wanted.is_polygon) {  // whose face is called as it is
+      plan.standard = none;
+      for (std::size_t k = 0; k < standard.cells.size(); ++k) {
+        plan.names.append(wanted.name).append(1, '.').append(standard.cells[k].suffix);
+        plan.cells[k].name_end = plan.names.size();
+      }
+    }
     return Done{};
   }
   const Result<std::vector<CellsOfMap>> layers = cells_of_map(wanted.map, structure.types(), true);
@@ -158,14 +166,15 @@ Status plan_map(const Wanted& wanted, bool as_simplices, const Structure& struct
 
 Status plan_map(const MakeGMap& operation, const Structure& structure, const Limits& limits, Plan& plan) {
   const Result<GMap> map = GMap::make(operation.alpha);
-  return map ? plan_map({operation.name, *map, 0, operation.at.size()}, operation.as_simplices, structure, limits, plan)
+  return map ? plan_map({operation.name, *map, 0, false, operation.at.size()}, operation.as_simplices, structure,
+                        limits, plan)
              : Error{map.error().code, fmt::format("\"{}\" is no G-map: {}", operation.name, map.error().what)};
 }
 
 Status plan_map(const MakeMap& operation, const Structure& structure, const Limits& limits, Plan& plan) {
   const Result<NMap> map = NMap::make(operation.beta);
-  return map ? plan_map({operation.name, to_gmap(*map), map->size(), operation.at.size()}, operation.as_simplices,
-                        structure, limits, plan)
+  return map ? plan_map({operation.name, to_gmap(*map), map->size(), false, operation.at.size()},
+                        operation.as_simplices, structure, limits, plan)
              : Error{map.error().code, fmt::format("\"{}\" is no map: {}", operation.name, map.error().what)};
 }
 
@@ -178,7 +187,7 @@ Status plan_polygon(const MakePolygon& operation, const Structure& structure, co
     return s;
   }
   const GMap map = polygon(static_cast<Dart>(sides));
-  const Wanted wanted{name, map, 0, at.size()};
+  const Wanted wanted{name, map, 0, true, at.size()};
   if (Status s = check_points(wanted); !s) {
     return s;
   }

@@ -77,12 +77,20 @@ Result<RewiredCells::SeenCell> RewiredCells::seen_before(int i, Dart d) const {
       return SeenCell{node, is_cone(structure_.cells().type(node).type) ? 0 : seen.dart};
     }
   }
-  const Result<Value> value = seen_now(map_.dimension(), i, d, structure_);
+  const Result<Value> value = value_before(i, d);
   if (!value) {
     return value.error();
   }
   return value->is_degenerate() ? SeenCell{value->cell, 0, true}
                                 : SeenCell{value->cell, structure_.maps().dart_of(value->order)};
+}
+
+Result<Value> RewiredCells::value_before(int i, Dart d) const {
+  const auto value = seen_from_dart(structure_, structure_.darts().map_of(map_.dimension(), d), i, d);
+  if (value && structure_.is_current(value->cell) && !structure_.lazy().is_consumed(value->cell)) {
+    return *value;
+  }
+  return seen_now(map_.dimension(), i, d, structure_);
 }
 
 /// What a dart will see in a dimension that has been gone through. Requires: it is one of a cell above that has passed
@@ -93,7 +101,7 @@ RewiredCells::SeenCell RewiredCells::seen_after(int i, Dart d) const {
   return at != level.end() ? at->second : *seen_before(i, d);
 }
 
-/// Of a cell that is no cone, and may be a new one.
+/// Of a cell that is no cone and not degenerate, and may be a new one.
 Value RewiredCells::value_of(const SeenCell& seen) const {
   const bool is_new = seen.cell >= plan_.first && !is_asked_for(seen.cell);
   const TypeId type = is_new ? plan_.cells[seen.cell - plan_.first].type : structure_.cells().type_id(seen.cell);
@@ -101,9 +109,16 @@ Value RewiredCells::value_of(const SeenCell& seen) const {
   return {seen.cell, structure_.maps().seen_through(order, type), 0, order};
 }
 
+/// As seen_after.
+Result<Value> RewiredCells::value_after(int i, Dart d) const {
+  const Seen& level = levels_[static_cast<std::size_t>(i)];
+  const auto at = level.find(d);
+  return at != level.end() ? Result<Value>{value_of(at->second)} : value_before(i, d);
+}
+
 /// What a dart will see, as a face of a new cell.
 SeenFace RewiredCells::face_seen_after(int i, Dart d) const {
-  const Value value = value_of(seen_after(i, d));
+  const Value value = *value_after(i, d);
   const bool is_new = value.cell >= plan_.first && !is_asked_for(value.cell);
   return {is_new ? Incidence{value.cell, value.order} : structure_.values().incidence_of(value), value.type};
 }
@@ -126,6 +141,16 @@ RewiredCells::SeenCell RewiredCells::face_at(const std::vector<Value>& faces, Ty
   }
   const Dart root = structure_.maps().dart_of(face.order);
   return {face.cell, structure_.types().dart_from(structure_.cells().type_id(face.cell), root, in_face.dart)};
+}
+
+/// Is `below`, which a dart sees in dimension i - 1, the face that the dart `place` of an old cell lies in?
+bool RewiredCells::is_face(const std::vector<Value>& faces, const SeenCell& cell, int i, Dart d,
+                           const SeenCell& below) const {
+  const SeenCell face = face_at(faces, structure_.cells().type_id(cell.cell), cell.place);
+  if (!face.is_degenerate || !below.is_degenerate) {
+    return face == below;
+  }
+  return structure_.values().face(value_of(cell), 0) == *value_before(i - 1, d);
 }
 
 Status RewiredCells::add_old_cell(int i, Dart d) {
@@ -160,7 +185,7 @@ Status RewiredCells::check_seen(int i, const OldCell& old) const {
       if (!face) {
         return face.error();
       }
-      is_whole = face_at(faces, structure_.cells().type_id(old.cell), seen.place) == *face;
+      is_whole = is_face(faces, seen, i, d, *face);
     }
     if (!is_whole) {
       return Error{Errc::refused, fmt::format("the {}-cell of {} has been split, and not by unsewing, or became "
@@ -227,7 +252,7 @@ bool RewiredCells::keep(int i, const CellBoundary& boundary, const std::vector<D
   for (std::size_t k = 0; k < darts.size(); ++k) {
     const Dart place = places[boundary.boundary_darts[k]];
     if ((is_old(darts[k]) && !(before_.at(darts[k]) == SeenCell{old.cell, place})) ||
-        (i > 0 && !(face_at(faces, type, place) == seen_after(i - 1, darts[k])))) {
+        (i > 0 && !is_face(faces, {old.cell, place}, i, darts[k], seen_after(i - 1, darts[k])))) {
       return false;
     }
   }
@@ -292,12 +317,7 @@ Status RewiredCells::make_cone(const CellBoundary& boundary, const std::vector<D
   const ConeShape* shape = structure_.types().cone_over(restricted_to(boundary.map, order, n - 1));
   sparse::expects(shape != nullptr, "the cells below have been made, or kept, as balls");
   for (const Dart d : darts) {
-    const auto sees = [&](int q) -> Result<Value> {
-      const Seen& level = levels_[static_cast<std::size_t>(q)];
-      const auto at = level.find(d);
-      const Result<SeenCell> seen = at != level.end() ? Result<SeenCell>{at->second} : seen_before(q, d);
-      return seen ? Result<Value>{value_of(*seen)} : seen.error();
-    };
+    const auto sees = [&](int q) { return value_after(q, d); };
     if (Status s = check_faces_seen(n, sees, text(d), structure_, plan_); !s) {
       return s;
     }

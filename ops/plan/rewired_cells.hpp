@@ -67,6 +67,10 @@ class RewiredCells {
   [[nodiscard]] Result<SeenCell> seen_before(int i, Dart d) const;
   [[nodiscard]] SeenCell seen_after(int i, Dart d) const;
   [[nodiscard]] Value value_of(const SeenCell& seen) const;
+  [[nodiscard]] Result<Value> value_before(int i, Dart d) const;
+  [[nodiscard]] Result<Value> value_after(int i, Dart d) const;
+  [[nodiscard]] bool is_face(const std::vector<Value>& faces, const SeenCell& cell, int i, Dart d,
+                             const SeenCell& below) const;
   [[nodiscard]] SeenFace face_seen_after(int i, Dart d) const;
   [[nodiscard]] std::vector<Value> faces_of(CellId cell) const;
   [[nodiscard]] SeenCell face_at(const std::vector<Value>& faces, TypeId type, Dart place) const;
