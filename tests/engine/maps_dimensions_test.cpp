@@ -59,6 +59,7 @@ class SimplexMaps {
 
   void make(const std::string& name, const GMap& map) {
     carry_out(engine_, make_map(name, map, true));
+    maps_.push_back(name);
     const auto first = static_cast<Dart>(names_.size());
     for (std::size_t i = 0; i < alpha_.size(); ++i) {
       for (const Dart image : map.involutions()[i]) {
@@ -88,6 +89,45 @@ class SimplexMaps {
       alpha_[static_cast<std::size_t>(i)][y] = x;
     }
     return true;
+  }
+  /// Takes a random sewing back where there is one. Whether something has happened.
+  bool unsew(Random& random) {
+    const int i = random.in(0, n_);
+    const auto a = static_cast<Dart>(random.in(0, static_cast<int>(names_.size()) - 1));
+    auto& images = alpha_[static_cast<std::size_t>(i)];
+    const auto report = engine_.apply(ops::Unsew{i, {names_[a]}});
+    CAPTURE(i, names_[a], report ? "" : report.error().what);
+    REQUIRE(report.has_value() == (images[a] != a));
+    if (!report) {
+      return false;
+    }
+    past_.push_back(alpha_);
+    std::vector<Dart> orbit{a, images[a]};
+    for (std::size_t at = 0; at < orbit.size(); ++at) {
+      for (int j = 0; j <= n_; ++j) {
+        const Dart next = alpha_[static_cast<std::size_t>(j)][orbit[at]];
+        if (std::abs(j - i) >= 2 && std::ranges::find(orbit, next) == orbit.end()) {
+          orbit.push_back(next);
+          orbit.push_back(images[next]);
+        }
+      }
+    }
+    for (const Dart d : orbit) {
+      images[d] = d;
+    }
+    return true;
+  }
+  /// All of them, by one involution more.
+  void extend() {
+    carry_out(engine_, ops::Extend{maps_});
+    past_.push_back(alpha_);
+    ++n_;
+    alpha_.emplace_back(names_.size());
+    std::iota(alpha_.back().begin(), alpha_.back().end(), Dart{0});
+  }
+  void undo_extension() {
+    undo();
+    --n_;
   }
   [[nodiscard]] bool can_undo() const { return !past_.empty(); }
   void undo() {
@@ -133,7 +173,7 @@ class SimplexMaps {
   int n_;
   Lists alpha_;
   std::vector<Lists> past_;
-  std::vector<std::string> names_;
+  std::vector<std::string> names_, maps_;
 };
 
 /// A map of one dimension more than a surface that is no sphere: its cell of that dimension is no ball.
@@ -166,10 +206,22 @@ TEST_CASE("maps with folds, free darts and cells of any kind are what their dart
   for (int done = 0; done < 12 && tries > 0; --tries) {
     if (maps.can_undo() && random.one_in(5)) {
       maps.undo();
-    } else if (!maps.sew(random)) {
+    } else if (random.one_in(4) ? !maps.unsew(random) : !maps.sew(random)) {
       continue;
     }
     ++done;
+    maps.check();
+  }
+  if (dimension < 4) {
+    maps.extend();
+    maps.check();
+    for (int k = 0; k < 8; ++k) {
+      if (random.one_in(2) ? maps.sew(random) : maps.unsew(random)) {
+        maps.check();
+        maps.undo();
+      }
+    }
+    maps.undo_extension();
     maps.check();
   }
 }

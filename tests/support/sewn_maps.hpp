@@ -76,7 +76,7 @@ class Sewn {
   /// Do boundaries of cells, parts of such as are no balls among them, and subdivisions commute?
   void check_subdivisions() {
     const ops::Structure& structure = by_cells_.structure();
-    for (CellId cell{0}; cell < structure.cells().size(); ++cell) {
+    for (ops::CellId cell{0}; cell < structure.cells().size(); ++cell) {
       if (!structure.is_current(cell) || is_deleted(structure.forest(), cell)) {
         continue;
       }
@@ -87,8 +87,8 @@ class Sewn {
       REQUIRE(as_map(one) == as_map(other));
     }
   }
-  [[nodiscard]] static std::map<CellId, sparse::Rational> as_map(const CellChain& chain) {
-    std::map<CellId, sparse::Rational> terms;
+  [[nodiscard]] static std::map<ops::CellId, sparse::Rational> as_map(const CellChain& chain) {
+    std::map<ops::CellId, sparse::Rational> terms;
     for (const auto& [coefficient, cell] : chain.terms) {
       terms.emplace(cell, coefficient);
     }
