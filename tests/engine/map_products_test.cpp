@@ -20,7 +20,7 @@ using Lines = std::vector<std::string>;
 GMap ring_of(Dart edges) { return ops::polygon(edges).restricted(1); }
 GMap segment_map() { return *GMap::make({{1, 0}, {0, 1}}); }
 
-std::vector<std::uint64_t> counts(const Engine& engine) {
+std::vector<std::uint64_t> cells_counted(const Engine& engine) {
   const auto cells = engine.cells();
   return {cells.begin(), cells.end()};
 }
@@ -116,7 +116,7 @@ TEST_CASE("darts of a product see its cells, with the orientation that they give
       }
     }
   }
-  CHECK(counts(engine) == std::vector<std::uint64_t>{6, 12, 8, 2});
+  CHECK(cells_counted(engine) == std::vector<std::uint64_t>{6, 12, 8, 2});
 }
 
 TEST_CASE("a product of a cell that is not its own mirror image may be oriented the other way",
@@ -232,7 +232,7 @@ TEST_CASE("what is glued in a factor is glued in the product", "[engine][maps][p
         Lines{R"({"op":"polygon","name":"a","sides":4})", R"({"op":"polygon","name":"b","sides":4})",
               R"({"op":"sew","dim":2,"pairs":[["a:0","b:1"]]})", R"({"op":"gmap","name":"s","alpha":[[1,0],[0,1]]})",
               R"({"op":"product","name":"P","left":"a","right":"s"})"});
-  CHECK(counts(engine) == std::vector<std::uint64_t>{12, 20, 11, 2});
+  CHECK(cells_counted(engine) == std::vector<std::uint64_t>{12, 20, 11, 2});
   // The 16 darts of a and b, a's first, times the 2 of s, times three words; the first one ends with a step to the
   // left.
   const auto dart = [](int d, int e, int word) { return "P:" + std::to_string((d * 2 + e) * 3 + word); };
@@ -258,7 +258,7 @@ TEST_CASE("products of maps are undone, and factors are there again", "[engine][
   CHECK_FALSE(engine.structure().lookup("P.1:0").has_value());
   carry_out(engine, R"({"op":"sew","dim":2,"pairs":[["a:0","a:2"]]})");
   carry_out(engine, product);
-  CHECK(counts(engine) == std::vector<std::uint64_t>{2, 5, 4, 1});
+  CHECK(cells_counted(engine) == std::vector<std::uint64_t>{2, 5, 4, 1});
   CHECK(engine.first_defect().value_or("") == "");
 }
 
@@ -270,14 +270,14 @@ TEST_CASE("chains of maps have products, whose levels name their cells", "[engin
             R"({"alpha":[[1,0,3,2,5,4],[5,2,1,4,3,0]],"sigma":[0,1,2,3,4,5]}]})",
             R"({"op":"chain_of_maps","name":"e","levels":[{"darts":2},{"alpha":[[1,0]],"sigma":[0,1]}]})",
             R"({"op":"product","name":"P","left":"t","right":"e"})"});
-  CHECK(counts(engine) == std::vector<std::uint64_t>{6, 9, 5, 1});
+  CHECK(cells_counted(engine) == std::vector<std::uint64_t>{6, 9, 5, 1});
   // Level 2 has three times twelve darts of the squares, and then those of the two triangles.
   CHECK(engine.structure().lookup("P.2:0") == engine.structure().lookup("P.(t.1:0|e.1:0)"));
   CHECK(engine.structure().lookup("P.2:23") == engine.structure().lookup("P.(t.1:5|e.1:1)"));
   CHECK(engine.structure().lookup("P.2:24") == engine.structure().lookup("P.(t.2:0|e.0:0)"));
   CHECK_FALSE(engine.structure().lookup("P.2:36").has_value());
   carry_out(engine, R"({"op":"identify","pairs":[["P.2:24","P.2:25"]]})");
-  CHECK(counts(engine) == std::vector<std::uint64_t>{3, 6, 4, 1});
+  CHECK(cells_counted(engine) == std::vector<std::uint64_t>{3, 6, 4, 1});
   CHECK(live_groups(engine).size() == 2);
   CHECK(engine.first_defect().value_or("") == "");
 }
@@ -286,12 +286,12 @@ TEST_CASE("a product of a map and of what has no darts is one by cells", "[engin
   Engine engine(ring_named("Z"));
   build(engine, Lines{R"({"op":"polygon","name":"a","sides":5})", R"({"op":"simplex","name":"e","dim":1})",
                       R"({"op":"product","name":"P","left":"a","right":"e"})"});
-  CHECK(counts(engine) == std::vector<std::uint64_t>{10, 15, 7, 1});
+  CHECK(cells_counted(engine) == std::vector<std::uint64_t>{10, 15, 7, 1});
   CHECK_FALSE(engine.structure().lookup("P.1:0").has_value());
   CHECK(engine.structure().denoted("P.(a|e)")->node == engine.structure().denoted("P.(a|e.1-0)")->node);
   CHECK(engine.structure().denoted("P.(a|e)")->order != engine.structure().denoted("P.(a|e.1-0)")->order);
   carry_out(engine, ops::Identify{{{"P.(a|e.0)", "P.(a|e.1)"}}});
-  CHECK(counts(engine) == std::vector<std::uint64_t>{5, 10, 6, 1});
+  CHECK(cells_counted(engine) == std::vector<std::uint64_t>{5, 10, 6, 1});
   CHECK(engine.first_defect().value_or("") == "");
 }
 
