@@ -252,7 +252,7 @@ TEST_CASE("a snapshot of an object on other terms is refused", "[engine][snapsho
   newer[16] = 99;  // behind "sesame snapshot\n"
   const Result<Snapshot> snapshot = read(newer, terms);
   REQUIRE_FALSE(snapshot);
-  CHECK(snapshot.error().what == "this snapshot has format 99, and this program reads 2");
+  CHECK(snapshot.error().what == "this snapshot has format 99, and this program reads 3");
   const Bytes text{'{',  '"', 'o', 'p', '"', ':', '"', 'n', 'o', 't', 'e', '"', '}',
                    '\n', ' ', ' ', ' ', ' ', ' ', ' ', ' ', ' ', ' ', ' ', ' ', ' '};
   CHECK(read(text, terms).error().what == "this is no snapshot: one begins with \"sesame snapshot\"");

@@ -267,7 +267,7 @@ TEST_CASE("chains of cells of maps are written in simplices where that is asked 
                              "\n"
                              R"({"op":"class","chain":[[1,"t.1:0"]]})"
                              "\n"
-                             R"({"op":"class","chain":[[1,"t.1:0"],[1,"t.1:5"]]})"
+                             R"({"op":"class","chain":[[1,"t.1:0"],[-1,"t.1:5"]]})"
                              "\n";
   const std::string out = report_on(script, replay::json_reporter_in_simplices, with_generators());
   const std::vector<std::string> lines = lines_of(out);
