@@ -275,7 +275,7 @@ TEST_CASE("what lies in the boundary of a cell that is no ball is split only whe
       why_not(engine, operation(R"({"op":"deidentify","split":[{"cell":"m.2:0","as":"x","moves":[["m.3:0",0]]}]})")),
       R"(belongs to "m.3:0")"));
   build(engine, {R"({"op":"simplex","name":"e","dim":1})", R"({"op":"identify","pairs":[["e.0","m.0:0"]]})",
-                 R"({"op":"deidentify","split":[{"cell":"m.0:0","as":"x","moves":[["e",1]]}]})"});
+                 R"({"op":"deidentify","split":[{"cell":"m.0:0","as":"y","moves":[["e",1]]}]})"});
   CHECK(engine.homology().betti == std::vector<std::int64_t>{2, 0, 0, 0});
   carry_out(engine, R"({"op":"remove","cells":["m.3:0"]})");
   carry_out(engine, split_off(engine, "m.0:8"));  // now nothing depends on it
