@@ -83,6 +83,15 @@ void DartStore::begin_with(const DartStore& other, const Renewed& renewed) {
       }
     }
   }
+  for (const auto& [place, node] : other.sees_) {  // the simplices that are no sides, which maps have no lists of
+    const auto& [n, i, dart] = place;
+    if (const Dart now = new_number[n][dart]; i > n && now != no_dart) {
+      const DartCells::Seen seen = renewed.seen(other.map_of(static_cast<int>(n), dart), static_cast<int>(i), dart);
+      if (seen.offset != UINT32_MAX) {
+        sees_.emplace(Place{n, i, now}, seen);
+      }
+    }
+  }
   for (const auto& [place, with] : other.taken_out_) {
     if (const Dart dart = new_number[place[0]][place[1]]; dart != no_dart) {
       taken_out_.emplace(DartPlace{place[0], dart}, with);

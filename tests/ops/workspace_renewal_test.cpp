@@ -182,3 +182,37 @@ TEST_CASE("a map stays when a cell is called after a dart of it that is gone") {
   }
   check_is_same(next, workspace);
 }
+
+TEST_CASE(
+    "simplices of maps that were unsewn are called by the same darts in a workspace that begins with the object") {
+  Workspace workspace;
+  for (const char* line :
+       {R"({"op":"polygon","name":"p","sides":4,"as":"simplices"})",
+        R"({"op":"polygon","name":"q","sides":4,"as":"simplices"})", R"({"op":"sew","dim":2,"pairs":[["p:0","q:0"]]})",
+        R"({"op":"unsew","dim":2,"darts":["p:0"]})", R"({"op":"unsew","dim":1,"darts":["q:2"]})"}) {
+    CAPTURE(line);
+    REQUIRE(do_step(workspace, operation(line)));
+  }
+  Workspace next;
+  next.begin_with(workspace);
+  check_is_sound(next);
+  std::vector<std::string> names;
+  for (const char* map : {"p", "q"}) {
+    for (const char* numbers : {"0", "1", "2", "0-1", "0-2", "1-2", "0-1-2"}) {
+      for (int k = 0; k < 8; ++k) {
+        names.push_back(map + std::string(".<") + numbers + ">:" + std::to_string(k));
+      }
+    }
+  }
+  const auto node = [](const Workspace& of, const std::string& name) {
+    const auto found = of.structure().lookup(name);
+    return found ? of.structure().find(*found) : ops::CellId{UINT32_MAX};
+  };
+  std::map<ops::CellId, ops::CellId> same;  // of the one by that of the other
+  for (const std::string& name : names) {
+    CAPTURE(name);
+    const auto [at, is_new] = same.try_emplace(node(workspace, name), node(next, name));
+    CHECK(at->second == node(next, name));
+  }
+  CHECK(same.size() > 40);
+}
