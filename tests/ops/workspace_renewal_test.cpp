@@ -188,7 +188,9 @@ TEST_CASE(
   Workspace workspace;
   for (const char* line :
        {R"({"op":"polygon","name":"p","sides":4,"as":"simplices"})",
-        R"({"op":"polygon","name":"q","sides":4,"as":"simplices"})", R"({"op":"sew","dim":2,"pairs":[["p:0","q:0"]]})",
+        R"({"op":"polygon","name":"q","sides":4,"as":"simplices"})",
+        R"({"op":"polygon","name":"r","sides":4,"as":"simplices"})", R"({"op":"sew","dim":2,"pairs":[["p:0","q:0"]]})",
+        R"({"op":"sew","dim":2,"pairs":[["q:2","r:0"]]})",  // at a vertex with p, which keeps it
         R"({"op":"unsew","dim":2,"darts":["p:0"]})", R"({"op":"unsew","dim":1,"darts":["q:2"]})"}) {
     CAPTURE(line);
     REQUIRE(do_step(workspace, operation(line)));
@@ -197,7 +199,7 @@ TEST_CASE(
   next.begin_with(workspace);
   check_is_sound(next);
   std::vector<std::string> names;
-  for (const char* map : {"p", "q"}) {
+  for (const char* map : {"p", "q", "r"}) {
     for (const char* numbers : {"0", "1", "2", "0-1", "0-2", "1-2", "0-1-2"}) {
       for (int k = 0; k < 8; ++k) {
         names.push_back(map + std::string(".<") + numbers + ">:" + std::to_string(k));
