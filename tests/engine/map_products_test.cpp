@@ -134,9 +134,9 @@ TEST_CASE("a product of a cell that is not its own mirror image may be oriented 
   for (const GMap& solid : {one.extended(), other.extended()}) {
     for (const bool is_left : {false, true}) {
       CAPTURE(is_left);
-      Engine engine(ring_named("Z"));
-      carry_out(engine, make_map("l", is_left ? solid : segment_map()));
-      carry_out(engine, make_map("r", is_left ? segment_map() : solid));
+      Engine engine(ring_named("Z"));  // homotopies lead from edges of the other factor to its face
+      carry_out(engine, make_map("l", is_left ? solid : ops::polygon(2)));
+      carry_out(engine, make_map("r", is_left ? ops::polygon(2) : solid));
       carry_out(engine, ops::MakeProduct{"P", "l", "r"});
       const ops::Structure& structure = engine.structure();
       signs.insert(
