@@ -1,8 +1,5 @@
 #include "ops/cells/analogue_chain.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <map>
 #include <string_view>
@@ -10,6 +7,7 @@
 #include <unordered_set>
 
 #include "ops/cells/cone_parts.hpp"
+#include "ops/cells/dart_simplices.hpp"
 #include "ops/cells/lineage.hpp"
 #include "ops/cells/name_text.hpp"
 #include "ops/maps/gmap.hpp"
@@ -101,15 +99,7 @@ class Darts {
 
  private:
   [[nodiscard]] std::string name(Dart d, IndexSet numbers) const {
-    std::vector<int> listed;
-    for (int i = 0; i <= dimension_; ++i) {
-      if ((numbers >> i & 1U) != 0) {
-        listed.push_back(i);
-      }
-    }
-    const DartStore::Made& map = store_.map_of(dimension_, d);
-    return fmt::format("{}.<{}>:{}", structure_.directory().names()[map.name].text, fmt::join(listed, "-"),
-                       dart_text(map, d - map.first));
+    return name_of_simplex(structure_, dimension_, numbers, d);
   }
 
   const Structure& structure_;
@@ -127,9 +117,6 @@ struct Seeing {
 /// The node that a dart sees as a cell that there is now, and which dart of it that is.
 std::optional<DartCells::Seen> seen_now_of(const Structure& structure, const DartStore::Made& map, int i, Dart d) {
   const DartCells::Seen seen = structure.darts().seen(map, i, d);
-  if (seen.offset == none) {
-    return std::nullopt;
-  }
   auto value = seen_from_dart(structure, map, i, d);
   if (!value) {
     return std::nullopt;

@@ -1,5 +1,7 @@
 #include "ops/cells/dart_simplices.hpp"
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <charconv>
 
@@ -26,6 +28,12 @@ std::string text_of_numbers(IndexSet numbers) {
     text += (text.size() > 1 ? "-" : "") + std::to_string(std::countr_zero(numbers));
   }
   return text + '>';
+}
+
+std::string name_of_simplex(const Structure& structure, int dimension, IndexSet numbers, Dart dart) {
+  const DartStore::Made& map = structure.darts().map_of(dimension, dart);
+  return fmt::format("{}.{}:{}", structure.directory().names()[map.name].text, text_of_numbers(numbers),
+                     dart_text(map, dart - map.first));
 }
 
 std::optional<SimplexOfDart> split_simplex(std::string_view text) {

@@ -18,6 +18,8 @@ namespace sesame::ops {
 
 /// "<0-2>" for the numbers 0 and 2.
 [[nodiscard]] std::string text_of_numbers(IndexSet numbers);
+/// "m.<0-2>:3", the simplex of a dart of a map of some dimension, called after that dart.
+[[nodiscard]] std::string name_of_simplex(const Structure& structure, int dimension, IndexSet numbers, Dart dart);
 
 /// "m.<0-2>:3" as (1, the numbers, "3"): the length of what comes before the ".", and a dart, "3" or "3'". Nothing when
 /// the text ends otherwise.

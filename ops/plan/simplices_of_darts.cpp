@@ -11,9 +11,7 @@
 namespace sesame::ops {
 
 std::string SimplicesOfDarts::name(IndexSet numbers, Dart dart) const {
-  const DartStore::Made& map = structure_.darts().map_of(dimension_, dart);
-  return fmt::format("{}.{}:{}", structure_.directory().names()[map.name].text, text_of_numbers(numbers),
-                     dart_text(map, dart - map.first));
+  return name_of_simplex(structure_, dimension_, numbers, dart);
 }
 
 Result<CellId> SimplicesOfDarts::made(Dart dart) const {
