@@ -1388,6 +1388,17 @@ def simplicial_product(state, first, second):
                 yield (a, left, b, right), (n,) if n else (), below, label(mine, other)
 
 
+def product_body(state, name, bodies, cells):
+    """A new body in the place of those that are multiplied, which go with their cells."""
+    for alias, value in state.names.items():
+        if value and value[0] in cells:
+            state.names[alias] = None
+    for c in cells:
+        del state.cells[c]
+    state.consumed.update(bodies)
+    return state.new_body(name)
+
+
 def op_product(state, step, _prime):
     fields(step, ("name", "left", "right"), ("kind",))
     name, kind = check_name(step["name"], "name"), step.get("kind", "simploidal")
@@ -1415,13 +1426,7 @@ def op_product(state, step, _prime):
     canonical = {c: (state.cells[c].name, whole(state.cells[c].kind)) for c in aliases}
     tables = [{key: (state.cells[value[0]].name, value[1]) for key, value in state.names.items()
                if value and value[0] in set(side)} for side in (first, second)]
-    for alias, value in state.names.items():
-        if value and value[0] in aliases:
-            state.names[alias] = None
-    for c in aliases:
-        del state.cells[c]
-    state.consumed.update(bodies)
-    body = state.new_body(name)
+    body = product_body(state, name, bodies, aliases)
     if not state.disordered.isdisjoint(bodies):
         state.disordered.add(body)
     numbers = {key: state.created + n for n, (key, _, _, _) in enumerate(made)}
@@ -1457,13 +1462,7 @@ def product_of_maps(state, name, bodies):
     tables = [{key: (state.cells[value[0]].name, value[1]) for key, value in state.names.items()
                if value and value[0] in set(side)} for side in (first, second)]
     cells = dict(state.cells)
-    for alias, value in state.names.items():
-        if value and value[0] in aliases:
-            state.names[alias] = None
-    for c in aliases:
-        del state.cells[c]
-    state.consumed.update(bodies)
-    body = state.new_body(name)
+    body = product_body(state, name, bodies, aliases)
     state.mapped.add(body)
     numbers, shapes = {}, {}
     pairs = sorted(itertools.product(first, second), key=lambda pair: pair)
